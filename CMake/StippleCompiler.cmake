@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Compiler settings shared by every target; third-party headers are "system" headers and stay silent.
+find_program(CCACHE_PROGRAM ccache)
+if (CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif ()
+add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra>")
+if (STIPPLE_WARNINGS_AS_ERRORS)
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-Werror>")
+endif ()
+# Results are the same bytes for any number of threads and, as far as it goes, on any x86-64 machine:
+# no -march=native, no fast-math, no contraction into fused operations.
+add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>")

@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+# The libraries that Stipple stands on. VTK's components are named one by one: all of VTK would drag in Qt.
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonColor CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath
+  CommonMisc CommonSystem CommonTransforms
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
+  ImagingCore ImagingGeneral ImagingHybrid
+  InteractionStyle InteractionWidgets
+  IOGeometry IOImage IOLegacy IOPLY IOXML
+  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+  ChartsCore ViewsContext2D
+  TestingCore TestingRendering
+  glew opengl
+  OPTIONAL_COMPONENTS WrappingPythonCore Python PythonInterpreter)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(OpenMesh REQUIRED CONFIG)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.5 REQUIRED)
+find_package(Threads REQUIRED)

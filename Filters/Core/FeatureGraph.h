@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Backbones (paper 2.4): chains of sharp, boundary and seam edges between the nodes of the feature graph.
+#ifndef stipple_FeatureGraph_h
+#define stipple_FeatureGraph_h
+
+#include "Geometry.h"
+#include "Progress.h"
+#include "StippleFiltersCoreModule.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace stipple
+{
+enum class BackboneType : int
+{
+  Sharp = 0,
+  Boundary = 1,
+  Seam = 2,
+  Constraint = 3 ///< a vertex cell of the feature graph: a surface position that must become a vertex
+};
+
+/// A chain of edges of the cut surface. Backbones end at nodes and meet nowhere else, so that on each of its
+/// sides a backbone lies in one chart.
+struct Backbone
+{
+  BackboneType type = BackboneType::Sharp;
+  bool closed = false;     ///< a cycle without a node
+  std::vector<int> points; ///< surface point ids; a closed backbone does not repeat its first
+  int numberOfSegments() const
+  {
+    return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1);
+  }
+  int segmentEnd(int segment) const
+  {
+    return this->points[(segment + 1) % this->points.size()];
+  }
+};
+
+/// A position on the cut surface that must become a vertex.
+struct ConstraintPoint
+{
+  Vec3 position;
+  int chart = 0;
+  int chartCell = 0; ///< triangle within the chart
+  Vec3 bary = Vec3::Zero();
+};
+
+struct STIPPLEFILTERSCORE_EXPORT FeatureGraph
+{
+  std::vector<Backbone> backbones;
+  std::vector<ConstraintPoint> constraints;
+  std::vector<char> isCorner; ///< by surface point id: valence 1 or > 2 of feature edges, or a sharp turn
+
+  /// Ends of open backbones, ascending, each once: corners, and the junctions where seams end.
+  std::vector<int> nodes() const;
+};
+
+/// The feature graph as lines (and vertex cells for constraints); positions by surface point id.
+STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> toPolyData(
+  const FeatureGraph& graph, const std::vector<Vec3>& surfacePoints);
+
+/// Reads what toPolyData() wrote, or says what is missing.
+STIPPLEFILTERSCORE_EXPORT Status readFeatureGraph(vtkPolyData* lines, FeatureGraph& graph);
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors, and the few plane and triangle formulas that every stage needs.
+#ifndef stipple_Geometry_h
+#define stipple_Geometry_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace stipple
+{
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+
+/// z-component of the cross product of two plane vectors.
+inline double cross2(const Vec2& a, const Vec2& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Twice the signed area of the plane triangle (a, b, c); positive if counterclockwise.
+inline double orient2(const Vec2& a, const Vec2& b, const Vec2& c)
+{
+  return cross2(b - a, c - a);
+}
+
+/// Area of a triangle in space.
+inline double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+/// Cotangent of the angle at a in triangle (a, b, c), clamped to +-limit so that slivers stay finite.
+inline double cotangent(const Vec3& a, const Vec3& b, const Vec3& c, double limit = 1e4)
+{
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const double s = u.cross(v).norm();
+  const double d = u.dot(v);
+  if (s * limit <= std::abs(d))
+  {
+    return d > 0 ? limit : (d < 0 ? -limit : 0.);
+  }
+  return d / s;
+}
+
+/// Barycentric coordinates of p in the plane triangle (a, b, c), which is not degenerate.
+inline Vec3 barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c)
+{
+  const double area = orient2(a, b, c);
+  const double v = orient2(a, p, c) / area;
+  const double w = orient2(a, b, p) / area;
+  return { 1. - v - w, v, w };
+}
+
+/// Clamps barycentric coordinates to the triangle and makes them sum to one.
+inline Vec3 clampedBarycentric(const Vec3& b)
+{
+  const Vec3 c = b.cwiseMax(0.);
+  return c / c.sum();
+}
+}
+
+#endif
