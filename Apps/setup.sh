@@ -74,16 +74,13 @@ stipple_install()
   stipple_say "installed ($(stipple_seconds "$stipple_start"))"
 }
 
-# stipple_build TARGET...: configures build/ (once) and builds targets.
+# stipple_build TARGET...: configures build/ (a second a time, when nothing changed) and builds targets.
 stipple_build()
 {
   stipple_start=$(date +%s)
-  if [ ! -f build/build.ninja ]; then
-    stipple_say "configuring build/"
-    stipple_quietly build/logs/configure.log \
-      cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTIPPLE_WARNINGS_AS_ERRORS=ON
-  fi
-  stipple_say "building: $*"
+  stipple_say "configuring and building: $*"
+  stipple_quietly build/logs/configure.log \
+    cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTIPPLE_WARNINGS_AS_ERRORS=ON
   stipple_quietly build/logs/build.log cmake --build build --target "$@"
   stipple_say "built ($(stipple_seconds "$stipple_start"))"
 }
