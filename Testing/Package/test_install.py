@@ -135,14 +135,17 @@ class Readme(unittest.TestCase):
 # Stands in for the bunny that the quickstart leaves in out/.
 MAKE_INPUT = """
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-source, triangulate, writer = vtkParametricFunctionSource(), vtkTriangleFilter(), vtkPLYWriter()
+source, clean, triangulate, writer = (
+    vtkParametricFunctionSource(), vtkCleanPolyData(), vtkTriangleFilter(), vtkPLYWriter())
 source.SetParametricFunction(vtkParametricTorus())
 source.SetUResolution(80)
 source.SetVResolution(80)
-triangulate.SetInputConnection(source.GetOutputPort())
+clean.SetTolerance(1e-6)
+clean.SetInputConnection(source.GetOutputPort())
+triangulate.SetInputConnection(clean.GetOutputPort())
 writer.SetInputConnection(triangulate.GetOutputPort())
 writer.SetFileName("out/bunny.ply")
 writer.Write()

@@ -12,6 +12,7 @@ from stipple import _convert
 
 def _triangles(source):
     clean = vtkCleanPolyData()
+    clean.SetTolerance(1e-6)
     clean.SetInputConnection(source.GetOutputPort())
     triangulate = vtkTriangleFilter()
     triangulate.SetInputConnection(clean.GetOutputPort())

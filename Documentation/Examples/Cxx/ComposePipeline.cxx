@@ -3,6 +3,7 @@
 // The stages one by one, and a VTK imaging filter of the user's own between the control map and the
 // sampler.
 #include <vtkCDTRemesh.h>
+#include <vtkCleanPolyData.h>
 #include <vtkConformalAtlas.h>
 #include <vtkControlMap.h>
 #include <vtkErrorDiffusionSampler.h>
@@ -24,9 +25,12 @@ int main()
   source->SetParametricFunction(torus);
   source->SetUResolution(80);
   source->SetVResolution(80);
+  vtkNew<vtkCleanPolyData> surface; // the source's first and last points differ in the last digit
+  surface->SetTolerance(1e-6);
+  surface->SetInputConnection(source->GetOutputPort());
 
   vtkNew<vtkConformalAtlas> atlas; // port 0: charts, port 1: feature graph
-  atlas->SetInputConnection(source->GetOutputPort());
+  atlas->SetInputConnection(surface->GetOutputPort());
 
   vtkNew<vtkGeometryMapRenderer> maps;
   maps->SetInputConnection(atlas->GetOutputPort(0));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole pipeline as one filter, and what VTK's demand-driven pipeline makes of a changed
 // parameter.
+#include <vtkCleanPolyData.h>
 #include <vtkGeometryRemesher.h>
 #include <vtkNew.h>
 #include <vtkParametricFunctionSource.h>
@@ -18,9 +19,12 @@ int main()
   source->SetParametricFunction(torus);
   source->SetUResolution(80);
   source->SetVResolution(80);
+  vtkNew<vtkCleanPolyData> surface; // the source's first and last points differ in the last digit
+  surface->SetTolerance(1e-6);
+  surface->SetInputConnection(source->GetOutputPort());
 
   vtkNew<vtkGeometryRemesher> remesher;
-  remesher->SetInputConnection(source->GetOutputPort());
+  remesher->SetInputConnection(surface->GetOutputPort());
   remesher->SetNumberOfPoints(2000);
   remesher->Update();
   std::cout << remesher->GetOutput()->GetNumberOfPoints() << " points, uniform\n";
