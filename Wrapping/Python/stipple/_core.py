@@ -435,15 +435,16 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     backend : "auto", "opengl" or "cpu", optional
         What draws. "auto" and "cpu" need no display.
     arrays : sequence of str, optional
-        Names of the maps to draw. None is all.
+        Names of the maps to draw, point and cell arrays of the surface among them. None is all maps that come from
+        geometry: AreaDistortion, FaceIndex, MeanCurvature, GaussianCurvature, MinimumCurvature, MaximumCurvature,
+        TotalCurvature, Position, Normal.
     **atlas_options
         As for atlas(), when mesh is not an Atlas.
 
     Returns
     -------
     list of dict
-        One dict a chart: name of the map (AreaDistortion, MeanCurvature, GaussianCurvature, Position, Normal, ...) to
-        an array of the shape (rows, columns) or (rows, columns, k); float32, and int32 for FaceIndex. Element [j, i]
+        One dict a chart: name of the map to an array of the shape (rows, columns) or (rows, columns, k); float32, and int32 for FaceIndex. Element [j, i]
         is the pixel centred at ((i + 0.5) / columns, (j + 0.5) / rows) of the chart's rectangle; row 0 is the lowest.
 
     Raises
@@ -464,8 +465,12 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     algorithm.SetNumberOfSamples(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
     _set_map_options(algorithm, size, backend)
     algorithm.SetInputDataObject(0, charts.data)
-    if arrays is not None:
-        selection = algorithm.GetMapSelection()
+    selection = algorithm.GetMapSelection()
+    if arrays is None:
+        selection.EnableAllArrays()
+    else:
+        if isinstance(arrays, str):
+            raise TypeError("arrays must be a sequence of names, not one name")
         selection.DisableAllArrays()
         for name in arrays:
             selection.EnableArray(name)
