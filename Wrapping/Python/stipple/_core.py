@@ -48,6 +48,18 @@ def _real(value, name, low=-math.inf, high=math.inf):
     return value
 
 
+def _set(algorithm, name, value, argument):
+    """Calls SetX(), which would clamp in silence, with a value within the bounds that the class states."""
+    default = getattr(algorithm, f"Get{name}")()
+    low, high = (getattr(algorithm, f"Get{name}{end}Value", lambda: None)() for end in ("Min", "Max"))
+    if isinstance(default, int):
+        value = _integer(value, argument, -(2**31) if low is None else low, 2**31 - 1 if high is None else high)
+    else:
+        bounds = -math.inf if low is None else low, math.inf if high is None or high >= 1e299 else high
+        value = _real(value, argument, *bounds)
+    getattr(algorithm, f"Set{name}")(value)
+
+
 def _choose(algorithm, name, value, argument):
     """Calls SetXToY() for the value "y"."""
     prefix = f"Set{name}To"
@@ -69,8 +81,8 @@ def _surface(mesh):
 
 
 def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints):
-    algorithm.SetFeatureAngle(_real(feature_angle, "feature_angle", 0, 180))
-    algorithm.SetNumberOfCharts(_integer(charts, "charts", 1, 1_000_000))
+    _set(algorithm, "FeatureAngle", feature_angle, "feature_angle")
+    _set(algorithm, "NumberOfCharts", charts, "charts")
     if feature_edges is not None:
         edges = array_of(feature_edges, "feature_edges", 2, np.int64)
         ids = numpy_to_vtkIdTypeArray(edges.ravel(), deep=True)
@@ -81,7 +93,10 @@ def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constrai
 
 
 def _set_map_options(algorithm, size, backend):
-    algorithm.SetMapSize(0 if size == "auto" else _integer(size, "map_size", 1, 16384))
+    if not (isinstance(size, str) and size == "auto"):
+        if isinstance(size, str) or size == 0:
+            raise ValueError(f"map_size must be 'auto' or a number of pixels, not {size!r}")
+        _set(algorithm, "MapSize", size, "map_size")
     _choose(algorithm, "Backend", backend, "map_backend")
 
 
@@ -254,9 +269,9 @@ def remesh(
     _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
     _set_map_options(remesher, map_size, map_backend)
     _set_importance(remesher, data, importance, importance_array, importance_image)
-    remesher.SetGamma(_real(gamma, "gamma", 0))
-    remesher.SetGradation(_real(gradation, "gradation", 0, 100))
-    remesher.SetMinimumDensity(_real(minimum_density, "minimum_density", 0, 1))
+    _set(remesher, "Gamma", gamma, "gamma")
+    _set(remesher, "Gradation", gradation, "gradation")
+    _set(remesher, "MinimumDensity", minimum_density, "minimum_density")
     if transfer is not None:
         remesher.SetTransferFunction(_transfer_function(transfer))
     if connectivity is not None:
@@ -264,7 +279,7 @@ def remesh(
     if smoothing is not None:
         _choose(remesher, "Smoothing", smoothing, "smoothing")
     if iterations is not None:
-        remesher.SetNumberOfIterations(_integer(iterations, "iterations", 0, 10_000))
+        _set(remesher, "NumberOfIterations", iterations, "iterations")
     remesher.SetInputData(data)
     update(remesher, progress, _inner_algorithms(remesher))
     return to_mesh(remesher.GetOutput(), mesh)
@@ -324,7 +339,7 @@ class Atlas:
 _ATLAS_PROPERTIES = (
     "NumberOfWeldedPoints", "NumberOfUnusedPoints", "NumberOfDegenerateTriangles", "NumberOfDuplicateTriangles",
     "NumberOfReorientedTriangles", "NumberOfSplitEdges", "NumberOfSplitVertices", "NumberOfFallbackCharts",
-    "NumberOfComponents", "NumberOfBoundaryLoops", "EulerCharacteristic", "DensityRatio",
+    "NumberOfSurfacePoints", "NumberOfSurfaceTriangles", "NumberOfComponents", "NumberOfBoundaryLoops", "EulerCharacteristic", "DensityRatio",
 )  # fmt: skip
 
 
@@ -381,7 +396,7 @@ def atlas(
     algorithm = _classes.vtkConformalAtlas()
     _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints)
     if maximum_density_ratio is not None:
-        algorithm.SetMaximumDensityRatio(_real(maximum_density_ratio, "maximum_density_ratio", 1))
+        _set(algorithm, "MaximumDensityRatio", maximum_density_ratio, "maximum_density_ratio")
     algorithm.SetInputData(data)
     update(algorithm, progress)
     collection = algorithm.GetOutputDataObject(0).NewInstance()
@@ -420,15 +435,16 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     backend : "auto", "opengl" or "cpu", optional
         What draws. "auto" and "cpu" need no display.
     arrays : sequence of str, optional
-        Names of the maps to draw. None is all.
+        Names of the maps to draw, point and cell arrays of the surface among them. None is all maps that come from
+        geometry: AreaDistortion, FaceIndex, MeanCurvature, GaussianCurvature, MinimumCurvature, MaximumCurvature,
+        TotalCurvature, Position, Normal.
     **atlas_options
         As for atlas(), when mesh is not an Atlas.
 
     Returns
     -------
     list of dict
-        One dict a chart: name of the map (AreaDistortion, MeanCurvature, GaussianCurvature, Position, Normal, ...) to
-        an array of the shape (rows, columns) or (rows, columns, k); float32, and int32 for FaceIndex. Element [j, i]
+        One dict a chart: name of the map to an array of the shape (rows, columns) or (rows, columns, k); float32, and int32 for FaceIndex. Element [j, i]
         is the pixel centred at ((i + 0.5) / columns, (j + 0.5) / rows) of the chart's rectangle; row 0 is the lowest.
 
     Raises
@@ -449,8 +465,12 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     algorithm.SetNumberOfSamples(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
     _set_map_options(algorithm, size, backend)
     algorithm.SetInputDataObject(0, charts.data)
-    if arrays is not None:
-        selection = algorithm.GetMapSelection()
+    selection = algorithm.GetMapSelection()
+    if arrays is None:
+        selection.EnableAllArrays()
+    else:
+        if isinstance(arrays, str):
+            raise TypeError("arrays must be a sequence of names, not one name")
         selection.DisableAllArrays()
         for name in arrays:
             selection.EnableArray(name)
