@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Charts welded along their backbones into one mesh over the samples (paper 4.1).
+#ifndef stipple_ChartStitching_h
+#define stipple_ChartStitching_h
+
+#include "ChartTriangulation.h"
+
+namespace stipple
+{
+/// Welds chart meshes along the backbone intervals that they share. Swaps inside the charts then see to it that no edge
+/// occurs twice, none joins a sample to itself, and no triangle is degenerate in space. label receives the backbone
+/// interval of every halfedge, -1 inside. An error if swaps cannot bring that about.
+STIPPLEFILTERSMESHING_EXPORT Status stitchCharts(const AtlasSurface& surface,
+  const std::vector<ChartMesh>& charts, const std::vector<Sample>& samples, std::vector<Triangle>& triangles,
+  std::vector<int>& label);
+}
+
+#endif
