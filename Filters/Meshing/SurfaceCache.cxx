@@ -51,9 +51,40 @@ Status SurfaceCache::update(vtkPartitionedDataSetCollection* charts, vtkPolyData
       }
     }
   }
+  this->smoothNormals(wall);
   this->Walk = std::make_unique<SurfaceWalk>(this->Surface, std::move(wall));
   this->Topology = this->Surface.topology();
   this->KeyOfContents = std::move(key);
   return Status::success();
+}
+
+void SurfaceCache::smoothNormals(const std::vector<char>& wall)
+{
+  const int n = this->Surface.numberOfFaces();
+  std::vector<double> area(n);
+  this->SmoothNormal.resize(n);
+  for (int f = 0; f < n; ++f)
+  {
+    this->SmoothNormal[f] = this->Surface.faceNormal(f);
+    area[f] = this->Surface.faceArea(f);
+  }
+  for (int round = 0; round < 3; ++round)
+  {
+    const std::vector<Vec3> before = this->SmoothNormal;
+    for (int f = 0; f < n; ++f)
+    {
+      Vec3 sum = area[f] * before[f];
+      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const int g = this->Surface.twin[h];
+        if (g >= 0 && !wall[h])
+        {
+          sum += area[g / 3] * before[g / 3];
+        }
+      }
+      const double length = sum.norm();
+      this->SmoothNormal[f] = length > 0 ? Vec3(sum / length) : before[f];
+    }
+  }
 }
 }

@@ -28,17 +28,22 @@ public:
   const std::vector<BackboneTrace>& traces() const { return this->Traces; }
   /// Sharp edges are its walls.
   const SurfaceWalk& walk() const { return *this->Walk; }
+  /// Normal of a face averaged with those about it on the same side of creases; unit length, or zero.
+  const Vec3& smoothNormal(int face) const { return this->SmoothNormal[face]; }
   const SurfaceTopology& topology() const { return this->Topology; }
   /// Counts the times that the inputs were read.
   int generation() const { return this->Generation; }
 
 private:
+  void smoothNormals(const std::vector<char>& wall);
+
   using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
   Key KeyOfContents;
   AtlasSurface Surface;
   FeatureGraph Graph;
   std::vector<BackboneTrace> Traces;
   std::unique_ptr<SurfaceWalk> Walk;
+  std::vector<Vec3> SmoothNormal;
   SurfaceTopology Topology;
   int Generation = 0;
 };
