@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 
 namespace stipple
@@ -16,7 +17,9 @@ constexpr double MinimumHeight = 1e-6;
 class Stitcher
 {
 public:
-  Stitcher(const std::vector<ChartMesh>& charts, std::vector<Vec3> positions);
+  /// isSeam by label.
+  Stitcher(const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam);
+  std::vector<char> labelsWithEdge();
   bool resolveRepeatedEdges();
   void resolveDegenerateTriangles();
   TriangleComplex& mesh() { return this->Mesh; }
@@ -37,7 +40,19 @@ private:
     const std::uint64_t k = this->edgeKey(h);
     return (k >> 32) == (k & 0xffffffffu) || this->Count.at(k) > 1;
   }
-  bool canFlip(int h) const { return this->Mesh.label[h] < 0 && this->Mesh.twin[h] >= 0; }
+  bool canFlip(int h) const
+  {
+    const int label = this->Mesh.label[h];
+    return this->Mesh.twin[h] >= 0 && (label < 0 || (this->SeamsMayGo && this->IsSeam[label]));
+  }
+  int rootOf(int label)
+  {
+    while (this->Root[label] != label)
+    {
+      label = this->Root[label] = this->Root[this->Root[label]];
+    }
+    return label;
+  }
   /// The flip of h yields an edge that is not there yet.
   bool flipIsSimple(int h) const
   {
@@ -50,6 +65,7 @@ private:
   void flip(int h)
   {
     --this->Count[this->edgeKey(h)];
+    this->Mesh.label[h] = this->Mesh.label[this->Mesh.twin[h]] = -1;
     this->Mesh.flip(h);
     ++this->Count[this->edgeKey(h)];
   }
@@ -64,12 +80,30 @@ private:
   std::vector<Vec3> Position; // by sample
   std::vector<int> FaceChart;
   std::unordered_map<std::uint64_t, int> Count; // edges between two samples
+  std::vector<char> IsSeam;
+  std::vector<int> Root; // of merged labels
+  bool SeamsMayGo = false;
   int Unresolved = -1;
 };
 
-Stitcher::Stitcher(const std::vector<ChartMesh>& charts, std::vector<Vec3> positions)
+Stitcher::Stitcher(
+  const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam)
   : Position(std::move(positions))
+  , IsSeam(std::move(isSeam))
+  , Root(this->IsSeam.size())
 {
+  std::iota(this->Root.begin(), this->Root.end(), 0);
+  for (const ChartMesh& chart : charts)
+  {
+    for (const auto& pair : chart.merged)
+    {
+      // What is no seam stands for both.
+      const int a = this->rootOf(pair[0]);
+      const int b = this->rootOf(pair[1]);
+      const bool keepA = this->IsSeam[a] == this->IsSeam[b] ? a < b : !this->IsSeam[a];
+      this->Root[keepA ? b : a] = keepA ? a : b;
+    }
+  }
   std::unordered_map<int, int> waiting; // by label, the boundary halfedge whose other side is still to come
   for (std::size_t c = 0; c < charts.size(); ++c)
   {
@@ -89,10 +123,10 @@ Stitcher::Stitcher(const std::vector<ChartMesh>& charts, std::vector<Vec3> posit
     for (int h = 0; h < chart.numberOfHalfedges(); ++h)
     {
       this->Mesh.twin.push_back(chart.twin[h] < 0 ? -1 : chart.twin[h] + firstHalfedge);
-      this->Mesh.label.push_back(chart.label[h]);
+      this->Mesh.label.push_back(chart.label[h] < 0 ? -1 : this->rootOf(chart.label[h]));
       if (chart.twin[h] < 0 && chart.label[h] >= 0)
       {
-        const auto [other, fresh] = waiting.try_emplace(chart.label[h], firstHalfedge + h);
+        const auto [other, fresh] = waiting.try_emplace(this->Mesh.label.back(), firstHalfedge + h);
         if (!fresh)
         {
           this->Mesh.glue(other->second, firstHalfedge + h);
@@ -183,9 +217,11 @@ bool Stitcher::tryBadEdge(int h, bool onlyConvex)
 
 bool Stitcher::resolveRepeatedEdges()
 {
-  // First swaps that keep the parameter plane unfolded; where these do not do, any that keep the topology.
-  for (const bool onlyConvex : { true, false })
+  // First swaps that keep the parameter plane unfolded; where these do not do, any that keep the topology; then of seams too.
+  for (int stage = 0; stage < 3; ++stage)
   {
+    const bool onlyConvex = stage == 0;
+    this->SeamsMayGo = stage == 2;
     bool changed = true;
     while (changed)
     {
@@ -213,10 +249,28 @@ bool Stitcher::resolveRepeatedEdges()
     }
     if (clean)
     {
+      this->SeamsMayGo = false;
       return true;
     }
   }
   return false;
+}
+
+std::vector<char> Stitcher::labelsWithEdge()
+{
+  std::vector<char> present(this->Root.size(), 0);
+  for (int l : this->Mesh.label)
+  {
+    if (l >= 0)
+    {
+      present[l] = 1;
+    }
+  }
+  for (std::size_t l = 0; l < present.size(); ++l)
+  {
+    present[l] = present[this->rootOf(static_cast<int>(l))];
+  }
+  return present;
 }
 
 void Stitcher::resolveDegenerateTriangles()
@@ -260,29 +314,42 @@ void Stitcher::resolveDegenerateTriangles()
 }
 }
 
-Status stitchCharts(const AtlasSurface& surface, const std::vector<ChartMesh>& charts,
-  const std::vector<Sample>& samples, std::vector<Triangle>& triangles, std::vector<int>& label)
+Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
+  const BackboneIntervals& intervals, const std::vector<ChartMesh>& charts,
+  const std::vector<Sample>& samples, std::vector<Triangle>& triangles, std::vector<char>& hasEdge)
 {
   std::vector<Vec3> positions;
   for (const Sample& s : samples)
   {
     positions.push_back(surface.position(s.face, s.bary));
   }
-  Stitcher stitcher(charts, std::move(positions));
+  std::vector<char> isSeam(intervals.count(), 0);
+  for (int l = 0; l < intervals.count(); ++l)
+  {
+    isSeam[l] = graph.backbones[intervals.backbone(l)].type == BackboneType::Seam;
+  }
+  Stitcher stitcher(charts, std::move(positions), isSeam);
   if (!stitcher.resolveRepeatedEdges())
   {
     return Status::error("Chart " + std::to_string(stitcher.chartOfUnresolvedEdge()) +
       " is too small for its share of the samples: two of them would be joined by two edges; use more points.");
   }
   stitcher.resolveDegenerateTriangles();
-  TriangleComplex& mesh = stitcher.mesh();
+  hasEdge = stitcher.labelsWithEdge();
+  for (int l = 0; l < intervals.count(); ++l)
+  {
+    if (!hasEdge[l] && !isSeam[l])
+    {
+      return Status::error("Two neighbouring samples of backbone " + std::to_string(intervals.backbone(l)) +
+        " could not be joined by an edge; use more points.");
+    }
+  }
   triangles.clear();
-  triangles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
+  triangles.reserve(stitcher.mesh().triangles.size());
+  for (const Triangle& t : stitcher.mesh().triangles)
   {
     triangles.push_back({ stitcher.sample(t[0]), stitcher.sample(t[1]), stitcher.sample(t[2]) });
   }
-  label = std::move(mesh.label);
   return Status::success();
 }
 }

@@ -126,7 +126,7 @@ private:
     this->Position.push_back(position);
     return static_cast<int>(this->Sample.size()) - 1;
   }
-  void removeBends(TriangleComplex& complex) const;
+  void removeBends(ChartMesh& mesh) const;
 
   const AtlasSurface& Surface;
   const Vec2 Extent;
@@ -264,7 +264,7 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
       }
     }
   }
-  this->removeBends(complex);
+  this->removeBends(mesh);
   std::vector<char> used(this->Sample.size(), 0);
   for (const Triangle& t : complex.triangles)
   {
@@ -286,8 +286,9 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
   return Status::success();
 }
 
-void ChartProblem::removeBends(TriangleComplex& complex) const
+void ChartProblem::removeBends(ChartMesh& mesh) const
 {
+  TriangleComplex& complex = mesh.complex;
   std::vector<int> outgoing(this->Sample.size(), -1);
   std::vector<int> bends;
   for (int v = 0; v < this->InteriorBegin; ++v)
@@ -318,7 +319,7 @@ void ChartProblem::removeBends(TriangleComplex& complex) const
   {
     before = bends.size();
     bends.erase(std::remove_if(bends.begin(), bends.end(),
-                  [&](int v) { return complex.removeFromChain(v, outgoing, score); }),
+                  [&](int v) { return complex.removeFromChain(v, outgoing, score, mesh.merged); }),
       bends.end());
   }
   complex.compact();

@@ -26,6 +26,7 @@ struct ChartMesh
   TriangleComplex complex;     ///< over the chart's own vertices
   std::vector<int> sample;     ///< by vertex; two vertices may be the same sample where a cut enters the chart
   std::vector<Vec2> parameter; ///< by vertex
+  std::vector<std::array<int, 2>> merged; ///< labels of intervals between which no triangle is left: one edge
 };
 
 /// Triangulates chart c. Constraints follow the backbones exactly, so that every sample comes out on its side of them,

@@ -14,8 +14,11 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace stipple
 {
@@ -116,27 +119,11 @@ Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
     return Status::aborted();
   }
 
-  std::vector<int> label;
-  status = stitchCharts(surface, meshes, samples, triangles, label);
+  std::vector<char> hasEdge;
+  status = stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge);
   if (!status.ok())
   {
     return status;
-  }
-  std::vector<char> present(intervals.count(), 0);
-  for (int l : label)
-  {
-    if (l >= 0)
-    {
-      present[l] = 1;
-    }
-  }
-  for (int l = 0; l < intervals.count(); ++l)
-  {
-    if (!present[l])
-    {
-      return Status::error("Two neighbouring samples of backbone " + std::to_string(intervals.backbone(l)) +
-        " could not be joined by an edge; use more points.");
-    }
   }
   TriangleSurface mesh;
   mesh.points.resize(samples.size());
@@ -231,18 +218,48 @@ vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
   closed->SetName("Closed");
   vtkNew<vtkIntArray> id;
   id->SetName("BackboneId");
+  std::unordered_set<std::uint64_t> edges;
+  const auto key = [](vtkIdType a, vtkIdType b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
+  };
+  vtkIdType size;
+  const vtkIdType* corner;
+  for (vtkIdType t = 0; withSeams && t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, size, corner);
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(key(corner[k], corner[(k + 1) % 3]));
+    }
+  }
   for (std::size_t b = 0; b < chains.size(); ++b)
   {
     const Backbone& backbone = graph.backbones[b];
-    if (chains[b].size() < 2 || (backbone.type == BackboneType::Seam && !withSeams))
+    const bool isSeam = backbone.type == BackboneType::Seam;
+    if (chains[b].size() < 2 || (isSeam && !withSeams))
     {
       continue;
     }
-    const std::vector<vtkIdType> ids(chains[b].begin(), chains[b].end());
-    lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    type->InsertNextValue(static_cast<int>(backbone.type));
-    closed->InsertNextValue(backbone.closed ? 1 : 0);
-    id->InsertNextValue(static_cast<int>(b));
+    // A seam ends where stitching had to swap its edge away, and goes on behind.
+    std::vector<std::vector<vtkIdType>> pieces(1);
+    for (int p : chains[b])
+    {
+      if (isSeam && !pieces.back().empty() && edges.count(key(pieces.back().back(), p)) == 0)
+      {
+        pieces.emplace_back();
+      }
+      pieces.back().push_back(p);
+    }
+    for (const auto& piece : pieces)
+    {
+      if (piece.size() > 1)
+      {
+        lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
+        type->InsertNextValue(static_cast<int>(backbone.type));
+        closed->InsertNextValue(backbone.closed && pieces.size() == 1 ? 1 : 0);
+        id->InsertNextValue(static_cast<int>(b));
+      }
+    }
   }
   output->SetPoints(mesh->GetPoints());
   output->SetLines(lines);

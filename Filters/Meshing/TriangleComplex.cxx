@@ -59,7 +59,6 @@ Hole openSide(const TriangleComplex& c, int first)
 /// Clips the best ear again and again; returns the halfedge on the closing edge, from the last vertex to the first.
 int fill(TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const TriangleComplex::Score& score)
 {
-  const int last = hole.vertices.back();
   hole.outer.push_back(-1); // the closing edge
   hole.label.push_back(-1);
   const auto connected = [&](std::size_t i, std::size_t j) {
@@ -122,8 +121,11 @@ int fill(TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const Triang
   if (used == 0)
   {
     closing = hole.outer.front();
-    outgoing[c.tail(closing)] = closing;
-    outgoing[c.head(closing)] = nextHalfedge(closing);
+    if (closing >= 0)
+    {
+      outgoing[c.tail(closing)] = closing;
+      outgoing[c.head(closing)] = nextHalfedge(closing);
+    }
   }
   for (; used < hole.faces.size(); ++used)
   {
@@ -134,7 +136,7 @@ int fill(TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const Triang
       c.twin[3 * f + k] = c.label[3 * f + k] = -1;
     }
   }
-  return c.tail(closing) == last ? closing : -1;
+  return closing;
 }
 }
 
@@ -203,7 +205,8 @@ std::vector<int> TriangleComplex::star(int outgoing) const
   return result;
 }
 
-bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score)
+bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score,
+  std::vector<std::array<int, 2>>& merged)
 {
   std::array<int, 2> first = { { -1, -1 } };
   int sides = 0;
@@ -225,25 +228,25 @@ bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, co
   for (int s = 0; s < sides; ++s)
   {
     hole[s] = openSide(*this, first[s]);
-    if (hole[s].faces.size() == 1)
-    {
-      ++unfilled;
-      if (hole[s].outer.front() < 0 || hole[s].label.front() >= 0)
-      {
-        return false;
-      }
-    }
+    unfilled += hole[s].faces.size() == 1 ? 1 : 0;
   }
-  if (unfilled == 2)
+  if (unfilled == 2 || (sides == 1 && unfilled == 1 && hole[0].outer.front() < 0))
   {
     return false;
   }
   std::array<int, 2> closing = { { -1, -1 } };
   for (int s = 0; s < sides; ++s)
   {
+    if (hole[s].faces.size() == 1 && hole[s].label.front() >= 0 && hole[s].label.front() != constraint)
+    {
+      merged.push_back({ { hole[s].label.front(), constraint } });
+    }
     closing[s] = fill(*this, hole[s], outgoing, score);
-    this->label[closing[s]] = constraint;
-    this->twin[closing[s]] = -1;
+    if (closing[s] >= 0)
+    {
+      this->label[closing[s]] = constraint;
+      this->twin[closing[s]] = -1;
+    }
   }
   this->glue(closing[0], closing[1]);
   return true;

@@ -45,9 +45,10 @@ struct STIPPLEFILTERSMESHING_EXPORT TriangleComplex
   using Score = std::function<double(int, int, int)>;
   /// Takes a vertex of valence two in its chain of constraints out of the chain and of the complex, and fills the
   /// hole; the chain then runs directly between its neighbours. `outgoing` holds a halfedge a vertex and is kept so.
-  /// False, and nothing is changed, if a side of the chain would have no triangle left. Freed triangles have
-  /// corners -1.
-  bool removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score);
+  /// Where nothing lies between two chains, they become one edge: merged gets the pair of their labels. False, and nothing
+  /// is changed, if no triangle would be left on either side. Freed triangles have corners -1.
+  bool removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score,
+    std::vector<std::array<int, 2>>& merged);
   /// Drops freed triangles.
   void compact();
 };

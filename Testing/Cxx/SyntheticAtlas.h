@@ -271,19 +271,22 @@ inline void torus(Builder& b, int m, int n)
 }
 
 /// n samples: the nodes, jittered ones along the backbones, and darts thrown on the surface.
-inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed = 1)
+inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& graph,
+  const std::vector<BackboneTrace>& traces, int n, unsigned int seed = 1)
 {
-  const AtlasSurface& s = atlas.surface;
   std::mt19937 engine(seed); // its output is fixed by the standard; the distributions' is not
   const auto random = [&]() { return engine() / 4294967296.; };
   std::vector<Sample> samples;
-  std::vector<Vec3> where;
+  const double spacing = std::sqrt(s.area() / n * 2. / std::sqrt(3.));
+  std::map<std::array<int, 3>, std::vector<Vec3>> where; // by cell of a lattice
+  const auto cell = [&](const Vec3& p, int k) { return static_cast<int>(std::floor(p[k] / spacing)); };
   const auto add = [&](Sample x) {
     samples.push_back(x);
-    where.push_back(s.position(x.face, x.bary));
+    const Vec3 p = s.position(x.face, x.bary);
+    where[{ cell(p, 0), cell(p, 1), cell(p, 2) }].push_back(p);
   };
   const std::vector<int> first = s.vertexHalfedges();
-  for (int p : atlas.graph.nodes())
+  for (int p : graph.nodes())
   {
     Sample x;
     x.kind = SampleKind::Corner;
@@ -292,11 +295,10 @@ inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed =
     x.bary[first[p] % 3] = 1;
     add(x);
   }
-  const double spacing = std::sqrt(s.area() / n * 2. / std::sqrt(3.));
-  for (std::size_t b = 0; b < atlas.traces.size(); ++b)
+  for (std::size_t b = 0; b < traces.size(); ++b)
   {
-    const BackboneTrace& trace = atlas.traces[b];
-    const bool closed = atlas.graph.backbones[b].closed;
+    const BackboneTrace& trace = traces[b];
+    const bool closed = graph.backbones[b].closed;
     const int pieces = std::max(closed ? 3 : 1, static_cast<int>(std::lround(trace.length() / spacing)));
     for (int i = closed ? 0 : 1; i < pieces; ++i)
     {
@@ -333,9 +335,17 @@ inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed =
     x.bary = Vec3(1 - u - v, u, v);
     const Vec3 p = s.position(x.face, x.bary);
     bool near = false;
-    for (std::size_t i = 0; i < where.size() && !near; ++i)
+    for (int k = 0; k < 27 && !near; ++k)
     {
-      near = (where[i] - p).squaredNorm() < radius * radius;
+      const auto found = where.find(
+        { cell(p, 0) + k % 3 - 1, cell(p, 1) + k / 3 % 3 - 1, cell(p, 2) + k / 9 - 1 });
+      if (found != where.end())
+      {
+        for (const Vec3& q : found->second)
+        {
+          near = near || (q - p).squaredNorm() < radius * radius;
+        }
+      }
     }
     if (!near)
     {
@@ -349,6 +359,11 @@ inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed =
     }
   }
   return samples;
+}
+
+inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed = 1)
+{
+  return sample(atlas.surface, atlas.graph, atlas.traces, n, seed);
 }
 }
 
