@@ -7,29 +7,6 @@
 
 namespace stipple
 {
-namespace
-{
-/// The halfedge from p to q, or -1.
-int findHalfedge(const TriangleSurface& surface, const std::vector<int>& first, int p, int q)
-{
-  const int start = first[p];
-  int h = start;
-  while (h >= 0)
-  {
-    if (surface.head(h) == q)
-    {
-      return h;
-    }
-    h = surface.twin[previousHalfedge(h)];
-    if (h == start)
-    {
-      break;
-    }
-  }
-  return -1;
-}
-}
-
 BackboneTrace::Place BackboneTrace::locate(double s) const
 {
   const auto next = std::upper_bound(this->arcLength.begin() + 1, this->arcLength.end() - 1, s);

@@ -82,6 +82,25 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
   return twin;
 }
 
+int findHalfedge(const TriangleSurface& surface, const std::vector<int>& first, int p, int q)
+{
+  const int start = first[p];
+  int h = start;
+  while (h >= 0)
+  {
+    if (surface.head(h) == q)
+    {
+      return h;
+    }
+    h = surface.twin[previousHalfedge(h)];
+    if (h == start)
+    {
+      break;
+    }
+  }
+  return -1;
+}
+
 Vec3 TriangleSurface::faceNormal(int face) const
 {
   const Vec3 n = (this->point(face, 1) - this->point(face, 0))

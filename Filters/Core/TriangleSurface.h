@@ -70,6 +70,10 @@ struct STIPPLEFILTERSCORE_EXPORT TriangleSurface
   std::vector<int> vertexHalfedges() const;
   SurfaceTopology topology() const;
 };
+
+/// The halfedge from point p to point q, or -1; first is vertexHalfedges().
+STIPPLEFILTERSCORE_EXPORT int findHalfedge(
+  const TriangleSurface& surface, const std::vector<int>& first, int p, int q);
 }
 
 #endif

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartMesh.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace stipple
+{
+ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
+{
+  ChartMesh chart;
+  std::sort(faces.begin(), faces.end());
+  chart.faces = std::move(faces);
+  const int n = static_cast<int>(chart.faces.size());
+  // Positions in the chart of the surface's faces: binary search would do, a map is faster on large charts.
+  std::unordered_map<int, int> localFace;
+  localFace.reserve(2 * n);
+  for (int i = 0; i < n; ++i)
+  {
+    localFace[chart.faces[i]] = i;
+  }
+  chart.triangles.assign(n, { -1, -1, -1 });
+  int cutHalfedges = 0;
+  int firstBoundaryHalfedge = -1;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int corner = 3 * chart.faces[i] + k;
+      cutHalfedges += surface.cut[corner];
+      if (surface.cut[corner] && firstBoundaryHalfedge < 0)
+      {
+        firstBoundaryHalfedge = corner;
+      }
+      if (chart.triangles[i][k] >= 0)
+      {
+        continue;
+      }
+      // A vertex is a fan of corners: turn clockwise to its first, then counterclockwise through all.
+      int h = corner;
+      while (!surface.cut[h])
+      {
+        h = nextHalfedge(surface.twin[h]);
+        if (h == corner)
+        {
+          break;
+        }
+      }
+      const int start = h;
+      const int vertex = chart.numberOfVertices();
+      chart.vertices.push_back(surface.tail(h));
+      chart.onBoundary.push_back(surface.cut[start]);
+      while (true)
+      {
+        chart.triangles[localFace[h / 3]][h % 3] = vertex;
+        const int previous = previousHalfedge(h);
+        if (surface.cut[previous])
+        {
+          break;
+        }
+        h = surface.twin[previous];
+        if (h == start)
+        {
+          break;
+        }
+      }
+    }
+  }
+  chart.euler = chart.numberOfVertices() - (3 * n + cutHalfedges) / 2 + n;
+  if (chart.isDisk() && firstBoundaryHalfedge >= 0)
+  {
+    int h = firstBoundaryHalfedge;
+    do
+    {
+      chart.boundary.push_back(chart.triangles[localFace[h / 3]][h % 3]);
+      h = nextHalfedge(h);
+      while (!surface.cut[h])
+      {
+        h = nextHalfedge(surface.twin[h]);
+      }
+    } while (h != firstBoundaryHalfedge);
+  }
+  return chart;
+}
+
+std::vector<std::vector<int>> chartFaces(const CutSurface& surface)
+{
+  std::vector<std::vector<int>> charts;
+  std::vector<char> seen(surface.triangles.size(), 0);
+  for (int start = 0; start < surface.numberOfFaces(); ++start)
+  {
+    if (seen[start])
+    {
+      continue;
+    }
+    std::vector<int> faces = { start };
+    seen[start] = 1;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int h = 3 * faces[i] + k;
+        if (!surface.cut[h] && !seen[surface.twin[h] / 3])
+        {
+          seen[surface.twin[h] / 3] = 1;
+          faces.push_back(surface.twin[h] / 3);
+        }
+      }
+    }
+    std::sort(faces.begin(), faces.end());
+    charts.push_back(std::move(faces));
+  }
+  return charts;
+}
+
+int splitChords(CutSurface& surface, std::vector<int>& faces)
+{
+  const ChartMesh chart = extractChart(surface, faces);
+  std::vector<int> chords;
+  std::unordered_map<int, std::size_t> indexOf;
+  for (std::size_t i = 0; i < chart.faces.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int h = 3 * chart.faces[i] + k;
+      if (!surface.cut[h] && h < surface.twin[h] && chart.onBoundary[chart.triangles[i][k]] &&
+        chart.onBoundary[chart.triangles[i][(k + 1) % 3]])
+      {
+        indexOf[h] = chords.size();
+        chords.push_back(h);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < chords.size(); ++i)
+  {
+    const int h = chords[i];
+    const int moved[2] = { nextHalfedge(h), nextHalfedge(surface.twin[h]) };
+    const int before = surface.numberOfFaces();
+    surface.splitEdge(h, 0.5);
+    // On both sides the edge after the split one now belongs to the new triangle.
+    for (int side = 0; side < 2; ++side)
+    {
+      faces.push_back(before + side);
+      const auto found = indexOf.find(moved[side]);
+      if (found != indexOf.end())
+      {
+        const std::size_t index = found->second;
+        chords[index] = 3 * (before + side) + 1;
+        indexOf.erase(found);
+        indexOf[chords[index]] = index;
+      }
+    }
+  }
+  return static_cast<int>(chords.size());
+}
+}

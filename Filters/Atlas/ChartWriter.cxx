@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartWriter.h"
+
+#include "PolyDataConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <string>
+
+namespace stipple
+{
+namespace
+{
+bool isReserved(const char* name)
+{
+  for (const char* own : { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature", "SourceCellId", "AreaDistortion" })
+  {
+    if (std::string(own) == name)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* array)
+{
+  auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  copy->SetName(array->GetName());
+  copy->SetNumberOfComponents(array->GetNumberOfComponents());
+  copy->CopyComponentNames(array);
+  return copy;
+}
+
+/// The input's named point arrays at all points of the cut surface.
+std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
+  vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface)
+{
+  std::vector<vtkSmartPointer<vtkAbstractArray>> result;
+  for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* source = input->GetPointData()->GetAbstractArray(i);
+    if (!source->GetName() || isReserved(source->GetName()))
+    {
+      continue;
+    }
+    auto array = emptyLike(source);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(surface.points.size()));
+    for (int p = 0; p < surface.numberOfOriginalPoints; ++p)
+    {
+      array->SetTuple(p, repaired.sourcePoint[p], source);
+    }
+    const int type = source->GetDataType();
+    const bool continuous = type == VTK_FLOAT || type == VTK_DOUBLE;
+    for (std::size_t j = 0; j < surface.inserted.size(); ++j)
+    {
+      const CutSurface::EdgePoint& e = surface.inserted[j];
+      const vtkIdType p = surface.numberOfOriginalPoints + static_cast<vtkIdType>(j);
+      if (continuous)
+      {
+        array->InterpolateTuple(p, e.a, array, e.b, array, e.t);
+      }
+      else
+      {
+        array->SetTuple(p, e.t <= 0.5 ? e.a : e.b, array);
+      }
+    }
+    result.push_back(array);
+  }
+  return result;
+}
+
+/// A point quantity of the repaired surface, extended to inserted points.
+std::vector<double> atAllPoints(std::vector<double> values, const CutSurface& surface)
+{
+  for (const CutSurface::EdgePoint& e : surface.inserted)
+  {
+    values.push_back((1 - e.t) * values[e.a] + e.t * values[e.b]);
+  }
+  return values;
+}
+
+template <typename ArrayT>
+vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  vtkNew<ArrayT> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  data->AddArray(array);
+  return array;
+}
+}
+
+void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
+  const std::vector<FlatChart>& flat, const Curvature& curvature, vtkPartitionedDataSetCollection* output)
+{
+  const auto arrays = pointArrays(input, repaired, surface);
+  const std::vector<double> gaussian = atAllPoints(curvature.gaussian, surface);
+  const std::vector<double> mean = atAllPoints(curvature.mean, surface);
+  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(flat.size()));
+  for (std::size_t c = 0; c < flat.size(); ++c)
+  {
+    const ChartMesh& mesh = flat[c].mesh;
+    const ConformalMap& map = flat[c].map;
+    const vtkIdType n = mesh.numberOfVertices();
+    std::vector<Vec3> points(n);
+    for (vtkIdType v = 0; v < n; ++v)
+    {
+      points[v] = surface.points[mesh.vertices[v]];
+    }
+    const vtkSmartPointer<vtkPolyData> chart = toPolyData(points, mesh.triangles);
+    vtkPointData* pointData = chart->GetPointData();
+    vtkCellData* cellData = chart->GetCellData();
+
+    vtkNew<vtkIdList> pointIds;
+    pointIds->SetNumberOfIds(n);
+    for (vtkIdType v = 0; v < n; ++v)
+    {
+      pointIds->SetId(v, mesh.vertices[v]);
+    }
+    for (const auto& array : arrays)
+    {
+      auto part = emptyLike(array);
+      part->SetNumberOfTuples(n);
+      array->GetTuples(pointIds, part);
+      pointData->AddArray(part);
+    }
+    auto uv = addArray<vtkDoubleArray>(pointData, "UV", 2, n);
+    auto surfacePointId = addArray<vtkIdTypeArray>(pointData, "SurfacePointId", 1, n);
+    auto gaussianCurvature = addArray<vtkDoubleArray>(pointData, "GaussianCurvature", 1, n);
+    auto meanCurvature = addArray<vtkDoubleArray>(pointData, "MeanCurvature", 1, n);
+    for (vtkIdType v = 0; v < n; ++v)
+    {
+      uv->SetTuple(v, map.uv[v].data());
+      surfacePointId->SetValue(v, mesh.vertices[v]);
+      gaussianCurvature->SetValue(v, gaussian[mesh.vertices[v]]);
+      meanCurvature->SetValue(v, mean[mesh.vertices[v]]);
+    }
+    pointData->SetActiveTCoords("UV");
+
+    const vtkIdType cells = static_cast<vtkIdType>(mesh.faces.size());
+    vtkNew<vtkIdList> cellIds;
+    cellIds->SetNumberOfIds(cells);
+    auto sourceCellId = addArray<vtkIdTypeArray>(cellData, "SourceCellId", 1, cells);
+    auto distortion = addArray<vtkDoubleArray>(cellData, "AreaDistortion", 1, cells);
+    for (vtkIdType f = 0; f < cells; ++f)
+    {
+      const Triangle& t = mesh.triangles[f];
+      cellIds->SetId(f, surface.sourceCell[mesh.faces[f]]);
+      sourceCellId->SetValue(f, surface.sourceCell[mesh.faces[f]]);
+      const double plane = 0.5 * orient2(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]);
+      distortion->SetValue(f, surface.faceArea(mesh.faces[f]) / plane);
+    }
+    for (int i = 0; i < input->GetCellData()->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* source = input->GetCellData()->GetAbstractArray(i);
+      if (source->GetName() && !isReserved(source->GetName()))
+      {
+        auto part = emptyLike(source);
+        part->SetNumberOfTuples(cells);
+        source->GetTuples(cellIds, part);
+        cellData->AddArray(part);
+      }
+    }
+    auto extent = addArray<vtkDoubleArray>(chart->GetFieldData(), "ChartExtent", 2, 1);
+    extent->SetTuple(0, map.extent.data());
+
+    vtkNew<vtkPartitionedDataSet> set;
+    set->SetNumberOfPartitions(1);
+    set->SetPartition(0, chart);
+    output->SetPartitionedDataSet(static_cast<unsigned int>(c), set);
+  }
+}
+
+std::vector<ConstraintPoint> locateConstraints(
+  const CutSurface& surface, const std::vector<FlatChart>& flat, vtkPoints* points)
+{
+  std::vector<int> chartOf(surface.triangles.size());
+  std::vector<int> cellOf(surface.triangles.size());
+  for (std::size_t c = 0; c < flat.size(); ++c)
+  {
+    for (std::size_t i = 0; i < flat[c].mesh.faces.size(); ++i)
+    {
+      chartOf[flat[c].mesh.faces[i]] = static_cast<int>(c);
+      cellOf[flat[c].mesh.faces[i]] = static_cast<int>(i);
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> whole = toPolyData(surface.points, surface.triangles);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(whole);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  std::vector<ConstraintPoint> constraints(points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    ConstraintPoint& c = constraints[i];
+    double x[3];
+    points->GetPoint(i, x);
+    vtkIdType face = 0;
+    int sub = 0;
+    double squared = 0;
+    locator->FindClosestPoint(x, c.position.data(), cell, face, sub, squared);
+    // Barycentric coordinates by areas, in the triangle's plane.
+    const int f = static_cast<int>(face);
+    const Vec3 u = surface.point(f, 1) - surface.point(f, 0);
+    const Vec3 v = surface.point(f, 2) - surface.point(f, 0);
+    const Vec3 w = c.position - surface.point(f, 0);
+    const Vec3 normal = u.cross(v);
+    const double area = normal.squaredNorm();
+    const double b = w.cross(v).dot(normal) / area;
+    const double d = u.cross(w).dot(normal) / area;
+    c.bary = clampedBarycentric({ 1 - b - d, b, d });
+    c.chart = chartOf[f];
+    c.chartCell = cellOf[f];
+  }
+  return constraints;
+}
+}

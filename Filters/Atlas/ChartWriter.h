@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Hands the flattened charts over as VTK data, with every array of the input.
+#ifndef stipple_ChartWriter_h
+#define stipple_ChartWriter_h
+
+#include "ChartPartition.h"
+#include "Curvature.h"
+#include "FeatureGraph.h"
+#include "SurfaceRepair.h"
+
+class vtkPartitionedDataSetCollection;
+class vtkPoints;
+class vtkPolyData;
+
+namespace stipple
+{
+void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
+  const std::vector<FlatChart>& flat, const Curvature& curvature, vtkPartitionedDataSetCollection* output);
+
+/// The place on the surface nearest to each point.
+std::vector<ConstraintPoint> locateConstraints(
+  const CutSurface& surface, const std::vector<FlatChart>& flat, vtkPoints* points);
+}
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Discrete conformal map of a disk chart to a rectangle (paper 2.2).
+#ifndef stipple_ConformalMap_h
+#define stipple_ConformalMap_h
+
+#include "ChartMesh.h"
+
+namespace stipple
+{
+struct ConformalMapOptions
+{
+  bool square = false; ///< map to the unit square, not to the rectangle that suits the chart best
+};
+
+struct ConformalMap
+{
+  std::vector<Vec2> uv;                 ///< by chart vertex, inside [0, extent]
+  Vec2 extent = Vec2::Ones();           ///< the larger side is 1
+  bool valid = false;                   ///< every triangle has positive area in the plane
+  bool fallback = false;                ///< the cotangent map had flips; positive weights were used instead
+  double densityRatio = 0;              ///< 99.9 % of the area has a density up to this multiple of the mean
+  std::vector<double> density;          ///< by chart triangle, A3D / A2D over the chart's mean
+};
+
+/// Maps the chart's boundary to the rectangle by arc length and its interior by the cotangent Laplacian
+/// (Eck et al. 1995; Pinkall and Polthier 1993). Where that flips a triangle, cotangents are clamped to positive
+/// values, for which the map is one-to-one (Tutte 1963; Floater 2003). The boundary needs four vertices or more.
+STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(
+  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options);
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Sharp edges by dihedral angle, with hysteresis (paper 2.4).
+#ifndef stipple_FeatureDetection_h
+#define stipple_FeatureDetection_h
+
+#include "CutSurface.h"
+
+namespace stipple
+{
+struct FeatureDetectionOptions
+{
+  double angle = 40;          ///< degrees between the normals beside a sharp edge, 0..180; 180: none
+  double weakFraction = 0.5;  ///< edges of at least this fraction of the angle continue a chain, 0..1
+  double minimumLength = 0.03; ///< of a connected set of sharp edges, as a fraction of the box's diagonal
+  double minimumMeanTurn = 60; ///< degrees; sets whose chains turn more than this at a vertex on average are noise
+};
+
+/// Marks the sharp edges of the surface.
+STIPPLEFILTERSATLAS_EXPORT void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options);
+}
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceRepair.h"
+
+#include "PolyDataConversion.h"
+#include "SoupOrientation.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace stipple
+{
+namespace
+{
+/// The representative of every point: the first one at exactly the same place (-0 equals 0).
+std::vector<int> weldMap(const std::vector<Vec3>& points)
+{
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (points[a][k] != points[b][k])
+      {
+        return points[a][k] < points[b][k];
+      }
+    }
+    return a < b;
+  });
+  std::vector<int> map(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
+    map[order[i]] = same ? map[order[i - 1]] : order[i];
+  }
+  return map;
+}
+
+Triangle sorted(Triangle t)
+{
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+/// Drops triangles with a repeated corner, and all but the first copy of each triangle.
+void dropRepeated(RepairedSurface& r)
+{
+  std::vector<int> order(r.surface.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<Triangle> key(order.size());
+  std::transform(r.surface.triangles.begin(), r.surface.triangles.end(), key.begin(), sorted);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key[a] < key[b]; });
+  std::vector<char> keep(order.size(), 1);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const Triangle& t = key[order[i]];
+    if (t[0] == t[1] || t[1] == t[2])
+    {
+      keep[order[i]] = 0;
+      ++r.counts.degenerateTriangles;
+    }
+    else if (i > 0 && key[order[i - 1]] == t)
+    {
+      keep[order[i]] = 0;
+      ++r.counts.duplicateTriangles;
+    }
+  }
+  std::size_t n = 0;
+  for (std::size_t f = 0; f < keep.size(); ++f)
+  {
+    if (keep[f])
+    {
+      r.surface.triangles[n] = r.surface.triangles[f];
+      r.sourceCell[n++] = r.sourceCell[f];
+    }
+  }
+  r.surface.triangles.resize(n);
+  r.sourceCell.resize(n);
+}
+
+/// Number of edges that more than two triangles share.
+int countNonManifoldEdges(const std::vector<Triangle>& triangles)
+{
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.push_back({ std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]) });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  int count = 0;
+  for (std::size_t i = 0; i < edges.size();)
+  {
+    std::size_t j = i;
+    while (j < edges.size() && edges[j] == edges[i])
+    {
+      ++j;
+    }
+    count += j - i > 2;
+    i = j;
+  }
+  return count;
+}
+
+/// Keeps, for every component, the orientation that most of its triangles came with.
+void restoreMajorityOrientation(RepairedSurface& r, const std::vector<Triangle>& before)
+{
+  TriangleSurface& s = r.surface;
+  const auto turned = [&](int f) {
+    // Same cyclic order of source points as before?
+    Triangle t;
+    for (int k = 0; k < 3; ++k)
+    {
+      t[k] = r.sourcePoint[s.triangles[f][k]];
+    }
+    const Triangle& o = before[f];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (t[k] == o[0] && t[(k + 1) % 3] == o[1])
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::vector<char> seen(s.triangles.size(), 0);
+  for (int start = 0; start < s.numberOfFaces(); ++start)
+  {
+    if (seen[start])
+    {
+      continue;
+    }
+    std::vector<int> faces = { start };
+    seen[start] = 1;
+    int count = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      count += turned(faces[i]);
+      for (int k = 0; k < 3; ++k)
+      {
+        const int t = s.twin[3 * faces[i] + k];
+        if (t >= 0 && !seen[t / 3])
+        {
+          seen[t / 3] = 1;
+          faces.push_back(t / 3);
+        }
+      }
+    }
+    const int size = static_cast<int>(faces.size());
+    if (2 * count > size)
+    {
+      for (int f : faces)
+      {
+        std::swap(s.triangles[f][1], s.triangles[f][2]);
+      }
+      count = size - count;
+    }
+    r.counts.reorientedTriangles += count;
+  }
+  s.connect();
+}
+
+/// Forgets points that no triangle uses.
+void compactPoints(RepairedSurface& r)
+{
+  std::vector<int> newId(r.surface.points.size(), -1);
+  std::vector<Vec3> points;
+  std::vector<int> source;
+  for (const Triangle& t : r.surface.triangles)
+  {
+    for (int p : t)
+    {
+      newId[p] = 0;
+    }
+  }
+  for (std::size_t p = 0; p < newId.size(); ++p)
+  {
+    if (newId[p] == 0)
+    {
+      newId[p] = static_cast<int>(points.size());
+      points.push_back(r.surface.points[p]);
+      source.push_back(r.sourcePoint[p]);
+    }
+  }
+  for (Triangle& t : r.surface.triangles)
+  {
+    for (int& p : t)
+    {
+      p = newId[p];
+    }
+  }
+  r.surface.points = std::move(points);
+  r.sourcePoint = std::move(source);
+}
+}
+
+Status repairSurface(vtkPolyData* input, RepairedSurface& r)
+{
+  r = {};
+  r.surface = fromPolyData(input, &r.sourceCell);
+  TriangleSurface& s = r.surface;
+  for (std::size_t p = 0; p < s.points.size(); ++p)
+  {
+    if (!s.points[p].allFinite())
+    {
+      return Status::error("Point " + std::to_string(p) +
+        " of the input has a coordinate that is not a finite number: remove or correct it.");
+    }
+  }
+  const int numberOfInputPoints = static_cast<int>(s.points.size());
+  const std::vector<int> weld = weldMap(s.points);
+  std::vector<char> used(numberOfInputPoints, 0);
+  for (Triangle& t : s.triangles)
+  {
+    for (int& p : t)
+    {
+      used[p] = 1;
+      p = weld[p];
+    }
+  }
+  for (int p = 0; p < numberOfInputPoints; ++p)
+  {
+    r.counts.unusedPoints += !used[p];
+    r.counts.weldedPoints += used[p] && weld[p] != p;
+  }
+  r.sourcePoint.resize(numberOfInputPoints);
+  std::iota(r.sourcePoint.begin(), r.sourcePoint.end(), 0);
+
+  dropRepeated(r);
+  compactPoints(r);
+  if (s.triangles.empty())
+  {
+    return Status::success();
+  }
+  r.counts.splitEdges = countNonManifoldEdges(s.triangles);
+  std::vector<Triangle> before(s.triangles.size());
+  for (std::size_t f = 0; f < before.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      before[f][k] = r.sourcePoint[s.triangles[f][k]];
+    }
+  }
+  // The usual input is clean already: only the others pay for CGAL's orienter.
+  s.connect();
+  if (!s.topology().manifold)
+  {
+    const std::vector<int> original = r.sourcePoint;
+    std::vector<int> index(s.points.size());
+    std::iota(index.begin(), index.end(), 0);
+    orientSoup(s.triangles, index);
+    r.counts.splitVertices = static_cast<int>(index.size() - s.points.size());
+    for (std::size_t p = s.points.size(); p < index.size(); ++p)
+    {
+      s.points.push_back(Vec3(s.points[index[p]]));
+      r.sourcePoint.push_back(original[index[p]]);
+    }
+    s.connect();
+    restoreMajorityOrientation(r, before);
+    compactPoints(r);
+  }
+  const auto hasNoArea = [&](int f) {
+    return (s.point(f, 1) - s.point(f, 0)).cross(s.point(f, 2) - s.point(f, 0)).isZero(0);
+  };
+  int degenerate = 0;
+  for (int f = 0; f < s.numberOfFaces(); ++f)
+  {
+    degenerate += hasNoArea(f);
+  }
+  if (degenerate > 0)
+  {
+    r.counts.degenerateTriangles += degenerate;
+    removeDegenerateFaces(s, r.sourcePoint, r.sourceCell);
+    compactPoints(r);
+  }
+  s.connect();
+  r.pointOfInput.assign(numberOfInputPoints, -1);
+  for (std::size_t p = s.points.size(); p-- > 0;)
+  {
+    r.pointOfInput[r.sourcePoint[p]] = static_cast<int>(p);
+  }
+  for (int p = 0; p < numberOfInputPoints; ++p)
+  {
+    r.pointOfInput[p] = r.pointOfInput[weld[p]];
+  }
+  if (!s.topology().manifold)
+  {
+    return Status::error("The surface could not be made manifold: repair it first, for example with MeshLab.");
+  }
+  return Status::success();
+}
+}
