@@ -138,7 +138,7 @@ public:
   ~EGLHeadlessContext() override
   {
     const EGL& egl = EGL::instance();
-    this->EGLHeadlessContext::release();
+    this->release();
     egl.destroyContext(this->Display, this->Handle);
     if (this->Surface != EGL_NO_SURFACE)
     {
@@ -146,20 +146,19 @@ public:
     }
   }
   const char* platform() const override { return "EGL"; }
-  bool makeCurrent() override
+  bool bind() override
   {
     const EGL& egl = EGL::instance();
-    return this->isCurrent() ||
-      egl.makeCurrent(this->Display, this->Surface, this->Surface, this->Handle);
+    return egl.makeCurrent(this->Display, this->Surface, this->Surface, this->Handle);
   }
-  bool isCurrent() const override
+  bool isBound() const override
   {
     const EGL& egl = EGL::instance();
     return egl.bindAPI(EGL_OPENGL_API) && egl.getCurrentContext() == this->Handle;
   }
-  void release() override
+  void unbind() override
   {
-    if (this->isCurrent())
+    if (this->isBound())
     {
       EGL::instance().makeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }

@@ -81,19 +81,18 @@ public:
   }
   ~OSMesaHeadlessContext() override
   {
-    this->OSMesaHeadlessContext::release();
+    this->release();
     this->Library.destroyContext(this->Handle);
   }
   const char* platform() const override { return "OSMesa"; }
-  bool makeCurrent() override
+  bool bind() override
   {
-    return this->isCurrent() ||
-      this->Library.makeCurrent(this->Handle, this->Buffer.data(), unsignedByte, side, side) != 0;
+    return this->Library.makeCurrent(this->Handle, this->Buffer.data(), unsignedByte, side, side) != 0;
   }
-  bool isCurrent() const override { return this->Library.getCurrentContext() == this->Handle; }
-  void release() override
+  bool isBound() const override { return this->Library.getCurrentContext() == this->Handle; }
+  void unbind() override
   {
-    if (this->isCurrent())
+    if (this->isBound())
     {
       this->Library.makeCurrent(nullptr, nullptr, unsignedByte, 0, 0);
     }

@@ -162,7 +162,8 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   }
   // GLEW loads OpenGL's entry points and then complains about GLX, which there is none of.
   const GLenum result = glewInit();
-  const bool loaded = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
+  const bool loaded = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY ||
+    result == GLEW_ERROR_GLX_VERSION_11_ONLY;
   this->GlewInitValid = loaded && (GLEW_VERSION_3_2 != 0) && glCreateShader != nullptr;
   if (!this->GlewInitValid)
   {

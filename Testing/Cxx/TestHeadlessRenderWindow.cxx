@@ -97,6 +97,25 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   }
 }
 
+/// Two kinds of contexts take turns in one process.
+void testTurns(int argc, char* argv[])
+{
+  vtkNew<vtkHeadlessRenderWindow> window[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    window[k]->SetPlatform(k == 0 ? vtkHeadlessRenderWindow::OSMESA : vtkHeadlessRenderWindow::EGL);
+    window[k]->SetMultiSamples(0);
+    window[k]->SetSize(300, 300);
+    window[k]->AddRenderer(makeScene(24));
+  }
+  for (const int k : { 0, 1, 0, 1, 1, 0 })
+  {
+    window[k]->Render();
+    check(window[k]->IsCurrent() && !window[1 - k]->IsCurrent(), "one context at a time");
+    check(testing::compareWindow(window[k], "HeadlessRenderWindow", argc, argv), "they take turns");
+  }
+}
+
 void testFailure(int platform)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
@@ -131,6 +150,18 @@ int TestHeadlessRenderWindow(int argc, char* argv[])
   {
     testDrawing(vtkHeadlessRenderWindow::OSMESA, "OSMesa", argc, argv);
     testDrawing(vtkHeadlessRenderWindow::AUTO, "OSMesa", argc, argv);
+    // EGL may be in reach too (Mesa's drivers share their dispatch with OSMesa).
+    vtkNew<vtkHeadlessRenderWindow> egl;
+    egl->SetPlatformToEGL();
+    if (egl->SupportsOpenGL())
+    {
+      testDrawing(vtkHeadlessRenderWindow::EGL, "EGL", argc, argv);
+      testTurns(argc, argv);
+    }
+    else
+    {
+      std::cout << "Without EGL: " << egl->GetOpenGLSupportMessage() << "\n";
+    }
   }
   if (without == "OSMESA")
   {
