@@ -38,7 +38,7 @@ Vec3 nextStep(const OptimizedMesh& mesh, Moves moves, int v, const Vec3& last)
 {
   if (moves == Moves::Lloyd)
   {
-    return Momentum * last + OverRelaxation * lloydStep(mesh, v);
+    return Momentum * last + OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v));
   }
   return LaplacianStep * laplacianStep(mesh, v, moves == Moves::Density);
 }

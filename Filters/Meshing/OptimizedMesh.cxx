@@ -12,9 +12,10 @@ namespace stipple
 {
 namespace
 {
-/// A triangle's normal and the surface's at its vertices differ by 75 degrees at most...
-constexpr double MinimumCosine = 0.25;
-/// ... and its height is at least this share of its longest edge.
+/// The cosine of the angle between a triangle's normal and the surface's, on average over its vertices, is at least this. Over a
+/// rim thinner than a triangle it is small for good reason; in a fold it is about -1.
+constexpr double MinimumCosine = 0.1;
+/// The height of a triangle is at least this share of its longest edge.
 constexpr double MinimumHeight = 0.02;
 constexpr int Grain = 512;
 }
@@ -247,15 +248,17 @@ bool OptimizedMesh::isSound(int a, int b, int c) const
   {
     return false;
   }
+  double sum = 0;
+  int count = 0;
   for (int v : { a, b, c })
   {
-    // On a crease the surface has no one normal.
-    if (this->Free[v] == Freedom::Surface && n.dot(this->Normal[v]) < MinimumCosine * area)
+    if (this->Free[v] == Freedom::Surface) // on a crease the surface has no one normal
     {
-      return false;
+      sum += n.dot(this->Normal[v]);
+      ++count;
     }
   }
-  return true;
+  return sum >= MinimumCosine * count * area;
 }
 
 bool OptimizedMesh::isSoundFace(int f) const
@@ -279,8 +282,8 @@ bool OptimizedMesh::swap(int edge)
   const int b = this->Graph.to_vertex_handle(h).idx();
   const int c = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx();
   const int d = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(g)).idx();
-  const bool sound = this->isSound(d, c, a) && this->isSound(c, d, b);
-  if (!sound && (this->isSound(a, b, c) || this->isSound(b, a, d)))
+  const int after = this->isSound(d, c, a) + this->isSound(c, d, b);
+  if (after < 2 && after < this->isSound(a, b, c) + this->isSound(b, a, d))
   {
     return false;
   }

@@ -100,6 +100,29 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
   return total > 0 ? Vec3(sum / total) : Vec3::Zero();
 }
 
+Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
+{
+  static const double lambda = getenv("LAMBDA") ? atof(getenv("LAMBDA")) : 6.;
+  if (lambda <= 0) return step;
+  const Vec3& x = mesh.position(v);
+  Eigen::Matrix3d matrix = lambda * Eigen::Matrix3d::Identity();
+  Vec3 right = lambda * step; bool any = false;
+  forEachTriangle(mesh, v, [&](int q, int) {
+    if (mesh.freedom(q) != Freedom::Surface) return;
+    const Vec3& n = mesh.normal(q);
+    static const double c0 = getenv("C0") ? atof(getenv("C0")) : .6, c1 = getenv("C1") ? atof(getenv("C1")) : .6;
+    const double w = std::clamp((c0 - n.dot(mesh.normal(v))) / c1, 0., 1.);
+    if (w <= 0) return;
+    any = true;
+    matrix += w * n * n.transpose();
+    right += w * n * n.dot(mesh.position(q) - x);
+  });
+  if (!any) return step;
+  const Vec3& n = mesh.normal(v);
+  matrix += 10. * n * n.transpose();
+  return matrix.ldlt().solve(right);
+}
+
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
 {
   const auto& chains = mesh.chains();
