@@ -12,9 +12,6 @@ namespace stipple
 {
 namespace
 {
-/// The cosine of the angle between a triangle's normal and the surface's, on average over its vertices, is at least this. Over a
-/// rim thinner than a triangle it is small for good reason; in a fold it is about -1.
-constexpr double MinimumCosine = 0.1;
 /// The height of a triangle is at least this share of its longest edge.
 constexpr double MinimumHeight = 0.02;
 constexpr int Grain = 512;
@@ -248,17 +245,23 @@ bool OptimizedMesh::isSound(int a, int b, int c) const
   {
     return false;
   }
+  return this->agreement(a, b, c, n) >= minimumAgreement();
+}
+
+double OptimizedMesh::agreement(int a, int b, int c, const Vec3& normal) const
+{
   double sum = 0;
   int count = 0;
   for (int v : { a, b, c })
   {
     if (this->Free[v] == Freedom::Surface) // on a crease the surface has no one normal
     {
-      sum += n.dot(this->Normal[v]);
+      sum += normal.dot(this->Normal[v]);
       ++count;
     }
   }
-  return sum >= MinimumCosine * count * area;
+  const double length = normal.norm();
+  return count > 0 && length > 0 ? sum / (count * length) : 1.;
 }
 
 bool OptimizedMesh::isSoundFace(int f) const
@@ -372,20 +375,46 @@ bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>
   }
   const SurfacePlace old = this->Place[v];
   this->placeVertex(v, this->Atlas->walk().walk(old, step));
-  bool sound = true;
-  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    const auto f = this->Graph.face_handle(h);
-    sound = sound && (!f.is_valid() || this->isSoundFace(f.idx()));
-    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
-  } while (sound && h != first);
-  if (sound && accept())
+  if (accept())
   {
     return true;
   }
   this->placeVertex(v, old);
+  return false;
+}
+
+bool OptimizedMesh::slideOne(int v, double step, const std::function<bool()>& accept)
+{
+  if (this->Free[v] != Freedom::Backbone)
+  {
+    return false;
+  }
+  // Its neighbours on the backbone bound the way.
+  double room = 1e300;
+  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    if (this->Feature[this->Graph.edge_handle(h).idx()])
+    {
+      room = std::min(room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
+    }
+    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
+  const double old = this->ArcLength[v];
+  const double target = old + step;
+  const bool closed = this->Atlas->graph().backbones[this->BackboneOf[v]].closed;
+  if (std::abs(step) > 0.5 * room || (!closed && (target <= 0 || target >= length)))
+  {
+    return false;
+  }
+  this->placeOnBackbone(v, target);
+  if (accept())
+  {
+    return true;
+  }
+  this->placeOnBackbone(v, old);
   return false;
 }
 }
