@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures that say how good a mesh is: counts, topology, shape of triangles, valences, distance to a reference.
+#ifndef stipple_MeshQuality_h
+#define stipple_MeshQuality_h
+
+#include "TriangleSurface.h"
+
+namespace stipple
+{
+/// Any triangle soup can be measured; it need not be manifold. Averages are over triangles unless said otherwise.
+struct MeshQuality
+{
+  int numberOfPoints = 0;
+  int numberOfTriangles = 0;
+  int isolatedPoints = 0;      ///< points that no triangle uses
+  int nonManifoldEdges = 0;    ///< edges of more than two triangles
+  int nonManifoldVertices = 0; ///< points of more than one fan of triangles
+  int boundaryEdges = 0;       ///< edges of one triangle
+  int misorientedEdges = 0;    ///< edges that two triangles run through in the same direction
+  int components = 0;          ///< joined by edges
+  int boundaryLoops = 0;       ///< connected sets of boundary edges
+  int euler = 0;               ///< V - E + F over the points that triangles use
+  double genus = 0;            ///< (2 components - boundary loops - euler) / 2: of all components together
+  int degenerate = 0;          ///< triangles of area <= 1e-12 of their longest edge squared
+  double minimumQ = 0;         ///< Q = 6 / sqrt 3 area / (half perimeter, longest edge): 1 if equilateral
+  double averageQ = 0;
+  double minimumAngle = 0;        ///< degrees
+  double averageMinimumAngle = 0; ///< degrees
+  double maximumAngle = 0;        ///< degrees
+  double percentBelow30 = 0;      ///< triangles whose smallest angle is below 30 degrees
+  double percentAbove90 = 0;      ///< triangles whose largest angle is above 90 degrees
+  double percentValence6 = 0;     ///< of the interior vertices
+  double percentValence567 = 0;   ///< of the interior vertices
+  double areaVariation = 0;       ///< standard deviation of the triangles' areas over their mean
+  double edgeVariation = 0;       ///< standard deviation of the edges' lengths over their mean
+  double area = 0;                ///< of the surface, in the square of its unit of length
+};
+
+/// A mesh against the surface that it stands for; distances in percent of the reference's bounding-box diagonal.
+struct MeshDistance
+{
+  double rmsPercent = 0;       ///< root mean square distance, the larger of the two directions
+  double hausdorffPercent = 0; ///< largest distance, the larger of the two directions
+  double areaRatio = 0;        ///< area over the reference's area
+  bool sameTopology = false;   ///< components, boundary loops and Euler characteristic agree
+};
+
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshQuality measureQuality(const TriangleSurface& mesh);
+
+/// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and measures
+/// to the other; the same for any number of threads.
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshDistance measureDistance(
+  const TriangleSurface& mesh, const TriangleSurface& reference, int numberOfSamples = 20000);
+}
+
+#endif
