@@ -3,6 +3,7 @@
 #include "MeshOptimizer.h"
 
 #include "EdgeSwaps.h"
+#include "LocalRepair.h"
 #include "Relaxation.h"
 
 #include "vtkSMPTools.h"
@@ -38,7 +39,7 @@ Vec3 nextStep(const OptimizedMesh& mesh, Moves moves, int v, const Vec3& last)
 {
   if (moves == Moves::Lloyd)
   {
-    return Momentum * last + OverRelaxation * lloydStep(mesh, v);
+    return Momentum * last + OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v));
   }
   return LaplacianStep * laplacianStep(mesh, v, moves == Moves::Density);
 }
@@ -72,10 +73,19 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     });
     relaxBackbones(mesh, arcLength);
     mesh.move(step, arcLength);
+    if (i % 10 == 2) repairTriangles(mesh, 0., true, true, 3);
   }
   if (options.iterations > 0)
   {
     swapEdges(mesh, options.swaps);
+  }
+  repairTriangles(mesh, 35. * 3.14159265358979 / 180., true, true, 5);
+  if (getenv("DBG"))
+  {
+    int unsound = 0;
+    for (const Triangle& t : mesh.triangles())
+      if (!mesh.isSound(t[0], t[1], t[2])) { ++unsound; if (unsound<10){ Vec3 nn=(mesh.position(t[1])-mesh.position(t[0])).cross(mesh.position(t[2])-mesh.position(t[0])).normalized(); fprintf(stderr,"v unsound %d %d %d cos %.2f %.2f %.2f\n",t[0],t[1],t[2],nn.dot(mesh.normal(t[0])),nn.dot(mesh.normal(t[1])),nn.dot(mesh.normal(t[2]))); } }
+    fprintf(stderr,"v unsound triangles %d\n",unsound);
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }

@@ -11,7 +11,7 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
-/// Calls visit(q, r) for every triangle (v, q, r) about v.
+/// Calls visit(q, r, wall) for every triangle (v, q, r) about v; wall: the edge qr bounds the surface, or is a crease.
 template <typename Visit>
 void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
 {
@@ -23,23 +23,44 @@ void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
     const Halfedge g = graph.next_halfedge_handle(h);
     if (!graph.is_boundary(h))
     {
-      visit(graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(g).idx());
+      visit(graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(g).idx(),
+        mesh.isFeature(graph.edge_handle(g).idx()));
     }
     h = graph.opposite_halfedge_handle(graph.next_halfedge_handle(g));
   } while (h != first);
 }
+
+/// Mass and first moment of a density that is linear over a triangle (x, x + a, x + b).
+struct CellIntegral
+{
+  double mass = 0;
+  double alongA = 0; ///< moment, in units of a
+  double alongB = 0;
+
+  /// Adds the triangle between x and the points given by their coordinates along a and b.
+  void add(const Vec2& p, const Vec2& q, double twiceArea, double here, double slopeA, double slopeB)
+  {
+    const Vec2 centroid = (p + q) / 3.;
+    const double low = 0.1 * std::min({ here, here + slopeA, here + slopeB });
+    const double density = std::max(low, here + slopeA * centroid.x() + slopeB * centroid.y());
+    const double m = 0.5 * cross2(p, q) * twiceArea * density;
+    this->mass += m;
+    this->alongA += m * centroid.x();
+    this->alongB += m * centroid.y();
+  }
+};
 }
 
 Vec3 lloydStep(const OptimizedMesh& mesh, int v)
 {
   const Vec3& x = mesh.position(v);
-  const bool uniform = mesh.uniform();
+  // Points settle with a density that is the root of the weight of a centroidal Voronoi tessellation in the plane.
   const double here = mesh.density(v) * mesh.density(v);
   Vec3 moment = Vec3::Zero();
   double mass = 0;
-  Vec3 fallbackMoment = Vec3::Zero();
-  double fallbackMass = 0;
-  forEachTriangle(mesh, v, [&](int q, int r) {
+  Vec3 ringMoment = Vec3::Zero();
+  double ringMass = 0;
+  forEachTriangle(mesh, v, [&](int q, int r, bool wall) {
     const Vec3 a = mesh.position(q) - x;
     const Vec3 b = mesh.position(r) - x;
     const double aa = a.squaredNorm();
@@ -51,33 +72,50 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v)
       return;
     }
     const double twiceArea = std::sqrt(square);
-    // The circumcentre is s a + t b. The cell's part in this triangle is (0, a/2, c) and (0, c, b/2).
-    const double s = 0.5 * bb * (aa - ab) / square;
-    const double t = 0.5 * aa * (bb - ab) / square;
-    double first = 0.25 * t * twiceArea;
-    double second = 0.25 * s * twiceArea;
-    double whole = 0.5 * twiceArea;
-    if (!uniform)
+    const double slopeA = mesh.density(q) * mesh.density(q) - here;
+    const double slopeB = mesh.density(r) * mesh.density(r) - here;
+    const Vec2 halfA(0.5, 0.);
+    const Vec2 halfB(0., 0.5);
+    CellIntegral cell;
+    if (wall && ab < 0)
     {
-      // Linear over the triangle, taken at the centroids of the parts.
-      const double atA = mesh.density(q) * mesh.density(q) - here;
-      const double atB = mesh.density(r) * mesh.density(r) - here;
-      const double low = 0.1 * std::min({ here, here + atA, here + atB });
-      first *= std::max(low, here + ((0.5 + s) * atA + t * atB) / 3.);
-      second *= std::max(low, here + (s * atA + (0.5 + t) * atB) / 3.);
-      whole *= here + (atA + atB) / 3.;
+      // The circumcentre lies beyond the wall: the cell ends there.
+      const double atA = 0.5 * aa / (aa - ab);
+      const double atB = 0.5 * bb / (bb - ab);
+      const Vec2 p(1. - atA, atA);
+      const Vec2 q2(atB, 1. - atB);
+      cell.add(halfA, p, twiceArea, here, slopeA, slopeB);
+      cell.add(p, q2, twiceArea, here, slopeA, slopeB);
+      cell.add(q2, halfB, twiceArea, here, slopeA, slopeB);
     }
-    moment += (first * (0.5 + s) + second * s) / 3. * a + (first * t + second * (0.5 + t)) / 3. * b;
-    mass += first + second;
-    fallbackMoment += whole / 3. * (a + b);
-    fallbackMass += whole;
+    else
+    {
+      const Vec2 circumcentre(0.5 * bb * (aa - ab) / square, 0.5 * aa * (bb - ab) / square);
+      cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
+      cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
+    }
+    static const double cexp = getenv("CEXP") ? atof(getenv("CEXP")) : 1.;
+    if (cexp > 0)
+    {
+      const Vec3 n = a.cross(b);
+      double sum = 0; int count = 0;
+      for (int u : { v, q, r })
+        if (mesh.freedom(u) == Freedom::Surface) { sum += n.dot(mesh.normal(u)); ++count; }
+      const double w = std::pow(std::clamp(count*twiceArea/std::max(sum,1e-300),1.,4.), cexp);
+      cell.mass *= w; cell.alongA *= w; cell.alongB *= w;
+    }
+    moment += cell.alongA * a + cell.alongB * b;
+    mass += cell.mass;
+    const double whole = 0.5 * twiceArea * (here + (slopeA + slopeB) / 3.);
+    ringMoment += whole / 3. * (a + b);
+    ringMass += whole;
   });
   // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own centroid.
-  if (mass > 0.1 * fallbackMass)
+  if (mass > 0.1 * ringMass)
   {
     return moment / mass;
   }
-  return fallbackMass > 0 ? Vec3(fallbackMoment / fallbackMass) : Vec3::Zero();
+  return ringMass > 0 ? Vec3(ringMoment / ringMass) : Vec3::Zero();
 }
 
 Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
@@ -85,7 +123,7 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
   const Vec3& x = mesh.position(v);
   Vec3 sum = Vec3::Zero();
   double total = 0;
-  forEachTriangle(mesh, v, [&](int q, int r) {
+  forEachTriangle(mesh, v, [&](int q, int r, bool) {
     const Vec3& a = mesh.position(q);
     const Vec3& b = mesh.position(r);
     double area = triangleArea(x, a, b);
@@ -98,6 +136,29 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
     total += area;
   });
   return total > 0 ? Vec3(sum / total) : Vec3::Zero();
+}
+
+Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
+{
+  static const double lambda = getenv("LAMBDA") ? atof(getenv("LAMBDA")) : 6.;
+  if (lambda <= 0) return step;
+  const Vec3& x = mesh.position(v);
+  Eigen::Matrix3d matrix = lambda * Eigen::Matrix3d::Identity();
+  Vec3 right = lambda * step; bool any = false;
+  forEachTriangle(mesh, v, [&](int q, int, bool) {
+    if (mesh.freedom(q) != Freedom::Surface) return;
+    const Vec3& n = mesh.normal(q);
+    static const double c0 = getenv("C0") ? atof(getenv("C0")) : .6, c1 = getenv("C1") ? atof(getenv("C1")) : .6;
+    const double w = std::clamp((c0 - n.dot(mesh.normal(v))) / c1, 0., 1.);
+    if (w <= 0) return;
+    any = true;
+    matrix += w * n * n.transpose();
+    right += w * n * n.dot(mesh.position(q) - x);
+  });
+  if (!any) return step;
+  const Vec3& n = mesh.normal(v);
+  matrix += 10. * n * n.transpose();
+  return matrix.ldlt().solve(right);
 }
 
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
