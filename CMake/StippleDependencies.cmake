@@ -1,6 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 # The libraries that Stipple stands on. VTK's components are named one by one: all of VTK would drag in Qt.
+if (STIPPLE_WRAP_PYTHON AND NOT Python3_EXECUTABLE)
+  # The interpreter that has vtkmodules is the system's, also where another python3 comes first in PATH.
+  find_program(STIPPLE_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  mark_as_advanced(STIPPLE_SYSTEM_PYTHON)
+  if (STIPPLE_SYSTEM_PYTHON)
+    set(Python3_EXECUTABLE "${STIPPLE_SYSTEM_PYTHON}" CACHE FILEPATH "Python interpreter that has vtkmodules")
+  endif ()
+endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonColor CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath
   CommonMisc CommonSystem CommonTransforms

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshCreation.h"
+
+#include "AttributeTransfer.h"
+#include "ChartStitching.h"
+#include "PolyDataConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace stipple
+{
+namespace
+{
+std::string countOf(int n, const char* what)
+{
+  return std::to_string(n) + " " + what;
+}
+
+Status checkSamples(const FeatureGraph& graph, const std::vector<Sample>& samples)
+{
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const Sample& s = samples[i];
+    if (s.kind == SampleKind::Backbone &&
+      (s.backbone < 0 || s.backbone >= static_cast<int>(graph.backbones.size())))
+    {
+      return Status::error("Sample " + std::to_string(i) + " lies on backbone " +
+        std::to_string(s.backbone) +
+        ", which the feature graph does not have: pass charts and feature graph that the samples were made from.");
+    }
+  }
+  return Status::success();
+}
+
+/// Every chart's outline must be one closed chain of three samples at least.
+Status checkChartGraphs(const std::vector<ChartGraph>& charts)
+{
+  for (std::size_t c = 0; c < charts.size(); ++c)
+  {
+    std::size_t links = 0;
+    for (const ChartGraph::Segment& s : charts[c].segments)
+    {
+      links += s.onBoundary;
+    }
+    if (charts[c].boundary.size() < 3 || charts[c].boundary.size() != links)
+    {
+      return Status::error("Chart " + std::to_string(c) + " has " +
+        countOf(static_cast<int>(charts[c].boundary.size()), "samples") +
+        " in a row on its outline, where a closed chain of at least three is needed; use more points.");
+    }
+  }
+  return Status::success();
+}
+}
+
+Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
+  std::vector<Triangle>& triangles, const Progress& progress)
+{
+  const AtlasSurface& surface = atlas.surface();
+  const FeatureGraph& graph = atlas.graph();
+  Status status = checkSamples(graph, samples);
+  if (!status.ok())
+  {
+    return status;
+  }
+  const std::vector<ChartGraph> chartGraphs =
+    buildChartGraphs(surface, graph, atlas.traces(), samples);
+  status = checkChartGraphs(chartGraphs);
+  if (!status.ok())
+  {
+    return status;
+  }
+  const BackboneIntervals intervals(graph, samplesByBackbone(graph, samples));
+  const int numberOfCharts = surface.numberOfCharts();
+  std::vector<std::vector<int>> interior(numberOfCharts);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (samples[i].kind == SampleKind::Interior || samples[i].kind == SampleKind::Constraint)
+    {
+      interior[surface.faceChart[samples[i].face]].push_back(static_cast<int>(i));
+    }
+  }
+  if (!report(progress, 0.05))
+  {
+    return Status::aborted();
+  }
+
+  std::vector<ChartMesh> meshes(numberOfCharts);
+  std::vector<std::optional<Status>> outcome(numberOfCharts);
+  vtkSMPTools::For(0, numberOfCharts, 1, [&](vtkIdType begin, vtkIdType end) {
+    for (int c = static_cast<int>(begin); c < end; ++c)
+    {
+      outcome[c] = triangulateChart(
+        surface, c, chartGraphs[c], atlas.traces(), graph, intervals, samples, interior[c], meshes[c]);
+    }
+  });
+  for (const auto& result : outcome)
+  {
+    if (!result->ok())
+    {
+      return *result;
+    }
+  }
+  if (!report(progress, 0.6))
+  {
+    return Status::aborted();
+  }
+
+  std::vector<char> hasEdge;
+  status = stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge);
+  if (!status.ok())
+  {
+    return status;
+  }
+  TriangleSurface mesh;
+  mesh.points.resize(samples.size());
+  mesh.triangles = triangles;
+  mesh.connect();
+  std::vector<char> used(samples.size(), 0);
+  for (const Triangle& t : triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (!used[i])
+    {
+      return Status::error("Sample " + std::to_string(i) +
+        " is in no triangle: a node or a backbone of it bounds no chart; pass charts, feature graph and "
+        "samples of one pipeline.");
+    }
+  }
+  const SurfaceTopology topology = mesh.topology();
+  if (!(topology == atlas.topology()))
+  {
+    return Status::error("The samples do not carry the surface's topology (Euler characteristic " +
+      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) + ", " +
+      countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
+      std::to_string(atlas.topology().boundaryLoops) + "); use more points.");
+  }
+  return report(progress, 0.8) ? Status::success() : Status::aborted();
+}
+
+std::vector<std::vector<int>> backboneChains(const FeatureGraph& graph, const std::vector<Sample>& samples)
+{
+  std::vector<std::vector<int>> chains = samplesByBackbone(graph, samples);
+  std::unordered_map<int, int> nodeSample;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (samples[i].kind == SampleKind::Corner)
+    {
+      nodeSample[samples[i].surfacePoint] = static_cast<int>(i);
+    }
+  }
+  for (std::size_t b = 0; b < chains.size(); ++b)
+  {
+    std::vector<int>& chain = chains[b];
+    const Backbone& backbone = graph.backbones[b];
+    if (backbone.closed)
+    {
+      if (!chain.empty())
+      {
+        chain.push_back(chain.front());
+      }
+      continue;
+    }
+    const auto first = nodeSample.find(backbone.points.front());
+    const auto last = nodeSample.find(backbone.points.back());
+    if (first != nodeSample.end())
+    {
+      chain.insert(chain.begin(), first->second);
+    }
+    if (last != nodeSample.end())
+    {
+      chain.push_back(last->second);
+    }
+  }
+  return chains;
+}
+
+vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas, const std::vector<Sample>& samples,
+  const std::vector<Triangle>& triangles)
+{
+  const AtlasSurface& surface = atlas.surface();
+  auto mesh = toPolyData(samples, surface); // points, provenance and the arrays of samples
+  mesh->SetVerts(nullptr);
+  mesh->SetPolys(toPolyData(std::vector<Vec3>(), triangles)->GetPolys());
+  std::vector<SurfacePlace> places(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    places[i] = { samples[i].face, samples[i].bary };
+  }
+  transferAttributes(surface, atlas.walk(), places, triangles, mesh);
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
+  const std::vector<std::vector<int>>& chains, vtkPolyData* mesh, bool withSeams)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> type;
+  type->SetName("BackboneType");
+  vtkNew<vtkIntArray> closed;
+  closed->SetName("Closed");
+  vtkNew<vtkIntArray> id;
+  id->SetName("BackboneId");
+  std::unordered_set<std::uint64_t> edges;
+  const auto key = [](vtkIdType a, vtkIdType b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
+  };
+  vtkIdType size;
+  const vtkIdType* corner;
+  for (vtkIdType t = 0; withSeams && t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, size, corner);
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(key(corner[k], corner[(k + 1) % 3]));
+    }
+  }
+  for (std::size_t b = 0; b < chains.size(); ++b)
+  {
+    const Backbone& backbone = graph.backbones[b];
+    const bool isSeam = backbone.type == BackboneType::Seam;
+    if (chains[b].size() < 2 || (isSeam && !withSeams))
+    {
+      continue;
+    }
+    // A seam ends where stitching had to swap its edge away, and goes on behind.
+    std::vector<std::vector<vtkIdType>> pieces(1);
+    for (int p : chains[b])
+    {
+      if (isSeam && !pieces.back().empty() && edges.count(key(pieces.back().back(), p)) == 0)
+      {
+        pieces.emplace_back();
+      }
+      pieces.back().push_back(p);
+    }
+    for (const auto& piece : pieces)
+    {
+      if (piece.size() > 1)
+      {
+        lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
+        type->InsertNextValue(static_cast<int>(backbone.type));
+        closed->InsertNextValue(backbone.closed && pieces.size() == 1 ? 1 : 0);
+        id->InsertNextValue(static_cast<int>(b));
+      }
+    }
+  }
+  output->SetPoints(mesh->GetPoints());
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(type);
+  output->GetCellData()->AddArray(closed);
+  output->GetCellData()->AddArray(id);
+  return output;
+}
+}

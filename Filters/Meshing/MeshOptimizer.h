@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The schedule of the optimisation: swaps and moves in turn (paper 4.4).
+#ifndef stipple_MeshOptimizer_h
+#define stipple_MeshOptimizer_h
+
+#include "OptimizedMesh.h"
+
+namespace stipple
+{
+struct OptimizerOptions
+{
+  enum class Swaps
+  {
+    None,
+    Regularity,
+    Aspect
+  };
+  enum class Moves
+  {
+    None,
+    Area,
+    Density,
+    Lloyd
+  };
+  Swaps swaps = Swaps::Regularity;
+  Moves moves = Moves::Lloyd;
+  int iterations = 40; ///< >= 0
+};
+
+STIPPLEFILTERSMESHING_EXPORT Status optimizeMesh(
+  OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress);
+}
+
+#endif

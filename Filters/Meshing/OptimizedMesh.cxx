@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptimizedMesh.h"
+
+#include "MeshCreation.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+/// A triangle's normal and the surface's at its vertices differ by 75 degrees at most...
+constexpr double MinimumCosine = 0.25;
+/// ... and its height is at least this share of its longest edge.
+constexpr double MinimumHeight = 0.02;
+constexpr int Grain = 512;
+}
+
+Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& density,
+  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
+{
+  this->Atlas = &atlas;
+  this->Field = &density;
+  this->Original = samples;
+  const int n = static_cast<int>(samples.size());
+  const FeatureGraph& graph = atlas.graph();
+  this->Place.resize(n);
+  this->Position.resize(n);
+  this->Normal.resize(n);
+  this->Density.assign(n, 1.);
+  this->Free.assign(n, Freedom::Surface);
+  this->BackboneOf.assign(n, -1);
+  this->ArcLength.assign(n, 0.);
+  std::vector<char> fixedNode(atlas.surface().points.size(), 0);
+  for (const Backbone& b : graph.backbones)
+  {
+    if (!b.closed && b.type != BackboneType::Seam)
+    {
+      fixedNode[b.points.front()] = fixedNode[b.points.back()] = 1;
+    }
+  }
+  for (int v = 0; v < n; ++v)
+  {
+    const Sample& s = samples[v];
+    this->placeVertex(v, { s.face, s.bary });
+    if (s.kind == SampleKind::Constraint ||
+      (s.kind == SampleKind::Corner && s.surfacePoint >= 0 && fixedNode[s.surfacePoint]))
+    {
+      this->Free[v] = Freedom::None;
+    }
+    else if (s.kind == SampleKind::Backbone)
+    {
+      if (s.backbone < 0 || s.backbone >= static_cast<int>(graph.backbones.size()))
+      {
+        return Status::error("Point " + std::to_string(v) + " lies on backbone " +
+          std::to_string(s.backbone) + ", which the feature graph does not have: pass the one of the mesh.");
+      }
+      if (graph.backbones[s.backbone].type != BackboneType::Seam)
+      {
+        this->Free[v] = Freedom::Backbone;
+        this->BackboneOf[v] = s.backbone;
+        this->ArcLength[v] = s.arcLength;
+      }
+    }
+  }
+  Status status = this->connect(triangles);
+  return status.ok() ? this->markFeatures() : status;
+}
+
+/// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the triangles.
+Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
+{
+  const std::vector<int> twin = halfedgeTwins(triangles);
+  const int n = static_cast<int>(triangles.size());
+  this->Graph.clear();
+  this->Graph.reserve(this->Position.size(), twin.size() / 2 + 1, triangles.size());
+  for (std::size_t v = 0; v < this->Position.size(); ++v)
+  {
+    this->Graph.new_vertex();
+  }
+  std::vector<Halfedge> own(twin.size());
+  const auto tail = [&](int h) { return triangles[h / 3][h % 3]; };
+  std::vector<Halfedge> outside(this->Position.size()); // boundary halfedge out of a vertex
+  for (int h = 0; h < 3 * n; ++h)
+  {
+    if (twin[h] == -2)
+    {
+      return Status::error("The mesh's edge between the points " + std::to_string(tail(h)) + " and " +
+        std::to_string(tail(nextHalfedge(h))) +
+        " is not manifold or not consistently oriented: pass the output of vtkCDTRemesh.");
+    }
+    if (twin[h] > h || twin[h] < 0)
+    {
+      own[h] = this->Graph.new_edge(Vertex(tail(h)), Vertex(tail(nextHalfedge(h))));
+      const Halfedge opposite = this->Graph.opposite_halfedge_handle(own[h]);
+      if (twin[h] >= 0)
+      {
+        own[twin[h]] = opposite;
+      }
+      else
+      {
+        this->Graph.set_boundary(opposite);
+        outside[tail(nextHalfedge(h))] = opposite;
+      }
+    }
+  }
+  for (int f = 0; f < n; ++f)
+  {
+    const auto face = this->Graph.new_face();
+    this->Graph.set_halfedge_handle(face, own[3 * f]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int h = 3 * f + k;
+      this->Graph.set_face_handle(own[h], face);
+      this->Graph.set_next_halfedge_handle(own[h], own[nextHalfedge(h)]);
+      this->Graph.set_halfedge_handle(Vertex(triangles[f][k]), own[h]);
+    }
+  }
+  for (const Halfedge h : outside)
+  {
+    if (h.is_valid())
+    {
+      this->Graph.set_next_halfedge_handle(h, outside[this->Graph.to_vertex_handle(h).idx()]);
+      this->Graph.set_halfedge_handle(this->Graph.from_vertex_handle(h), h);
+    }
+  }
+  for (std::size_t v = 0; v < this->Position.size(); ++v)
+  {
+    if (!this->Graph.halfedge_handle(Vertex(static_cast<int>(v))).is_valid())
+    {
+      return Status::error("Point " + std::to_string(v) +
+        " of the mesh is in no triangle: pass the output of vtkCDTRemesh.");
+    }
+  }
+  return Status::success();
+}
+
+Status OptimizedMesh::markFeatures()
+{
+  this->Feature.assign(this->Graph.n_edges(), 0);
+  this->Chain = backboneChains(this->Atlas->graph(), this->Original);
+  for (std::size_t b = 0; b < this->Chain.size(); ++b)
+  {
+    std::vector<int>& chain = this->Chain[b];
+    if (this->Atlas->graph().backbones[b].type == BackboneType::Seam)
+    {
+      chain.clear();
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+      const Halfedge h = this->Graph.find_halfedge(Vertex(chain[i - 1]), Vertex(chain[i]));
+      if (!h.is_valid())
+      {
+        return Status::error("The mesh has no edge between the points " + std::to_string(chain[i - 1]) +
+          " and " + std::to_string(chain[i]) + ", neighbours on backbone " + std::to_string(b) +
+          ": pass the output of vtkCDTRemesh and its feature graph.");
+      }
+      this->Feature[this->Graph.edge_handle(h).idx()] = 1;
+    }
+  }
+  return Status::success();
+}
+
+void OptimizedMesh::placeVertex(int v, const SurfacePlace& place)
+{
+  this->Place[v] = place;
+  this->Position[v] = this->Atlas->surface().position(place.face, place.bary);
+  this->Normal[v] = this->Atlas->smoothNormal(place.face);
+  if (!this->Field->uniform())
+  {
+    this->Density[v] = this->Field->at(this->Atlas->surface(), place);
+  }
+}
+
+void OptimizedMesh::placeOnBackbone(int v, double arcLength)
+{
+  const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
+  const double length = trace.length();
+  if (this->Atlas->graph().backbones[this->BackboneOf[v]].closed)
+  {
+    arcLength -= length * std::floor(arcLength / length);
+  }
+  this->ArcLength[v] = arcLength;
+  const BackboneTrace::Place place = trace.locate(arcLength);
+  const int side = trace.hasSide(0) ? 0 : 1;
+  this->placeVertex(v, { trace.face(place, side), trace.bary(place, side) });
+}
+
+int OptimizedMesh::valence(int v) const
+{
+  int n = 0;
+  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    ++n;
+    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  return n;
+}
+
+std::vector<Triangle> OptimizedMesh::triangles() const
+{
+  std::vector<Triangle> result(this->Graph.n_faces());
+  for (std::size_t f = 0; f < result.size(); ++f)
+  {
+    Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(f)));
+    for (int k = 0; k < 3; ++k, h = this->Graph.next_halfedge_handle(h))
+    {
+      result[f][k] = this->Graph.from_vertex_handle(h).idx();
+    }
+    // Whatever swaps did to the halfedges: the smallest point comes first.
+    std::rotate(result[f].begin(), std::min_element(result[f].begin(), result[f].end()), result[f].end());
+  }
+  return result;
+}
+
+std::vector<Sample> OptimizedMesh::samples() const
+{
+  std::vector<Sample> result = this->Original;
+  for (int v = 0; v < this->numberOfVertices(); ++v)
+  {
+    Sample& s = result[v];
+    s.face = this->Place[v].face;
+    s.bary = this->Place[v].bary;
+    s.arcLength = this->ArcLength[v];
+    if (this->Free[v] == Freedom::Surface) // seams have healed: nothing tells their samples from others
+    {
+      s = { SampleKind::Interior, s.face, s.bary, -1, 0., -1 };
+    }
+  }
+  return result;
+}
+
+bool OptimizedMesh::isSound(int a, int b, int c) const
+{
+  const Vec3& p = this->Position[a];
+  const Vec3& q = this->Position[b];
+  const Vec3& r = this->Position[c];
+  const Vec3 n = (q - p).cross(r - p);
+  const double area = n.norm();
+  const double longest = std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
+  if (!(area > MinimumHeight * longest))
+  {
+    return false;
+  }
+  for (int v : { a, b, c })
+  {
+    // On a crease the surface has no one normal.
+    if (this->Free[v] == Freedom::Surface && n.dot(this->Normal[v]) < MinimumCosine * area)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool OptimizedMesh::isSoundFace(int f) const
+{
+  const Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
+  const Halfedge g = this->Graph.next_halfedge_handle(h);
+  return this->isSound(this->Graph.from_vertex_handle(h).idx(), this->Graph.to_vertex_handle(h).idx(),
+    this->Graph.to_vertex_handle(g).idx());
+}
+
+bool OptimizedMesh::swap(int edge)
+{
+  const OpenMesh::EdgeHandle e(edge);
+  if (!this->isSwappable(edge) || !this->Graph.is_flip_ok(e))
+  {
+    return false;
+  }
+  const Halfedge h = this->Graph.halfedge_handle(e, 0);
+  const Halfedge g = this->Graph.halfedge_handle(e, 1);
+  const int a = this->Graph.from_vertex_handle(h).idx();
+  const int b = this->Graph.to_vertex_handle(h).idx();
+  const int c = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx();
+  const int d = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(g)).idx();
+  const bool sound = this->isSound(d, c, a) && this->isSound(c, d, b);
+  if (!sound && (this->isSound(a, b, c) || this->isSound(b, a, d)))
+  {
+    return false;
+  }
+  this->Graph.flip(e);
+  return true;
+}
+
+void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double>& arcLength)
+{
+  const int n = this->numberOfVertices();
+  const int faces = this->numberOfFaces();
+  const std::vector<SurfacePlace> oldPlace = this->Place;
+  const std::vector<double> oldArcLength = this->ArcLength;
+  std::vector<char> wasSound(faces);
+  vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType f = begin; f < end; ++f)
+    {
+      wasSound[f] = this->isSoundFace(static_cast<int>(f));
+    }
+  });
+  std::vector<float> share(n, 1.f);
+  const auto moveVertex = [&](int v) {
+    if (this->Free[v] == Freedom::Surface)
+    {
+      this->placeVertex(v,
+        share[v] > 0 ? this->Atlas->walk().walk(oldPlace[v], share[v] * step[v]) : oldPlace[v]);
+    }
+    else if (this->Free[v] == Freedom::Backbone)
+    {
+      this->placeOnBackbone(v, oldArcLength[v] + share[v] * (arcLength[v] - oldArcLength[v]));
+    }
+  };
+  vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType v = begin; v < end; ++v)
+    {
+      moveVertex(static_cast<int>(v));
+    }
+  });
+  // Unsound triangles draw their vertices back: to a half, a quarter, at last all the way.
+  std::vector<char> isSoundNow(faces);
+  for (int round = 0; round < 12; ++round)
+  {
+    vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        isSoundNow[f] = !wasSound[f] || this->isSoundFace(static_cast<int>(f));
+      }
+    });
+    std::vector<int> back;
+    for (int f = 0; f < faces; ++f)
+    {
+      if (!isSoundNow[f])
+      {
+        Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
+        for (int k = 0; k < 3; ++k, h = this->Graph.next_halfedge_handle(h))
+        {
+          back.push_back(this->Graph.to_vertex_handle(h).idx());
+        }
+      }
+    }
+    if (back.empty())
+    {
+      return;
+    }
+    std::sort(back.begin(), back.end());
+    back.erase(std::unique(back.begin(), back.end()), back.end());
+    for (int v : back)
+    {
+      share[v] = round < 2 ? 0.5f * share[v] : 0.f;
+      moveVertex(v);
+    }
+  }
+  // Drawing back spread on and on: take back the whole step.
+  std::fill(share.begin(), share.end(), 0.f);
+  for (int v = 0; v < n; ++v)
+  {
+    moveVertex(v);
+  }
+}
+
+bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>& accept)
+{
+  if (this->Free[v] != Freedom::Surface)
+  {
+    return false;
+  }
+  const SurfacePlace old = this->Place[v];
+  this->placeVertex(v, this->Atlas->walk().walk(old, step));
+  bool sound = true;
+  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    const auto f = this->Graph.face_handle(h);
+    sound = sound && (!f.is_valid() || this->isSoundFace(f.idx()));
+    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+  } while (sound && h != first);
+  if (sound && accept())
+  {
+    return true;
+  }
+  this->placeVertex(v, old);
+  return false;
+}
+}

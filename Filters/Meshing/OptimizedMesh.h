@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh under optimisation: its connectivity, and the place of every vertex on the surface.
+#ifndef stipple_OptimizedMesh_h
+#define stipple_OptimizedMesh_h
+
+#include "DensityField.h"
+#include "SampleSet.h"
+#include "SurfaceCache.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include <functional>
+
+namespace stipple
+{
+/// How a vertex may move.
+enum class Freedom : char
+{
+  Surface,  ///< anywhere; also where a seam runs
+  Backbone, ///< along its sharp or boundary backbone
+  None      ///< corners and constraints
+};
+
+struct ConnectivityTraits : OpenMesh::DefaultTraits
+{
+  VertexAttributes(OpenMesh::Attributes::None);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::None);
+  FaceAttributes(OpenMesh::Attributes::None);
+};
+
+class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
+{
+public:
+  using Connectivity = OpenMesh::TriMesh_ArrayKernelT<ConnectivityTraits>;
+  using Halfedge = OpenMesh::HalfedgeHandle;
+  using Vertex = OpenMesh::VertexHandle;
+
+  /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of a backbone.
+  Status build(const SurfaceCache& atlas, const DensityField& density, const std::vector<Sample>& samples,
+    const std::vector<Triangle>& triangles);
+
+  int numberOfVertices() const { return static_cast<int>(this->Position.size()); }
+  int numberOfFaces() const { return static_cast<int>(this->Graph.n_faces()); }
+  int numberOfEdges() const { return static_cast<int>(this->Graph.n_edges()); }
+  const Connectivity& graph() const { return this->Graph; }
+  const Vec3& position(int v) const { return this->Position[v]; }
+  const Vec3& position(Vertex v) const { return this->Position[v.idx()]; }
+  /// Of the surface, averaged over a few faces about the vertex's place.
+  const Vec3& normal(int v) const { return this->Normal[v]; }
+  const SurfacePlace& place(int v) const { return this->Place[v]; }
+  double density(int v) const { return this->Density[v]; }
+  bool uniform() const { return this->Field->uniform(); }
+  Freedom freedom(int v) const { return this->Free[v]; }
+  bool isFeature(int edge) const { return this->Feature[edge] != 0; }
+  /// Both triangles and no feature: all that an edge needs to be swapped but for the geometry.
+  bool isSwappable(int edge) const
+  {
+    return !this->Feature[edge] && !this->Graph.is_boundary(OpenMesh::EdgeHandle(edge));
+  }
+  int valence(int v) const;
+  std::vector<Triangle> triangles() const;
+  std::vector<Sample> samples() const;
+
+  /// Swaps an edge if no second edge between two vertices, no fold and no degenerate triangle comes of it.
+  bool swap(int edge);
+  /// Swaps without asking; for taking back a swap.
+  void forceSwap(int edge) { this->Graph.flip(OpenMesh::EdgeHandle(edge)); }
+  /// The triangle (a, b, c) faces the way the surface does at its vertices, and is not degenerate.
+  bool isSound(int a, int b, int c) const;
+
+  /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all at once.
+  /// Where that makes a triangle unsound, the steps of its vertices are halved, at last refused.
+  void move(const std::vector<Vec3>& step, const std::vector<double>& arcLength);
+  /// Moves one vertex on the surface; false, and nothing is changed, if a triangle about it would become unsound
+  /// or `accept`, asked at the new position, says no.
+  bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
+
+  /// Backbone vertices in order, with both ends; empty for seams.
+  const std::vector<std::vector<int>>& chains() const { return this->Chain; }
+  const SurfaceCache& atlas() const { return *this->Atlas; }
+  double arcLength(int v) const { return this->ArcLength[v]; }
+  int backbone(int v) const { return this->BackboneOf[v]; }
+
+private:
+  Status connect(const std::vector<Triangle>& triangles);
+  Status markFeatures();
+  void placeVertex(int v, const SurfacePlace& place);
+  void placeOnBackbone(int v, double arcLength);
+  bool isSoundFace(int f) const;
+
+  const SurfaceCache* Atlas = nullptr;
+  const DensityField* Field = nullptr;
+  Connectivity Graph;
+  std::vector<Sample> Original;
+  std::vector<SurfacePlace> Place;
+  std::vector<Vec3> Position;
+  std::vector<Vec3> Normal;
+  std::vector<double> Density;
+  std::vector<Freedom> Free;
+  std::vector<int> BackboneOf;
+  std::vector<double> ArcLength;
+  std::vector<char> Feature; // by edge
+  std::vector<std::vector<int>> Chain;
+};
+}
+
+#endif

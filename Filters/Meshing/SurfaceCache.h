@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mesher and the optimiser derive from charts and feature graph alone: kept as long as these do not change, so that
+// a slider that moves samples does not pay for it again.
+#ifndef stipple_SurfaceCache_h
+#define stipple_SurfaceCache_h
+
+#include "ChartGraph.h"
+#include "SurfaceWalk.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+
+class vtkDataObject;
+
+namespace stipple
+{
+class STIPPLEFILTERSMESHING_EXPORT SurfaceCache
+{
+public:
+  /// Reads both inputs unless they are those of the last time, unmodified.
+  Status update(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph);
+
+  const AtlasSurface& surface() const { return this->Surface; }
+  const FeatureGraph& graph() const { return this->Graph; }
+  const std::vector<BackboneTrace>& traces() const { return this->Traces; }
+  /// Sharp edges are its walls.
+  const SurfaceWalk& walk() const { return *this->Walk; }
+  /// Normal of a face averaged with those about it on the same side of creases; unit length, or zero.
+  const Vec3& smoothNormal(int face) const { return this->SmoothNormal[face]; }
+  const SurfaceTopology& topology() const { return this->Topology; }
+  /// Counts the times that the inputs were read.
+  int generation() const { return this->Generation; }
+
+private:
+  void smoothNormals(const std::vector<char>& wall);
+
+  using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
+  Key KeyOfContents;
+  AtlasSurface Surface;
+  FeatureGraph Graph;
+  std::vector<BackboneTrace> Traces;
+  std::unique_ptr<SurfaceWalk> Walk;
+  std::vector<Vec3> SmoothNormal;
+  SurfaceTopology Topology;
+  int Generation = 0;
+};
+}
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCDTRemesh.h"
+
+#include "MeshCreation.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkCDTRemesh);
+
+struct vtkCDTRemesh::Internals
+{
+  stipple::SurfaceCache Atlas;
+};
+
+vtkCDTRemesh::vtkCDTRemesh()
+  : Implementation(new Internals)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkCDTRemesh::~vtkCDTRemesh() = default;
+
+int vtkCDTRemesh::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    port == 1 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  return 1;
+}
+
+int vtkCDTRemesh::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* sampleData = vtkPolyData::GetData(inputVector[0]);
+  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
+  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
+  vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
+  if (!sampleData || !charts || sampleData->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  std::vector<stipple::Sample> samples;
+  std::vector<stipple::Triangle> triangles;
+  stipple::Status status = atlas.update(charts, featureGraph);
+  if (status.ok())
+  {
+    status = stipple::readSamples(sampleData, atlas.surface(), samples);
+  }
+  if (status.ok())
+  {
+    status = stipple::createMesh(atlas, samples, triangles, [this](double fraction) {
+      this->UpdateProgress(fraction);
+      return this->GetAbortExecute() == 0;
+    });
+  }
+  if (status.isAbort())
+  {
+    return 1;
+  }
+  if (!status.ok())
+  {
+    vtkErrorMacro(<< status.message());
+    return 0;
+  }
+  const auto mesh = stipple::meshToPolyData(atlas, samples, triangles);
+  const auto lines = stipple::featureLines(
+    atlas.graph(), stipple::backboneChains(atlas.graph(), samples), mesh, true);
+  meshOutput->ShallowCopy(mesh);
+  linesOutput->ShallowCopy(lines);
+  this->UpdateProgress(1.);
+  return 1;
+}
+
+void vtkCDTRemesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRemeshOptimizer.h"
+
+#include "MeshCreation.h"
+#include "MeshOptimizer.h"
+#include "PolyDataConversion.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkRemeshOptimizer);
+
+struct vtkRemeshOptimizer::Internals
+{
+  stipple::SurfaceCache Atlas;
+  stipple::DensityField Density;
+};
+
+vtkRemeshOptimizer::vtkRemeshOptimizer()
+  : Implementation(new Internals)
+{
+  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkRemeshOptimizer::~vtkRemeshOptimizer() = default;
+
+int vtkRemeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    port == 1 || port == 3 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  if (port == 3)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkRemeshOptimizer::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* meshInput = vtkPolyData::GetData(inputVector[0]);
+  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
+  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
+  auto* control = vtkPartitionedDataSetCollection::GetData(inputVector[3]);
+  vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
+  if (!meshInput || !charts || meshInput->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  stipple::DensityField& density = this->Implementation->Density;
+  std::vector<stipple::Sample> samples;
+  stipple::OptimizedMesh mesh;
+  stipple::Status status = atlas.update(charts, featureGraph);
+  if (status.ok())
+  {
+    status = density.read(control, atlas.surface());
+  }
+  if (status.ok())
+  {
+    status = stipple::readSamples(meshInput, atlas.surface(), samples);
+  }
+  if (status.ok())
+  {
+    status = mesh.build(atlas, density, samples, stipple::fromPolyData(meshInput).triangles);
+  }
+  if (status.ok())
+  {
+    using Options = stipple::OptimizerOptions;
+    Options options;
+    options.swaps = static_cast<Options::Swaps>(this->Connectivity);
+    options.moves = static_cast<Options::Moves>(this->Smoothing);
+    options.iterations = this->NumberOfIterations;
+    status = stipple::optimizeMesh(mesh, options, [this](double fraction) {
+      this->UpdateProgress(0.05 + 0.9 * fraction);
+      return this->GetAbortExecute() == 0;
+    });
+  }
+  if (status.isAbort())
+  {
+    return 1;
+  }
+  if (!status.ok())
+  {
+    vtkErrorMacro(<< status.message());
+    return 0;
+  }
+  const bool moved =
+    this->Smoothing != vtkRemeshOptimizer::SMOOTHING_NONE && this->NumberOfIterations > 0;
+  const auto result =
+    stipple::meshToPolyData(atlas, moved ? mesh.samples() : samples, mesh.triangles());
+  const auto lines = stipple::featureLines(atlas.graph(), mesh.chains(), result, false);
+  meshOutput->ShallowCopy(result);
+  linesOutput->ShallowCopy(lines);
+  this->UpdateProgress(1.);
+  return 1;
+}
+
+void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Connectivity: " << this->Connectivity << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapSizing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stipple
+{
+namespace
+{
+constexpr int smallestSide = 32;
+constexpr int largestSide = 4096;
+
+std::array<int, 2> withAspect(const Vec2& extent, int longer, int least)
+{
+  const double ratio = std::min(extent.x(), extent.y()) / std::max(extent.x(), extent.y());
+  const int shorter = std::clamp(static_cast<int>(std::lround(longer * ratio)), least, longer);
+  return extent.x() >= extent.y() ? std::array<int, 2>{ longer, shorter }
+                                  : std::array<int, 2>{ shorter, longer };
+}
+}
+
+double densityRatio(const MapChart& chart, double fraction)
+{
+  struct Density
+  {
+    double value;
+    double area;
+  };
+  std::vector<Density> densities;
+  double area3D = 0.;
+  double area2D = 0.;
+  for (int f = 0; f < chart.numberOfTriangles(); ++f)
+  {
+    const auto& t = chart.triangles[f];
+    const double plane = 0.5 * std::abs(orient2(chart.uv[t[0]], chart.uv[t[1]], chart.uv[t[2]]));
+    const double space = chart.area[f];
+    area3D += space;
+    area2D += plane;
+    if (plane > 0.)
+    {
+      densities.push_back({ space / plane, space });
+    }
+  }
+  if (densities.empty() || area3D <= 0.)
+  {
+    return 1.;
+  }
+  std::sort(densities.begin(), densities.end(),
+    [](const Density& a, const Density& b) { return a.value > b.value; });
+  double above = 0.;
+  double quantile = densities.front().value;
+  for (const Density& d : densities)
+  {
+    quantile = d.value;
+    above += d.area;
+    if (above > fraction * area3D)
+    {
+      break;
+    }
+  }
+  return std::max(1., quantile * area2D / area3D);
+}
+
+MapDemand demandOf(const MapChart& chart)
+{
+  MapDemand demand;
+  demand.extent = chart.extent;
+  for (const float area : chart.area)
+  {
+    demand.area += area;
+  }
+  demand.densityRatio = densityRatio(chart);
+  return demand;
+}
+
+std::array<int, 2> automaticMapSize(const MapDemand& demand, double samples)
+{
+  const double pixels = 2. * std::max(0., samples) * demand.densityRatio;
+  const double ratio = std::min(demand.extent.x(), demand.extent.y()) /
+    std::max(demand.extent.x(), demand.extent.y());
+  const double needed = std::sqrt(pixels / ratio);
+  int longer = smallestSide;
+  for (int rung = 1; longer < needed && longer < largestSide; ++rung)
+  {
+    longer = static_cast<int>(std::lround(smallestSide * std::pow(2., 0.5 * rung)));
+  }
+  return withAspect(demand.extent, std::min(longer, largestSide), smallestSide);
+}
+
+std::array<int, 2> fixedMapSize(const Vec2& extent, int longer)
+{
+  return withAspect(extent, longer, std::min(longer, 2));
+}
+}

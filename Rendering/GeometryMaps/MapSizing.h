@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How many pixels a chart's maps need: no pixel of a uniform sampling should want more than half a
+// sample, or error diffusion cannot place the samples where the chart is densest.
+#ifndef stipple_MapSizing_h
+#define stipple_MapSizing_h
+
+#include "MapRasterizer.h"
+
+#include <array>
+
+namespace stipple
+{
+/// What a chart asks of its map.
+struct MapDemand
+{
+  Vec2 extent = Vec2::Ones(); ///< of the rectangle
+  double area = 0.;           ///< in space
+  double densityRatio = 1.;   ///< see densityRatio()
+};
+
+/// The density (A3D / A2D) that all but a fraction of the chart's surface stays below, over the chart's
+/// mean density. At least 1.
+STIPPLERENDERINGGEOMETRYMAPS_EXPORT double densityRatio(
+  const MapChart& chart, double fraction = 0.001);
+
+STIPPLERENDERINGGEOMETRYMAPS_EXPORT MapDemand demandOf(const MapChart& chart);
+
+/// Width and height for a chart that gets this many samples (its share): 2 n r pixels or more, with the
+/// rectangle's aspect and sides within [32, 4096]. The longer side is a rung of a ladder of factor
+/// sqrt(2), so that the size seldom changes with the number of samples.
+STIPPLERENDERINGGEOMETRYMAPS_EXPORT std::array<int, 2> automaticMapSize(
+  const MapDemand& demand, double samples);
+
+/// Width and height for a longer side of this many pixels.
+STIPPLERENDERINGGEOMETRYMAPS_EXPORT std::array<int, 2> fixedMapSize(const Vec2& extent, int longer);
+}
+
+#endif

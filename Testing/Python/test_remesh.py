@@ -1,0 +1,223 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""stipple.remesh: what comes out, and that bad input raises."""
+import os
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import shapes
+import stipple
+
+
+class Result(unittest.TestCase):
+    def test_exact_number_of_points_and_topology(self):
+        for name, mesh, euler in (
+            ("sphere", shapes.sphere(), 2),
+            ("torus", shapes.torus(), 0),
+            ("plane", shapes.plane(), 1),
+            ("cube", shapes.cube(), 2),
+        ):
+            for number in (500, 1501):
+                with self.subTest(name, points=number):
+                    shapes.assert_sound(self, stipple.remesh(mesh, points=number), number, euler)
+
+    def test_numpy_in_numpy_out(self):
+        points, triangles = shapes.arrays(shapes.sphere())
+        before = points.copy(), triangles.copy()
+        result = stipple.remesh((points, triangles), points=700)
+        self.assertIsInstance(result, tuple)
+        self.assertEqual((result[0].shape, result[0].dtype), ((700, 3), np.float64))
+        self.assertEqual((result[1].shape, result[1].dtype), ((1396, 3), np.int64))
+        np.testing.assert_array_equal(points, before[0])
+        np.testing.assert_array_equal(triangles, before[1])
+        shapes.assert_sound(self, result, 700, 2)
+
+    def test_vtk_in_vtk_out(self):
+        mesh = shapes.sphere()
+        size = mesh.GetNumberOfPoints(), mesh.GetPointData().GetNumberOfArrays(), mesh.GetMTime()
+        result = stipple.remesh(mesh, points=700, importance=np.ones(size[0]))
+        self.assertIs(type(result), vtkPolyData)
+        self.assertIsNot(result, mesh)
+        self.assertEqual(size, (mesh.GetNumberOfPoints(), mesh.GetPointData().GetNumberOfArrays(), mesh.GetMTime()))
+        for name in ("ChartId", "ChartCellId", "BarycentricCoordinates", "UV", "SampleKind", "SourceCellId"):
+            self.assertTrue(result.GetPointData().HasArray(name), name)
+
+    def test_numpy_and_vtk_give_the_same_mesh(self):
+        mesh = shapes.sphere()
+        points, triangles = stipple.remesh(shapes.arrays(mesh), points=600)
+        other = shapes.arrays(stipple.remesh(mesh, points=600))
+        np.testing.assert_array_equal(points, other[0])
+        np.testing.assert_array_equal(triangles, other[1])
+
+    def test_derived_class(self):
+        class Mine(vtkPolyData):
+            pass
+
+        mine = Mine()
+        mine.ShallowCopy(shapes.sphere())
+        self.assertEqual(stipple.remesh(mine, points=300).GetNumberOfPoints(), 300)
+
+    def test_default_number_is_the_input_s(self):
+        mesh = shapes.sphere(20)
+        self.assertEqual(stipple.remesh(mesh).GetNumberOfPoints(), mesh.GetNumberOfPoints())
+
+    def test_orientation_and_position(self):
+        points, triangles = stipple.remesh(shapes.arrays(shapes.sphere(60)), points=2000)
+        self.assertAlmostEqual(shapes.volume(points, triangles), np.pi / 6, delta=0.01 * np.pi / 6)
+        radius = np.linalg.norm(points, axis=1)
+        self.assertLess(radius.max(), 0.5 + 1e-9)
+        self.assertGreater(radius.min(), 0.5 * np.cos(np.pi / 30))
+
+    def test_corners_and_edges_of_a_cube(self):
+        points, triangles = stipple.remesh(shapes.arrays(shapes.cube()), points=1000)
+        corners = np.abs(points).sum(axis=1) > 3 - 1e-9
+        self.assertEqual(corners.sum(), 8)
+        self.assertAlmostEqual(shapes.volume(points, triangles), 8, places=6)  # no edge is cut off
+        area = stipple.quality((points, triangles))["area"]
+        self.assertAlmostEqual(area, 24, places=6)
+
+    def test_no_features_at_180_degrees(self):
+        points, triangles = stipple.remesh(shapes.arrays(shapes.cube()), points=1000, feature_angle=180)
+        self.assertLess(shapes.volume(points, triangles), 8 - 1e-3)
+
+    def test_importance_attracts_points(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+        upper = np.where(mesh[0][:, 2] > 0, 9.0, 1.0)
+        points, _ = stipple.remesh(mesh, points=3000, importance=upper)
+        self.assertGreater((points[:, 2] > 0).mean(), 0.8)
+        points, _ = stipple.remesh(mesh, points=3000, importance=upper, gamma=0)
+        self.assertAlmostEqual((points[:, 2] > 0).mean(), 0.5, delta=0.05)
+
+    def test_named_array(self):
+        mesh = shapes.sphere(60)
+        height = shapes.arrays(mesh)[0][:, 2]
+        array = numpy_to_vtk(np.where(height > 0, 9.0, 1.0), deep=True)
+        array.SetName("Wanted")
+        mesh.GetPointData().AddArray(array)
+        result = stipple.remesh(mesh, points=3000, importance="array", importance_array="Wanted")
+        self.assertGreater((shapes.arrays(result)[0][:, 2] > 0).mean(), 0.8)
+
+    def test_repeats_itself(self):
+        mesh = shapes.arrays(shapes.torus())
+        first, second = (stipple.remesh(mesh, points=800, importance="mean") for _ in range(2))
+        np.testing.assert_array_equal(first[0], second[0])
+        np.testing.assert_array_equal(first[1], second[1])
+
+
+class Progress(unittest.TestCase):
+    def test_rises_from_0_to_1(self):
+        seen = []
+        stipple.remesh(shapes.sphere(), points=1000, progress=seen.append)
+        self.assertGreater(len(seen), 5)
+        self.assertEqual(seen, sorted(seen))
+        self.assertGreaterEqual(seen[0], 0)
+        self.assertEqual(seen[-1], 1)
+
+    def test_false_stops(self):
+        seen = []
+
+        def stop(fraction):
+            seen.append(fraction)
+            return fraction < 0.3
+
+        with self.assertRaises(stipple.StippleAbort):
+            stipple.remesh(shapes.sphere(), points=1000, progress=stop)
+        self.assertLess(seen[-1], 1)
+
+    def test_exceptions_come_through(self):
+        def fail(fraction):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            stipple.remesh(shapes.sphere(), points=1000, progress=fail)
+
+
+class BadInput(unittest.TestCase):
+    def check(self, exception, pattern, *arguments, **options):
+        with self.assertRaisesRegex(exception, pattern):
+            stipple.remesh(*arguments, **options)
+
+    def test_what_is_no_mesh(self):
+        points, triangles = shapes.arrays(shapes.sphere(10))
+        self.check(TypeError, "vtkPolyData", None)
+        self.check(TypeError, "vtkPolyData", "bunny.ply")
+        self.check(TypeError, "vtkPolyData", points)
+        self.check(ValueError, r"\(n, 3\)", (points[:, :2], triangles))
+        self.check(ValueError, r"\(n, 3\)", (points, triangles[:, :2]))
+        self.check(TypeError, "integers", (points, triangles.astype(float)))
+        self.check(TypeError, "real numbers", (points.astype(complex), triangles))
+        self.check(ValueError, "triangle 0", (points[:1], triangles))
+        self.check(ValueError, "triangle 0 .*-1", (points, triangles * 0 - 1))
+
+    def test_empty(self):
+        self.check(ValueError, "no triangles", vtkPolyData(), points=100)
+        self.check(ValueError, "no triangles", (np.zeros((0, 3)), np.zeros((0, 3), int)), points=100)
+        self.check(ValueError, "no triangles", ([], []), points=100)
+        self.check(ValueError, "no triangles", (np.eye(3), []), points=100)
+
+    def test_not_finite(self):
+        points, triangles = shapes.arrays(shapes.sphere(10))
+        points[7, 1] = np.nan
+        self.check(ValueError, r"\[7\] is not finite", (points, triangles), points=100)
+        mesh = shapes.sphere(10)
+        mesh.GetPoints().SetPoint(7, np.inf, 0, 0)
+        self.check(stipple.StippleError, "7", mesh, points=100)
+
+    def test_number_of_points(self):
+        mesh = shapes.sphere(10)
+        for number in (0, -5, 3, 10_000_001):
+            self.check(ValueError, "points must be from", mesh, points=number)
+        for number in (1000.0, "1000", True, [1000]):
+            self.check(TypeError, "points must be an integer", mesh, points=number)
+        self.check(stipple.StippleError, r"\d+", shapes.cube(), points=5)
+        self.assertEqual(stipple.remesh(mesh, points=np.int32(300)).GetNumberOfPoints(), 300)
+
+    def test_options(self):
+        mesh = shapes.sphere(10)
+        self.check(ValueError, "did you mean 'gaussian'", mesh, 300, importance="gausian")
+        self.check(ValueError, "one number for each", mesh, 300, importance=np.ones(3))
+        self.check(ValueError, r"importance\[0\] is -1", mesh, 300, importance=-np.ones(mesh.GetNumberOfPoints()))
+        self.check(ValueError, "importance_array", mesh, 300, importance="array")
+        self.check(ValueError, "has no array 'x'", mesh, 300, importance="array", importance_array="x")
+        self.check(ValueError, "importance_image", mesh, 300, importance="image")
+        self.check(ValueError, "finite", mesh, 300, gamma=float("nan"))
+        self.check(TypeError, "gamma", mesh, 300, gamma="1")
+        self.check(ValueError, "feature_angle", mesh, 300, feature_angle=181)
+        self.check(ValueError, "charts", mesh, 300, charts=0)
+        self.check(ValueError, "minimum_density", mesh, 300, minimum_density=1.5)
+        self.check(ValueError, "map_backend", mesh, 300, map_backend="vulkan")
+        self.check(ValueError, "transfer", mesh, 300, transfer=[1, 2, 3])
+        self.check(TypeError, "progress", mesh, 300, progress=5)
+        self.check(TypeError, "pionts", mesh, pionts=300)
+
+    def test_nothing_is_printed(self):
+        code = (
+            "import numpy as np, shapes, stipple\n"
+            "mesh = shapes.cube()\n"
+            "try: stipple.remesh(mesh, points=5)\n"
+            "except stipple.StippleError: pass\n"
+            "stipple.remesh(mesh, points=500)\n"
+        )
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        done = subprocess.run(
+            [sys.executable, "-B", "-W", "ignore", "-c", code], capture_output=True, text=True, env=environment
+        )
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_an_error_leaves_no_trace(self):
+        mesh = shapes.sphere()
+        with self.assertRaises(stipple.StippleError):
+            stipple.remesh(shapes.cube(), points=5)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(stipple.remesh(mesh, points=400).GetNumberOfPoints(), 400)
+
+
+if __name__ == "__main__":
+    unittest.main()

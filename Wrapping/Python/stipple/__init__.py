@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Remeshing of triangle surfaces with an exact number of points.
+
+```python
+import stipple
+mesh = stipple.remesh(surface, points=5000, importance="mean", gamma=0.8)
+```
+
+The functions take a `vtkPolyData` (or an object of a class derived from it, such as `pyvista.PolyData`)
+or a pair `(points, triangles)` of numpy arrays, and return new objects of the same kind:
+
+- `remesh`: the whole pipeline;
+- `atlas`: the charts that a surface is cut into, and its feature graph;
+- `maps`: the geometry maps of the charts as numpy arrays;
+- `quality`: figures of a triangle mesh, and its distance to a reference.
+
+The wrapped VTK classes (`vtkGeometryRemesher`, `vtkConformalAtlas`, ...) are here too, to compose a pipeline
+by hand. VTK 9.1's own Python rules hold for them: `Update()` raises nothing on error, and an attribute that does
+not exist can be assigned without a word. No function of this package needs a display.
+"""
+from . import _classes
+from ._classes import *  # noqa: F401,F403
+from ._classes import __version__
+from ._core import Atlas, Chart, atlas, maps, remesh
+from ._pipeline import StippleAbort, StippleError, StippleWarning
+from ._quality import quality
+
+__all__ = [
+    "Atlas",
+    "Chart",
+    "StippleAbort",
+    "StippleError",
+    "StippleWarning",
+    "atlas",
+    "maps",
+    "quality",
+    "remesh",
+]
+__all__ += [name for name in dir(_classes) if name.startswith("vtk")]
+del _classes

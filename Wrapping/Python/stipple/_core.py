@@ -1,0 +1,488 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""remesh, atlas and maps."""
+import difflib
+import math
+import operator
+from dataclasses import dataclass, field
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
+
+from . import _classes
+from ._convert import array_of, data_array, from_mesh, points_of, to_mesh, triangles_of, vtk_points
+from ._pipeline import update
+
+MAXIMUM_NUMBER_OF_POINTS = 10_000_000
+_IMPORTANCE_ARRAY = "StippleImportance"  # carries an importance that is given as a numpy array
+
+
+# Arguments
+
+
+def _integer(value, name, low, high):
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be an integer, not {value}")
+    try:
+        value = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be an integer, not {type(value).__name__}") from None
+    if not low <= value <= high:
+        raise ValueError(f"{name} must be from {low} to {high}, not {value}")
+    return value
+
+
+def _real(value, name, low=-math.inf, high=math.inf):
+    if isinstance(value, (bool, np.bool_, str, bytes)):
+        raise TypeError(f"{name} must be a number, not {value!r}")
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
+    if not math.isfinite(value):
+        raise ValueError(f"{name} must be finite, not {value}")
+    if not low <= value <= high:
+        bounds = f"at least {low:g}" if high == math.inf else f"from {low:g} to {high:g}"
+        raise ValueError(f"{name} must be {bounds}, not {value:g}")
+    return value
+
+
+def _set(algorithm, name, value, argument):
+    """Calls SetX(), which would clamp in silence, with a value within the bounds that the class states."""
+    default = getattr(algorithm, f"Get{name}")()
+    low, high = (getattr(algorithm, f"Get{name}{end}Value", lambda: None)() for end in ("Min", "Max"))
+    if isinstance(default, int):
+        value = _integer(value, argument, -(2**31) if low is None else low, 2**31 - 1 if high is None else high)
+    else:
+        bounds = -math.inf if low is None else low, math.inf if high is None or high >= 1e299 else high
+        value = _real(value, argument, *bounds)
+    getattr(algorithm, f"Set{name}")(value)
+
+
+def _choose(algorithm, name, value, argument):
+    """Calls SetXToY() for the value "y"."""
+    prefix = f"Set{name}To"
+    setters = {n[len(prefix) :].lower(): n for n in dir(algorithm) if n.startswith(prefix)}
+    if not isinstance(value, str):
+        raise TypeError(f"{argument} must be one of {', '.join(sorted(setters))}, not {type(value).__name__}")
+    if value.lower() not in setters:
+        near = difflib.get_close_matches(value.lower(), setters, 1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise ValueError(f"{argument} must be one of {', '.join(sorted(setters))}, not {value!r}{hint}")
+    getattr(algorithm, setters[value.lower()])()
+
+
+def _surface(mesh):
+    data = from_mesh(mesh)
+    if data.GetNumberOfPolys() == 0 and data.GetNumberOfStrips() == 0:
+        raise ValueError("mesh has no triangles")
+    return data
+
+
+def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints):
+    _set(algorithm, "FeatureAngle", feature_angle, "feature_angle")
+    _set(algorithm, "NumberOfCharts", charts, "charts")
+    if feature_edges is not None:
+        edges = array_of(feature_edges, "feature_edges", 2, np.int64)
+        ids = numpy_to_vtkIdTypeArray(edges.ravel(), deep=True)
+        ids.SetNumberOfComponents(2)
+        algorithm.SetFeatureEdges(ids)
+    if constraints is not None:
+        algorithm.SetConstraints(vtk_points(array_of(constraints, "constraints", 3, np.float64)))
+
+
+def _set_map_options(algorithm, size, backend):
+    if not (isinstance(size, str) and size == "auto"):
+        if isinstance(size, str) or size == 0:
+            raise ValueError(f"map_size must be 'auto' or a number of pixels, not {size!r}")
+        _set(algorithm, "MapSize", size, "map_size")
+    _choose(algorithm, "Backend", backend, "map_backend")
+
+
+def _set_importance(algorithm, data, importance, importance_array, importance_image):
+    if isinstance(importance, str):
+        _choose(algorithm, "Importance", importance, "importance")
+    else:
+        values = np.asarray(importance)
+        if values.dtype.kind not in "biuf":
+            raise TypeError("importance must be a name or an array of real numbers, one a point")
+        if values.shape != (data.GetNumberOfPoints(),):
+            raise ValueError(
+                f"importance must have one number for each of the {data.GetNumberOfPoints()} points,"
+                f" not the shape {values.shape}"
+            )
+        bad = np.flatnonzero(~(np.isfinite(values) & (values >= 0)))
+        if bad.size:
+            raise ValueError(f"importance[{bad[0]}] is {values[bad[0]]}; it must be finite and not negative")
+        array = numpy_to_vtk(np.ascontiguousarray(values, dtype=np.float64), deep=True)
+        array.SetName(_IMPORTANCE_ARRAY)
+        data.GetPointData().AddArray(array)
+        importance, importance_array = "array", _IMPORTANCE_ARRAY
+        _choose(algorithm, "Importance", "array", "importance")
+    if importance_array is not None:
+        if not isinstance(importance_array, str):
+            raise TypeError("importance_array must be the name of an array; an array itself goes to importance")
+        if importance_array not in _array_names(data):
+            raise ValueError(f"mesh has no array {importance_array!r}; it has {', '.join(_array_names(data)) or 'none'}")
+        algorithm.SetImportanceArrayName(importance_array)
+    elif importance.lower() == "array":
+        raise ValueError("importance 'array' needs importance_array, the name of an array of the mesh")
+    if importance_image is not None:
+        algorithm.SetImportanceImage(_image(importance_image))
+    elif importance.lower() == "image":
+        raise ValueError("importance 'image' needs importance_image")
+
+
+def _array_names(data):
+    return [
+        attributes.GetArrayName(i)
+        for attributes in (data.GetPointData(), data.GetCellData())
+        for i in range(attributes.GetNumberOfArrays())
+    ]
+
+
+def _image(image):
+    """A vtkImageData, or one made of a (rows, columns) array whose first row is the lowest."""
+    if isinstance(image, vtkImageData):
+        return image
+    values = np.asarray(image)
+    if values.dtype.kind not in "biuf":
+        raise TypeError("importance_image must be a vtkImageData or a (rows, columns) array of real numbers")
+    if values.ndim != 2 or values.size == 0:
+        raise ValueError(f"importance_image must have the shape (rows, columns), not {values.shape}")
+    result = vtkImageData()
+    result.SetDimensions(values.shape[1], values.shape[0], 1)
+    result.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, dtype=np.float32).ravel(), deep=True))
+    return result
+
+
+def _transfer_function(transfer):
+    pairs = array_of(transfer, "transfer", 2, np.float64)
+    if len(pairs) == 0:
+        raise ValueError("transfer must have at least one pair (x, y)")
+    function = vtkPiecewiseFunction()
+    for x, y in pairs:
+        function.AddPoint(x, y)
+    return function
+
+
+def _inner_algorithms(remesher):
+    """The stages inside a vtkGeometryRemesher, whose messages are messages of the whole."""
+    names = ("GetAtlas", "GetMapRenderer", "GetControlMap", "GetSampler", "GetMesher", "GetOptimizer")
+    stages = (getattr(remesher, name)() for name in names if hasattr(remesher, name))
+    return [stage for stage in stages if stage is not None]
+
+
+# remesh
+
+
+def remesh(
+    mesh,
+    points=None,
+    importance="uniform",
+    gamma=1.0,
+    feature_angle=40.0,
+    progress=None,
+    *,
+    importance_array=None,
+    importance_image=None,
+    transfer=None,
+    gradation=0.0,
+    minimum_density=0.0,
+    feature_edges=None,
+    constraints=None,
+    charts=1,
+    map_size="auto",
+    map_backend="auto",
+    connectivity=None,
+    smoothing=None,
+    iterations=None,
+):
+    """Remeshes a surface with exactly the number of points asked for.
+
+    Parameters
+    ----------
+    mesh : vtkPolyData or (points, triangles)
+        points (n, 3) real numbers, triangles (m, 3) point indices. Polygons of a vtkPolyData are triangulated,
+        coincident points welded, faces oriented, edges and points that are not manifold split.
+    points : int, optional
+        Number of points of the result, from 4 to 10 million; None is the input's. A number too small for the
+        features and the topology is an error that names the least number that works.
+    importance : str or (n,) array, optional
+        What attracts points: "uniform" (the default: nothing does), the curvatures "mean", "gaussian", "minimum",
+        "maximum", "total", "l2" (the best approximation), "array" (importance_array), "image"
+        (importance_image); or a number not less than 0 for every point of the mesh.
+    gamma : float, optional
+        Exponent that the importance is raised to; below 1 evens it out, above 1 sharpens it. The default is 1.
+    feature_angle : float, optional
+        Edges whose two faces differ by at least so many degrees (0 to 180) are kept as features; 180 for none.
+        The default is 40.
+    progress : callable, optional
+        Called with the fraction done, from 0 to 1. Returning False stops the work.
+    importance_array : str, optional
+        Name of a point or cell array of the mesh.
+    importance_image : vtkImageData or (rows, columns) array, optional
+        Laid over every chart's rectangle; the first row of an array is the lowest.
+    transfer : sequence of (x, y), optional
+        Piecewise linear function from the importance, scaled to 0..1, to the density.
+    gradation : float, optional
+        Low-pass filter of the density, in % of the diagonal of the bounding box. The default is 0.
+    minimum_density : float, optional
+        Least density, as a fraction (0 to 1) of the greatest. The default is 0.
+    feature_edges : (k, 2) integers, optional
+        Pairs of points of the mesh, ends of edges that are features whatever their angle.
+    constraints : (k, 3) real numbers, optional
+        Positions on the surface that become points of the result.
+    charts : int, optional
+        Least number of charts. The default is 1.
+    map_size : "auto" or int, optional
+        Pixels along the longer side of a map.
+    map_backend : "auto", "opengl" or "cpu", optional
+        What draws the maps. "auto" and "cpu" need no display.
+    connectivity : "none", "regularity" or "aspect", optional
+        Aim of the edge swaps.
+    smoothing : "none", "area", "density" or "lloyd", optional
+        Way of smoothing on the surface.
+    iterations : int, optional
+        Number of smoothing iterations.
+
+    Returns
+    -------
+    vtkPolyData or (points, triangles)
+        A new object of the same kind as mesh: (points, 3) float64 and (k, 3) int64, or a vtkPolyData (pyvista.PolyData)
+        whose point arrays say which place of the input each point comes from.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For an argument of the wrong type or out of range, and for a mesh without triangles.
+    StippleError
+        When the mesh cannot be remeshed; the text is VTK's message.
+    StippleAbort
+        When progress returned False. What progress raises comes through.
+    """
+    data = _surface(mesh)
+    remesher = _classes.vtkGeometryRemesher()
+    count = data.GetNumberOfPoints() if points is None else points
+    remesher.SetNumberOfPoints(_integer(count, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
+    _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
+    _set_map_options(remesher, map_size, map_backend)
+    _set_importance(remesher, data, importance, importance_array, importance_image)
+    _set(remesher, "Gamma", gamma, "gamma")
+    _set(remesher, "Gradation", gradation, "gradation")
+    _set(remesher, "MinimumDensity", minimum_density, "minimum_density")
+    if transfer is not None:
+        remesher.SetTransferFunction(_transfer_function(transfer))
+    if connectivity is not None:
+        _choose(remesher, "Connectivity", connectivity, "connectivity")
+    if smoothing is not None:
+        _choose(remesher, "Smoothing", smoothing, "smoothing")
+    if iterations is not None:
+        _set(remesher, "NumberOfIterations", iterations, "iterations")
+    remesher.SetInputData(data)
+    update(remesher, progress, _inner_algorithms(remesher))
+    return to_mesh(remesher.GetOutput(), mesh)
+
+
+# atlas
+
+
+@dataclass(frozen=True)
+class Chart:
+    """One disk of an atlas; n points, m triangles.
+
+    points (n, 3): surface positions. triangles (m, 3): indices into points. uv (n, 2): the parameter plane, from 0 to
+    extent. extent (2,): width and height of the chart's rectangle; the larger is 1. surface_point_id (n,): points of
+    different charts (or of one) with the same id are one point of the surface. gaussian_curvature (n,) in 1/unit^2,
+    mean_curvature (n,) in 1/unit. source_cell_id (m,): the input's cell. area_distortion (m,): area on the surface
+    per area in the plane. data: all of it as a vtkPolyData.
+    """
+
+    points: np.ndarray
+    triangles: np.ndarray
+    uv: np.ndarray
+    extent: np.ndarray
+    surface_point_id: np.ndarray
+    gaussian_curvature: np.ndarray
+    mean_curvature: np.ndarray
+    source_cell_id: np.ndarray
+    area_distortion: np.ndarray
+    data: vtkPolyData = field(repr=False)
+
+
+@dataclass(frozen=True)
+class Atlas:
+    """The charts of a surface.
+
+    charts: list of Chart. feature_graph: vtkPolyData, one polyline a backbone. data: the charts as a
+    vtkPartitionedDataSetCollection, as the other filters take it. properties: what was found and repaired
+    (number_of_welded_points, number_of_degenerate_triangles, ..., number_of_components, number_of_boundary_loops,
+    euler_characteristic).
+    """
+
+    charts: list
+    feature_graph: vtkPolyData = field(repr=False)
+    data: object = field(repr=False)
+    properties: dict
+
+    def __len__(self):
+        return len(self.charts)
+
+    def __iter__(self):
+        return iter(self.charts)
+
+    def __getitem__(self, index):
+        return self.charts[index]
+
+
+_ATLAS_PROPERTIES = (
+    "NumberOfWeldedPoints", "NumberOfUnusedPoints", "NumberOfDegenerateTriangles", "NumberOfDuplicateTriangles",
+    "NumberOfReorientedTriangles", "NumberOfSplitEdges", "NumberOfSplitVertices", "NumberOfFallbackCharts",
+    "NumberOfSurfacePoints", "NumberOfSurfaceTriangles", "NumberOfComponents", "NumberOfBoundaryLoops", "EulerCharacteristic", "DensityRatio",
+)  # fmt: skip
+
+
+def _snake_case(name):
+    return "".join(f"_{c.lower()}" if c.isupper() else c for c in name).lstrip("_")
+
+
+def _chart(data):
+    points, cells, fields = data.GetPointData(), data.GetCellData(), data.GetFieldData()
+    return Chart(
+        points=points_of(data),
+        triangles=triangles_of(data),
+        uv=data_array(points, "UV"),
+        extent=data_array(fields, "ChartExtent").ravel(),
+        surface_point_id=data_array(points, "SurfacePointId"),
+        gaussian_curvature=data_array(points, "GaussianCurvature"),
+        mean_curvature=data_array(points, "MeanCurvature"),
+        source_cell_id=data_array(cells, "SourceCellId"),
+        area_distortion=data_array(cells, "AreaDistortion"),
+        data=data,
+    )
+
+
+def atlas(
+    mesh,
+    feature_angle=40.0,
+    charts=1,
+    progress=None,
+    *,
+    feature_edges=None,
+    constraints=None,
+    maximum_density_ratio=None,
+):
+    """Cuts a surface into charts and lays each out in a rectangle.
+
+    Parameters
+    ----------
+    mesh, feature_angle, charts, feature_edges, constraints, progress
+        As for remesh().
+    maximum_density_ratio : float, optional
+        Charts are split until area distortions differ from the chart's mean by no more than this factor almost
+        everywhere.
+
+    Returns
+    -------
+    Atlas
+
+    Raises
+    ------
+    TypeError, ValueError, StippleError, StippleAbort
+        As remesh().
+    """
+    data = _surface(mesh)
+    algorithm = _classes.vtkConformalAtlas()
+    _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints)
+    if maximum_density_ratio is not None:
+        _set(algorithm, "MaximumDensityRatio", maximum_density_ratio, "maximum_density_ratio")
+    algorithm.SetInputData(data)
+    update(algorithm, progress)
+    collection = algorithm.GetOutputDataObject(0).NewInstance()
+    collection.ShallowCopy(algorithm.GetOutputDataObject(0))
+    graph = vtkPolyData()
+    graph.ShallowCopy(algorithm.GetOutputDataObject(1))
+    parts = [collection.GetPartition(i, 0) for i in range(collection.GetNumberOfPartitionedDataSets())]
+    return Atlas(
+        charts=[_chart(part) for part in parts],
+        feature_graph=graph,
+        data=collection,
+        properties={
+            _snake_case(name): getattr(algorithm, f"Get{name}")()
+            for name in _ATLAS_PROPERTIES
+            if hasattr(algorithm, f"Get{name}")
+        },
+    )
+
+
+# maps
+
+
+def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", arrays=None, **atlas_options):
+    """Draws the geometry maps of a surface's charts.
+
+    Parameters
+    ----------
+    mesh : Atlas, vtkPolyData or (points, triangles)
+        An atlas, or a surface to make one of.
+    points : int, optional
+        Number of points of the mesh to be: decides how large the maps have to be. None is the surface's own.
+    progress : callable, optional
+        As for remesh().
+    size : "auto" or int, optional
+        Pixels along the longer side of a map.
+    backend : "auto", "opengl" or "cpu", optional
+        What draws. "auto" and "cpu" need no display.
+    arrays : sequence of str, optional
+        Names of the maps to draw, point and cell arrays of the surface among them. None is all maps that come from
+        geometry: AreaDistortion, FaceIndex, MeanCurvature, GaussianCurvature, MinimumCurvature, MaximumCurvature,
+        TotalCurvature, Position, Normal.
+    **atlas_options
+        As for atlas(), when mesh is not an Atlas.
+
+    Returns
+    -------
+    list of dict
+        One dict a chart: name of the map to an array of the shape (rows, columns) or (rows, columns, k); float32, and int32 for FaceIndex. Element [j, i]
+        is the pixel centred at ((i + 0.5) / columns, (j + 0.5) / rows) of the chart's rectangle; row 0 is the lowest.
+
+    Raises
+    ------
+    TypeError, ValueError, StippleError, StippleAbort
+        As remesh().
+    """
+    if isinstance(mesh, Atlas):
+        if atlas_options:
+            raise TypeError(f"an Atlas is made already; {', '.join(atlas_options)} cannot apply to it")
+        charts = mesh
+    else:
+        charts = atlas(mesh, **atlas_options)
+    if points is None:
+        ids = [chart.surface_point_id for chart in charts]
+        points = max(4, len(np.unique(np.concatenate(ids))) if ids else 0)
+    algorithm = _classes.vtkGeometryMapRenderer()
+    algorithm.SetNumberOfSamples(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
+    _set_map_options(algorithm, size, backend)
+    algorithm.SetInputDataObject(0, charts.data)
+    selection = algorithm.GetMapSelection()
+    if arrays is None:
+        selection.EnableAllArrays()
+    else:
+        if isinstance(arrays, str):
+            raise TypeError("arrays must be a sequence of names, not one name")
+        selection.DisableAllArrays()
+        for name in arrays:
+            selection.EnableArray(name)
+    update(algorithm, progress)
+    output = algorithm.GetOutputDataObject(0)
+    result = []
+    for i in range(output.GetNumberOfPartitionedDataSets()):
+        image = output.GetPartition(i, 0)
+        columns, rows, _ = image.GetDimensions()
+        data = image.GetPointData()
+        result.append({})
+        for k in range(data.GetNumberOfArrays()):
+            values = np.array(vtk_to_numpy(data.GetArray(k)))
+            result[-1][data.GetArrayName(k)] = values.reshape((rows, columns) + values.shape[1:])
+    return result
