@@ -14,9 +14,6 @@ class vtkObject;
 
 namespace stipple
 {
-/// The sentence within VTK's "ERROR: In file, line n\nvtkClass (0x1234): sentence\n\n", on one line.
-[[nodiscard]] std::string sentenceOf(const std::string& vtkMessage);
-
 /// Takes the place of VTK's output window: nothing is printed, everything is kept.
 class CollectingOutputWindow : public vtkOutputWindow
 {
