@@ -1,0 +1,571 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InteriorSampling.h"
+
+#include "ErrorDiffusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace stipple
+{
+namespace
+{
+// (sqrt(3) / 4)^2 s^2 rho, with s^2 rho = 2 / sqrt(3): the band on each side of a segment.
+const double bandLimit = 3. / 16. * 2. / std::sqrt(3.);
+// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
+const double discLimit = 1. / 3.14159265358979323846;
+
+struct Ranked
+{
+  double key;
+  int index;
+  /// The order of a priority queue; equal keys go by index, so that nothing is left to chance.
+  bool operator<(const Ranked& o) const { return key != o.key ? key < o.key : index > o.index; }
+};
+}
+
+InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
+  const ChartGraph& graph, double scale)
+  : Domain(domain)
+  , Chart(chart)
+  , Image(image)
+  , Graph(graph)
+  , Scale(scale)
+{
+}
+
+int InteriorSampler::upsampling(const ControlImage& image, double scale, double largestControl)
+{
+  const double toWanted = scale * image.pixelArea();
+  const double needed = std::sqrt(2. * largestControl * toWanted);
+  if (needed <= 1.)
+  {
+    return 1;
+  }
+  const int most = static_cast<int>(std::min(std::ceil(needed), 4096.));
+  // Mass by the factor that its pixel needs.
+  std::vector<double> mass(static_cast<std::size_t>(most) + 1, 0.);
+  double total = 0;
+  const int n = image.numberOfPixels();
+  for (int i = 0; i < n; ++i)
+  {
+    const double wanted = image.control[i] > 0 ? image.control[i] * toWanted : 0.;
+    const double factor = std::ceil(std::sqrt(2. * wanted));
+    mass[static_cast<std::size_t>(std::clamp(factor, 0., static_cast<double>(most)))] += wanted;
+    total += wanted;
+  }
+  double above = 0;
+  int factor = most;
+  while (factor > 1 && above + mass[factor] <= crowdedShare * total)
+  {
+    above += mass[factor--];
+  }
+  return factor;
+}
+
+bool InteriorSampler::withinLimits(const ControlImage& image, int factor)
+{
+  return factor <= largestUpsampling &&
+    static_cast<double>(image.numberOfPixels()) * factor * factor <= largestRasterSize;
+}
+
+Vec2 InteriorSampler::centre(int pixel) const
+{
+  const int x = pixel % this->Raster.width;
+  const int y = pixel / this->Raster.width;
+  return { (x + 0.5) * this->Image.extent.x() / this->Raster.width,
+    (y + 0.5) * this->Image.extent.y() / this->Raster.height };
+}
+
+double InteriorSampler::control(const Vec2& uv) const
+{
+  const float c = this->Image.control[this->Image.pixelAt(uv)];
+  return c > 0 ? c : 0.;
+}
+
+void InteriorSampler::prepare(int factor)
+{
+  InteriorRaster& r = this->Raster;
+  r.factor = factor;
+  r.width = this->Image.width * factor;
+  r.height = this->Image.height * factor;
+  r.wanted.resize(static_cast<std::size_t>(r.width) * r.height);
+  const float toWanted =
+    static_cast<float>(this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
+  for (int y = 0; y < this->Image.height; ++y)
+  {
+    const float* in = this->Image.control + static_cast<std::size_t>(y) * this->Image.width;
+    float* out = r.wanted.data() + static_cast<std::size_t>(y) * factor * r.width;
+    if (factor == 1)
+    {
+      for (int x = 0; x < r.width; ++x)
+      {
+        out[x] = in[x] > 0 ? in[x] * toWanted : 0.f;
+      }
+      continue;
+    }
+    for (int x = 0; x < this->Image.width; ++x)
+    {
+      std::fill_n(out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
+    }
+    for (int k = 1; k < factor; ++k)
+    {
+      std::copy_n(out, r.width, out + static_cast<std::size_t>(k) * r.width);
+    }
+  }
+  this->maskOutside();
+  for (const ChartGraph::Segment& s : this->Graph.segments)
+  {
+    this->maskSegment(
+      this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv, bandLimit);
+  }
+  for (const Vec2& p : this->Domain.chartConstraints[this->Chart])
+  {
+    this->maskSegment(p, p, discLimit);
+  }
+  this->sumLeft();
+}
+
+void InteriorSampler::maskOutside()
+{
+  InteriorRaster& r = this->Raster;
+  const Vec2& extent = this->Image.extent;
+  const double t = this->Domain.tolerance(this->Chart);
+  const std::vector<int>& loop = this->Graph.boundary;
+  const Vec2 pixel(extent.x() / r.width, extent.y() / r.height);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Vec2& a = this->Graph.vertices[loop[i]].uv;
+    const Vec2& b = this->Graph.vertices[loop[(i + 1) % loop.size()]].uv;
+    const Vec2 d = b - a;
+    if ((std::abs(d.x()) <= t && (a.x() <= t || a.x() >= extent.x() - t)) ||
+      (std::abs(d.y()) <= t && (a.y() <= t || a.y() >= extent.y() - t)))
+    {
+      continue; // along a side of the rectangle
+    }
+    for (int y = 0; y < r.height; ++y)
+    {
+      // What lies to the right of the segment's line is outside: the polygon is convex.
+      const double dy = (y + 0.5) * pixel.y() - a.y();
+      int begin = 0;
+      int end = r.width;
+      if (d.y() != 0)
+      {
+        const double x = (a.x() + d.x() * dy / d.y()) / pixel.x() - 0.5;
+        const double clamped = std::clamp(x, -1., static_cast<double>(r.width));
+        (d.y() > 0 ? begin : end) =
+          d.y() > 0 ? static_cast<int>(std::ceil(clamped)) : static_cast<int>(std::floor(clamped)) + 1;
+      }
+      else if (d.x() * dy > 0)
+      {
+        continue;
+      }
+      begin = std::max(begin, 0);
+      end = std::min(end, r.width);
+      if (begin < end)
+      {
+        std::fill_n(
+          r.wanted.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0.f);
+      }
+    }
+  }
+}
+
+void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
+{
+  InteriorRaster& r = this->Raster;
+  const AtlasSurface& surface = this->Domain.surface;
+  const Vec2 pixel(this->Image.extent.x() / r.width, this->Image.extent.y() / r.height);
+  const double closest = 0.36 * pixel.squaredNorm() / 2.;
+  const Vec2 e = b - a;
+  // How far to look: half as far again as the control at the segment says, as it may fade beside it.
+  double least = std::numeric_limits<double>::max();
+  for (double t : { 0., 0.5, 1. })
+  {
+    least = std::min(least, this->control(a + t * e) * this->Scale);
+  }
+  const double far = 2. * e.norm() + 8. * pixel.maxCoeff();
+  const double reach =
+    std::max(least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
+  const double length = e.norm();
+  const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
+  const Vec2 low = a.cwiseMin(b).array() - reach;
+  const Vec2 high = a.cwiseMax(b).array() + reach;
+  const int yBegin = std::max(0, static_cast<int>(low.y() / pixel.y()));
+  const int yEnd = std::min(r.height, static_cast<int>(high.y() / pixel.y()) + 1);
+  const int first = surface.chartBegin[this->Chart];
+  const int factor = r.factor;
+  for (int y = yBegin; y < yEnd; ++y)
+  {
+    const double py = (y + 0.5) * pixel.y() - a.y();
+    double xLow = low.x();
+    double xHigh = high.x();
+    if (std::abs(normal.x()) > 1e-3)
+    {
+      const double middle = a.x() - normal.y() * py / normal.x();
+      const double half = reach / std::abs(normal.x());
+      xLow = std::max(xLow, middle - half);
+      xHigh = std::min(xHigh, middle + half);
+    }
+    if (xLow > this->Image.extent.x() || xHigh < 0)
+    {
+      continue;
+    }
+    const int xBegin = std::max(0, static_cast<int>(xLow / pixel.x()));
+    const int xEnd = std::min(r.width, static_cast<int>(xHigh / pixel.x()) + 1);
+    float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    const int imageRow = (y / factor) * this->Image.width;
+    for (int x = xBegin; x < xEnd; ++x)
+    {
+      if (row[x] <= 0)
+      {
+        continue;
+      }
+      const int i = imageRow + (factor == 1 ? x : x / factor);
+      const double px = (x + 0.5) * pixel.x() - a.x();
+      double E = this->Image.areaDistortion[i];
+      double F = 0;
+      double G = E;
+      if (this->Image.faceIndex && this->Image.faceIndex[i] >= 0 &&
+        this->Image.faceIndex[i] < surface.chartBegin[this->Chart + 1] - first)
+      {
+        const std::array<float, 3>& m = this->Domain.metric[first + this->Image.faceIndex[i]];
+        E = m[0];
+        F = m[1];
+        G = m[2];
+      }
+      const double ee = E * e.x() * e.x() + 2. * F * e.x() * e.y() + G * e.y() * e.y();
+      const double pe = E * px * e.x() + F * (px * e.y() + py * e.x()) + G * py * e.y();
+      const double t = ee > 0 ? std::clamp(pe / ee, 0., 1.) : 0.;
+      const double dx = px - t * e.x();
+      const double dy = py - t * e.y();
+      const double squared = E * dx * dx + 2. * F * dx * dy + G * dy * dy;
+      if (squared * this->Image.density(i) * this->Scale < limit || dx * dx + dy * dy < closest)
+      {
+        row[x] = 0;
+      }
+    }
+  }
+}
+
+void InteriorSampler::sumLeft()
+{
+  InteriorRaster& r = this->Raster;
+  r.left = 0;
+  for (int y = 0; y < r.height; ++y)
+  {
+    const float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    std::array<float, 4> sum = { { 0, 0, 0, 0 } };
+    int x = 0;
+    for (; x + 4 <= r.width; x += 4)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        sum[k] += row[x + k];
+      }
+    }
+    for (; x < r.width; ++x)
+    {
+      sum[0] += row[x];
+    }
+    r.left += (static_cast<double>(sum[0]) + sum[1]) + (static_cast<double>(sum[2]) + sum[3]);
+  }
+}
+
+std::vector<Vec2> InteriorSampler::sample(int count)
+{
+  std::vector<Vec2> places;
+  if (count <= 0)
+  {
+    return places;
+  }
+  std::vector<int> pixels;
+  if (this->Raster.left > 0)
+  {
+    ErrorDiffusionOptions options;
+    options.scale = count / this->Raster.left;
+    std::vector<int> trial;
+    for (int pass = 0; pass < 4; ++pass)
+    {
+      diffuseErrors(
+        this->Raster.wanted.data(), this->Raster.width, this->Raster.height, options, trial);
+      const int got = static_cast<int>(trial.size());
+      if (pass == 0 || std::abs(got - count) < std::abs(static_cast<int>(pixels.size()) - count))
+      {
+        pixels = trial;
+      }
+      // A few samples too many or too few are corrected below; more are a wrong density.
+      if (got == 0 || std::abs(got - count) <= std::max(2., 0.01 * count))
+      {
+        break;
+      }
+      options.scale *= std::clamp(static_cast<double>(count) / got, 0.5, 2.);
+    }
+  }
+  places.reserve(static_cast<std::size_t>(count));
+  for (int pixel : pixels)
+  {
+    places.push_back(this->centre(pixel));
+  }
+  const int missing = count - static_cast<int>(places.size());
+  if (missing > 0)
+  {
+    this->add(places, missing);
+  }
+  else if (missing < 0)
+  {
+    this->remove(places, -missing);
+  }
+  return places;
+}
+
+NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
+{
+  const std::vector<Vec2>& constraints = this->Domain.chartConstraints[this->Chart];
+  NeighbourGrid grid(
+    this->Image.extent, places.size() + this->Graph.vertices.size() + constraints.size());
+  for (const Vec2& p : places)
+  {
+    grid.insert(p);
+  }
+  for (const ChartGraph::Vertex& v : this->Graph.vertices)
+  {
+    grid.insert(v.uv);
+  }
+  for (const Vec2& p : constraints)
+  {
+    grid.insert(p);
+  }
+  return grid;
+}
+
+void InteriorSampler::add(std::vector<Vec2>& places, int count) const
+{
+  // Candidates: about sixteen a wanted sample, taken each time the running sum of what is wanted passes
+  // a sixteenth, so that they are as dense as the samples.
+  const InteriorRaster& r = this->Raster;
+  NeighbourGrid grid = this->gridOf(places);
+  std::priority_queue<Ranked> holes;
+  const double step = std::min(1. / 16., r.left / (16. * count));
+  double sum = 0;
+  if (r.left > 0)
+  {
+    for (int y = 0; y < r.height; ++y)
+    {
+      for (int i = 0; i < r.width; ++i)
+      {
+        const int pixel = y * r.width + (y % 2 == 0 ? i : r.width - 1 - i);
+        sum += r.wanted[pixel];
+        if (sum >= step)
+        {
+          sum = std::fmod(sum, step);
+          if (r.wanted[pixel] > 0)
+          {
+            holes.push({ grid.nearest(this->centre(pixel)) * r.wanted[pixel], pixel });
+          }
+        }
+      }
+    }
+  }
+  const double closest = 0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
+  while (count > 0 && !holes.empty())
+  {
+    const Ranked top = holes.top();
+    holes.pop();
+    const Vec2 p = this->centre(top.index);
+    const double away = grid.nearest(p);
+    if (away < closest)
+    {
+      continue;
+    }
+    // Distances only shrink while samples are added: what is still on top is the largest hole.
+    const Ranked now = { away * r.wanted[top.index], top.index };
+    if (!holes.empty() && now < holes.top())
+    {
+      holes.push(now);
+      continue;
+    }
+    places.push_back(p);
+    grid.insert(p);
+    --count;
+  }
+  if (count > 0)
+  {
+    this->addInGaps(places, count);
+  }
+}
+
+bool InteriorSampler::clearOfGraph(const Vec2& p) const
+{
+  const double t = 1e-6 * this->Image.extent.minCoeff();
+  const std::vector<int>& loop = this->Graph.boundary;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Vec2& a = this->Graph.vertices[loop[i]].uv;
+    const Vec2& b = this->Graph.vertices[loop[(i + 1) % loop.size()]].uv;
+    if (orient2(a, b, p) <= t * (b - a).norm())
+    {
+      return false;
+    }
+  }
+  for (const ChartGraph::Segment& s : this->Graph.segments)
+  {
+    const Vec2& a = this->Graph.vertices[s.first].uv;
+    const Vec2 e = this->Graph.vertices[s.second].uv - a;
+    const double squared = e.squaredNorm();
+    const double along = squared > 0 ? std::clamp((p - a).dot(e) / squared, 0., 1.) : 0.;
+    if ((a + along * e - p).norm() <= t)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
+{
+  // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a sliver. Look
+  // for the widest gaps on ever finer lattices, in the box of the polygon.
+  NeighbourGrid grid = this->gridOf(places);
+  Vec2 low = this->Image.extent;
+  Vec2 high = Vec2::Zero();
+  for (int v : this->Graph.boundary)
+  {
+    low = low.cwiseMin(this->Graph.vertices[v].uv);
+    high = high.cwiseMax(this->Graph.vertices[v].uv);
+  }
+  for (int side = 15; count > 0 && side <= 2047; side = 2 * side + 1)
+  {
+    std::priority_queue<Ranked> gaps;
+    const auto at = [&](int i) {
+      return Vec2(low.x() + (i % side + 1) * (high.x() - low.x()) / (side + 1),
+        low.y() + (i / side + 1) * (high.y() - low.y()) / (side + 1));
+    };
+    for (int i = 0; i < side * side; ++i)
+    {
+      if (this->clearOfGraph(at(i)))
+      {
+        gaps.push({ grid.nearest(at(i)), i });
+      }
+    }
+    const double closest = 1e-12 * this->Image.extent.squaredNorm();
+    while (count > 0 && !gaps.empty())
+    {
+      const Ranked top = gaps.top();
+      gaps.pop();
+      const Ranked now = { grid.nearest(at(top.index)), top.index };
+      if (now.key <= closest)
+      {
+        continue;
+      }
+      if (!gaps.empty() && now < gaps.top())
+      {
+        gaps.push(now);
+        continue;
+      }
+      places.push_back(at(top.index));
+      grid.insert(places.back());
+      --count;
+    }
+  }
+}
+
+void InteriorSampler::remove(std::vector<Vec2>& places, int count) const
+{
+  NeighbourGrid grid = this->gridOf(places);
+  const auto key = [&](int i) {
+    return -grid.nearest(places[i], i) * this->control(places[i]);
+  };
+  std::priority_queue<Ranked> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    pairs.push({ key(static_cast<int>(i)), static_cast<int>(i) });
+  }
+  std::vector<char> gone(places.size(), 0);
+  while (count > 0 && !pairs.empty())
+  {
+    const Ranked top = pairs.top();
+    pairs.pop();
+    // Distances only grow while samples are removed.
+    const Ranked now = { key(top.index), top.index };
+    if (!pairs.empty() && now < pairs.top())
+    {
+      pairs.push(now);
+      continue;
+    }
+    gone[top.index] = 1;
+    grid.remove(top.index);
+    --count;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (!gone[i])
+    {
+      places[kept++] = places[i];
+    }
+  }
+  places.resize(kept);
+}
+
+void locate(
+  const AtlasSurface& surface, int chart, const Vec2& uv, int startFace, int& face, Vec3& bary)
+{
+  const int begin = surface.chartBegin[chart];
+  const int end = surface.chartBegin[chart + 1];
+  const auto inFace = [&](int f) {
+    return barycentric(uv, surface.cornerUV(f, 0), surface.cornerUV(f, 1), surface.cornerUV(f, 2));
+  };
+  const double tolerance = -1e-9;
+  int f = std::clamp(startFace, begin, end - 1);
+  int from = -1;
+  for (int step = 0; step < end - begin; ++step)
+  {
+    const Vec3 b = inFace(f);
+    if (b.allFinite() && b.minCoeff() >= tolerance)
+    {
+      face = f;
+      bary = clampedBarycentric(b);
+      return;
+    }
+    // Cross the edge opposite the most negative coordinate that leads on within the chart.
+    int next = -1;
+    double most = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int h = 3 * f + (k + 1) % 3;
+      const int twin = surface.twin[h];
+      if (b[k] < most && twin >= 0 && twin / 3 != from && surface.faceChart[twin / 3] == chart &&
+        surface.chartPoints[f][h % 3] ==
+          surface.chartPoints[twin / 3][nextHalfedge(twin) % 3])
+      {
+        most = b[k];
+        next = twin / 3;
+      }
+    }
+    if (next < 0)
+    {
+      break;
+    }
+    from = f;
+    f = next;
+  }
+  // The walk ran into the chart's border or a degenerate triangle: the best of all triangles.
+  double best = -std::numeric_limits<double>::max();
+  face = f;
+  bary = Vec3(1., 1., 1.) / 3.;
+  for (int g = begin; g < end; ++g)
+  {
+    const Vec3 b = inFace(g);
+    if (b.allFinite() && b.minCoeff() > best)
+    {
+      best = b.minCoeff();
+      face = g;
+      bary = clampedBarycentric(b);
+    }
+  }
+}
+}

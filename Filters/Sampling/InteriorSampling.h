@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The samples inside one chart: 2D error diffusion of what its backbones leave (paper 3.2).
+#ifndef stipple_InteriorSampling_h
+#define stipple_InteriorSampling_h
+
+#include "ControlImage.h"
+#include "NeighbourGrid.h"
+#include "SamplingDomain.h"
+
+namespace stipple
+{
+/// A chart's wanted samples, pixel by pixel; white along backbones and outside the boundary's polygon.
+struct InteriorRaster
+{
+  int factor = 1; ///< pixels of this raster a pixel of the control image, in each direction
+  int width = 0;
+  int height = 0;
+  std::vector<float> wanted;
+  double left = 0; ///< sum of wanted
+};
+
+/// Limits of upsampling a control image that is too coarse for its samples.
+constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
+constexpr double largestRasterSize = 64. * 1024 * 1024; ///< pixels of one chart
+/// At most this share of a chart's samples may fall to pixels that want more than half a sample; error
+/// diffusion hands what those cannot take to the pixels beside them, and nothing is lost.
+constexpr double crowdedShare = 0.005;
+
+class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
+{
+public:
+  /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter area.
+  InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
+    const ChartGraph& graph, double scale);
+
+  /// The factor by which the image must be enlarged so that no pixel wants more than half a sample (but
+  /// for crowdedShare), which may be beyond the limits.
+  static int upsampling(const ControlImage& image, double scale, double largestControl);
+  static bool withinLimits(const ControlImage& image, int factor);
+
+  /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
+  /// segment: s sqrt(3)/2 is the height of a row of the hexagonal lattice, so that the band's mass is
+  /// just what the samples on the segment stand for. Distances are measured on the surface.
+  void prepare(int factor);
+  double left() const { return this->Raster.left; }
+
+  /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added where the
+  /// hole is largest, or removed where two are closest, in terms of the wanted spacing.
+  std::vector<Vec2> sample(int count);
+
+private:
+  void maskOutside();
+  void maskSegment(const Vec2& a, const Vec2& b, double radius);
+  void sumLeft();
+  Vec2 centre(int pixel) const;
+  double control(const Vec2& uv) const;
+  void add(std::vector<Vec2>& places, int count) const;
+  void addInGaps(std::vector<Vec2>& places, int count) const;
+  void remove(std::vector<Vec2>& places, int count) const;
+  NeighbourGrid gridOf(const std::vector<Vec2>& places) const;
+  bool clearOfGraph(const Vec2& p) const;
+
+  const SamplingDomain& Domain;
+  const int Chart;
+  const ControlImage& Image;
+  const ChartGraph& Graph;
+  const double Scale;
+  InteriorRaster Raster;
+};
+
+/// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its barycentric
+/// coordinates there; for a parameter in no triangle, the nearest place of the last one tried.
+STIPPLEFILTERSSAMPLING_EXPORT void locate(
+  const AtlasSurface& surface, int chart, const Vec2& uv, int startFace, int& face, Vec3& bary);
+}
+
+#endif

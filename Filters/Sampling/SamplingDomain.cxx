@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SamplingDomain.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace stipple
+{
+namespace
+{
+std::array<float, 3> firstFundamentalForm(const AtlasSurface& s, int face)
+{
+  const Vec2 a = s.cornerUV(face, 1) - s.cornerUV(face, 0);
+  const Vec2 b = s.cornerUV(face, 2) - s.cornerUV(face, 0);
+  const Vec3 p = s.point(face, 1) - s.point(face, 0);
+  const Vec3 q = s.point(face, 2) - s.point(face, 0);
+  const double det = cross2(a, b);
+  if (det == 0)
+  {
+    return { { 0, 0, 0 } };
+  }
+  const Vec3 du = (p * b.y() - q * a.y()) / det;
+  const Vec3 dv = (q * a.x() - p * b.x()) / det;
+  return { { static_cast<float>(du.dot(du)), static_cast<float>(du.dot(dv)),
+    static_cast<float>(dv.dot(dv)) } };
+}
+
+/// Sorts constraints into nodes (nothing to do), places on backbones, and places inside charts.
+class ConstraintSorter
+{
+public:
+  explicit ConstraintSorter(SamplingDomain& domain)
+    : Domain(domain)
+    , Node(domain.graph.nodes())
+  {
+    for (std::size_t b = 0; b < domain.traces.size(); ++b)
+    {
+      const BackboneTrace& trace = domain.traces[b];
+      for (int side = 0; side < 2; ++side)
+      {
+        for (std::size_t i = 0; i < trace.halfedge[side].size(); ++i)
+        {
+          this->Segment[trace.halfedge[side][i]] = { static_cast<int>(b), static_cast<int>(i), side };
+        }
+      }
+      const Backbone& backbone = domain.graph.backbones[b];
+      for (std::size_t i = 0; i < backbone.points.size(); ++i)
+      {
+        this->Point[backbone.points[i]] = { static_cast<int>(b), trace.arcLength[i] };
+      }
+    }
+  }
+
+  void add(int face, Vec3 bary)
+  {
+    const AtlasSurface& s = this->Domain.surface;
+    bary = clampedBarycentric(bary.unaryExpr([](double x) { return x < 1e-9 ? 0. : x; }));
+    for (int k = 0; k < 3; ++k)
+    {
+      const int point = s.triangles[face][k];
+      if (bary[k] == 1.)
+      {
+        if (std::binary_search(this->Node.begin(), this->Node.end(), point))
+        {
+          return;
+        }
+        const auto found = this->Point.find(point);
+        if (found != this->Point.end())
+        {
+          this->addPlace(found->second.first, found->second.second);
+          return;
+        }
+      }
+      else if (bary[(k + 2) % 3] == 0.)
+      {
+        const auto found = this->Segment.find(3 * face + k);
+        if (found != this->Segment.end())
+        {
+          const auto& [b, i, side] = found->second;
+          const std::vector<double>& arc = this->Domain.traces[b].arcLength;
+          const double t = side == 0 ? bary[(k + 1) % 3] : bary[k];
+          this->addPlace(b, arc[i] + t * (arc[i + 1] - arc[i]));
+          return;
+        }
+      }
+    }
+    const int chart = s.faceChart[face];
+    const Vec2 uv = s.parameter(face, bary);
+    for (const Vec2& other : this->Domain.chartConstraints[chart])
+    {
+      if ((other - uv).norm() <= this->Domain.tolerance(chart))
+      {
+        return;
+      }
+    }
+    Sample sample;
+    sample.kind = SampleKind::Constraint;
+    sample.face = face;
+    sample.bary = bary;
+    this->Domain.fixedSamples.push_back(sample);
+    this->Domain.chartConstraints[chart].push_back(uv);
+  }
+
+private:
+  void addPlace(int backbone, double s)
+  {
+    const BackboneTrace& trace = this->Domain.traces[backbone];
+    const double near = 1e-9 * trace.length();
+    const bool closed = this->Domain.graph.backbones[backbone].closed;
+    std::vector<double>& places = this->Domain.fixedPlaces[backbone];
+    if (closed && s >= trace.length() - near)
+    {
+      s = 0;
+    }
+    if (!closed && (s <= near || s >= trace.length() - near))
+    {
+      return; // a node
+    }
+    const auto at = std::lower_bound(places.begin(), places.end(), s - near);
+    if (at == places.end() || *at > s + near)
+    {
+      places.insert(at, s);
+    }
+  }
+
+  struct BackboneSegment
+  {
+    int backbone;
+    int segment;
+    int side;
+  };
+  SamplingDomain& Domain;
+  std::vector<int> Node;
+  std::unordered_map<int, BackboneSegment> Segment;      // by halfedge
+  std::unordered_map<int, std::pair<int, double>> Point; // by surface point
+};
+}
+
+std::array<double, 2> SamplingDomain::interval(
+  const BackbonePlaces& places, int backbone, int i) const
+{
+  const std::vector<double>& p = places[backbone];
+  const double length = this->traces[backbone].length();
+  const int n = static_cast<int>(p.size());
+  if (this->graph.backbones[backbone].closed)
+  {
+    if (n == 0)
+    {
+      return { { 0., length } };
+    }
+    return i == 0 ? std::array<double, 2>{ { p.back(), p.front() + length } }
+                  : std::array<double, 2>{ { p[i - 1], p[i] } };
+  }
+  return { { i == 0 ? 0. : p[i - 1], i == n ? length : p[i] } };
+}
+
+Sample SamplingDomain::backboneSample(int backbone, double arcLength) const
+{
+  const BackboneTrace& trace = this->traces[backbone];
+  const BackboneTrace::Place place = trace.locate(arcLength);
+  const int side = trace.chart[0] >= 0 ? 0 : 1;
+  Sample sample;
+  sample.kind = SampleKind::Backbone;
+  sample.face = trace.face(place, side);
+  sample.bary = trace.bary(place, side);
+  sample.backbone = backbone;
+  sample.arcLength = arcLength;
+  return sample;
+}
+
+std::vector<Sample> SamplingDomain::samples(const BackbonePlaces& places) const
+{
+  std::vector<Sample> result = this->fixedSamples;
+  for (std::size_t b = 0; b < places.size(); ++b)
+  {
+    for (double s : places[b])
+    {
+      result.push_back(this->backboneSample(static_cast<int>(b), s));
+    }
+  }
+  return result;
+}
+
+Status readSamplingDomain(
+  vtkPartitionedDataSetCollection* charts, vtkPolyData* lines, SamplingDomain& domain)
+{
+  domain = {};
+  if (Status status = readAtlas(charts, domain.surface); !status.ok())
+  {
+    return status;
+  }
+  if (Status status = readFeatureGraph(lines, domain.graph); !status.ok())
+  {
+    return status;
+  }
+  const AtlasSurface& s = domain.surface;
+  if (Status status = traceBackbones(s, domain.graph, domain.traces); !status.ok())
+  {
+    return status;
+  }
+  std::vector<char> bounded(s.numberOfCharts(), 0);
+  for (const BackboneTrace& trace : domain.traces)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      if (trace.chart[side] >= 0 && !trace.insideChart)
+      {
+        bounded[trace.chart[side]] = 1;
+      }
+    }
+  }
+  for (int c = 0; c < s.numberOfCharts(); ++c)
+  {
+    if (!bounded[c] && s.chartBegin[c + 1] > s.chartBegin[c])
+    {
+      return Status::error("The feature graph has no backbone along the boundary of chart " +
+        std::to_string(c) + ": pass output port 1 of the vtkConformalAtlas that made the charts.");
+    }
+  }
+  domain.metric.resize(s.numberOfFaces());
+  for (int f = 0; f < s.numberOfFaces(); ++f)
+  {
+    domain.metric[f] = firstFundamentalForm(s, f);
+  }
+  const std::vector<int> first = s.vertexHalfedges();
+  for (int node : domain.graph.nodes())
+  {
+    Sample sample;
+    sample.kind = SampleKind::Corner;
+    sample.face = first[node] / 3;
+    sample.bary[first[node] % 3] = 1.;
+    sample.surfacePoint = node;
+    domain.fixedSamples.push_back(sample);
+  }
+  domain.fixedPlaces.resize(domain.graph.backbones.size());
+  domain.chartConstraints.resize(s.numberOfCharts());
+  ConstraintSorter sorter(domain);
+  for (std::size_t i = 0; i < domain.graph.constraints.size(); ++i)
+  {
+    const ConstraintPoint& c = domain.graph.constraints[i];
+    if (c.chart < 0 || c.chart >= s.numberOfCharts() || c.chartCell < 0 ||
+      c.chartCell >= s.chartBegin[c.chart + 1] - s.chartBegin[c.chart])
+    {
+      return Status::error("Constraint " + std::to_string(i) + " of the feature graph lies in cell " +
+        std::to_string(c.chartCell) + " of chart " + std::to_string(c.chart) +
+        ", which these charts do not have: pass charts and feature graph of the same vtkConformalAtlas.");
+    }
+    sorter.add(s.chartBegin[c.chart] + c.chartCell, c.bary);
+  }
+  return Status::success();
+}
+}

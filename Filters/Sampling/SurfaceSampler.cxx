@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceSampler.h"
+
+#include "BackboneSampling.h"
+#include "InteriorSampling.h"
+#include "SampleBudget.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace stipple
+{
+namespace
+{
+template <typename F>
+void forEachChart(std::size_t charts, F f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      f(static_cast<std::size_t>(c));
+    }
+  });
+}
+
+/// Charts in runs of some million pixels, so that an abort is seen soon between two runs.
+template <typename F>
+Status forEachChart(const std::vector<ControlImage>& images, const std::vector<int>& factor,
+  const Progress& progress, double from, double to, F f)
+{
+  const std::size_t n = images.size();
+  for (std::size_t begin = 0; begin < n;)
+  {
+    std::size_t end = begin;
+    double pixels = 0;
+    do
+    {
+      pixels += static_cast<double>(images[end].numberOfPixels()) * factor[end] * factor[end];
+      ++end;
+    } while (end < n && pixels < 16e6);
+    forEachChart(end - begin, [&](std::size_t i) { f(begin + i); });
+    begin = end;
+    if (!report(progress, from + (to - from) * static_cast<double>(end) / static_cast<double>(n)))
+    {
+      return Status::aborted();
+    }
+  }
+  return Status::success();
+}
+
+/// How many samples the surface would hold at a scale, before any is placed.
+struct Prediction
+{
+  const SamplingDomain& domain;
+  const std::vector<BackboneDensity>& densities;
+  double mass;       ///< integral of the control over all charts
+  double bandMass;   ///< of it in the backbones' bands at scale 1; it grows with the scale's root
+  int leastInterior; ///< samples that must lie inside charts
+  double excess;     ///< what the last masks left beyond this formula
+
+  double interior(double scale) const
+  {
+    return std::max<double>(
+      this->leastInterior, scale * this->mass - std::sqrt(scale) * this->bandMass + this->excess);
+  }
+  double operator()(double scale) const
+  {
+    return static_cast<double>(this->domain.fixedSamples.size() +
+             countOnBackbones(this->domain, this->densities, scale)) +
+      this->interior(scale);
+  }
+};
+
+int sum(const std::vector<int>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0);
+}
+}
+
+Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines)
+{
+  this->Minimum = 0;
+  this->Least = {};
+  if (Status status = readSamplingDomain(charts, lines, this->Domain); !status.ok())
+  {
+    return status;
+  }
+  const BackbonePlaces places =
+    placeOnBackbones(this->Domain, uniformBackboneDensities(this->Domain), 0.);
+  if (Status status = makeValid(this->Domain, places, this->Least); !status.ok())
+  {
+    return status;
+  }
+  this->Minimum = this->count(this->Least);
+  return Status::success();
+}
+
+int SurfaceSampler::count(const ValidPlaces& valid) const
+{
+  return static_cast<int>(valid.samples.size()) + sum(valid.leastInterior);
+}
+
+Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
+  const Progress& progress, SurfaceSamples& result) const
+{
+  result = {};
+  const SamplingDomain& domain = this->Domain;
+  const std::size_t charts = images.size();
+  if (numberOfSamples < this->Minimum)
+  {
+    return Status::error(std::to_string(numberOfSamples) +
+      " samples are too few for these features, constraints and charts: ask for at least " +
+      std::to_string(this->Minimum) + ".");
+  }
+  std::vector<ControlMass> mass(charts);
+  forEachChart(charts, [&](std::size_t c) { mass[c] = controlMass(images[c]); });
+  double total = 0;
+  for (std::size_t c = 0; c < charts; ++c)
+  {
+    if (!std::isfinite(mass[c].total))
+    {
+      return Status::error("The control image of chart " + std::to_string(c) +
+        " holds infinite values: make Control finite.");
+    }
+    total += mass[c].total;
+  }
+  if (total <= 0)
+  {
+    return Status::error("The control images are zero everywhere: make Control positive where samples are "
+                         "wanted, for instance by MinimumDensity.");
+  }
+
+  const std::vector<BackboneDensity> densities = backboneDensities(domain, images);
+  double bandMass = 0;
+  for (std::size_t b = 0; b < densities.size(); ++b)
+  {
+    // A band of sqrt(3)/4 s on each side: the integral of sqrt(3)/4 s rho ds is half that of ds / s.
+    const BackboneTrace& trace = domain.traces[b];
+    const int sides = (trace.chart[0] >= 0 ? 1 : 0) + (trace.chart[1] >= 0 ? 1 : 0);
+    bandMass += 0.5 * sides * densities[b].total();
+  }
+  Prediction prediction = { domain, densities, total, bandMass, sum(this->Least.leastInterior), 0. };
+  const double most = 64. * std::max(1, numberOfSamples) / total;
+
+  // The scale is such that backbones and interiors, each at the same density, hold N samples together. What
+  // the bands really leave is known once they are drawn; two corrections bring the sum to N.
+  ValidPlaces valid;
+  std::vector<InteriorSampler> samplers;
+  std::vector<double> left(charts, 0.);
+  std::vector<int> factor(charts, 1);
+  double scale = 0;
+  int interior = 0;
+  for (int round = 0; round < 3; ++round)
+  {
+    scale = largestScale(prediction, numberOfSamples, most);
+    bool fits = false;
+    double backboneScale = scale;
+    for (int attempt = 0; attempt < 12 && !fits && scale > 0; ++attempt, backboneScale *= 0.8)
+    {
+      if (Status status =
+            makeValid(domain, placeOnBackbones(domain, densities, backboneScale), valid);
+          !status.ok())
+      {
+        return status;
+      }
+      fits = this->count(valid) <= numberOfSamples;
+    }
+    if (!fits)
+    {
+      valid = this->Least;
+    }
+    interior = numberOfSamples - static_cast<int>(valid.samples.size());
+    if (scale <= 0)
+    {
+      scale = std::max(1, interior) / total;
+    }
+    samplers.clear();
+    for (std::size_t c = 0; c < charts; ++c)
+    {
+      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
+      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c].largest);
+      if (!InteriorSampler::withinLimits(images[c], factor[c]))
+      {
+        return Status::error("The control image of chart " + std::to_string(c) + " (" +
+          std::to_string(images[c].width) + " x " + std::to_string(images[c].height) +
+          " pixels) is too small for its share of " + std::to_string(numberOfSamples) +
+          " samples: set MapSize to at least " +
+          std::to_string(factor[c] * std::max(images[c].width, images[c].height)) + ".");
+      }
+    }
+    const double from = 0.1 + 0.2 * round;
+    if (Status status = forEachChart(images, factor, progress, from, from + 0.2,
+          [&](std::size_t c) {
+            samplers[c].prepare(factor[c]);
+            left[c] = samplers[c].left();
+          });
+        !status.ok())
+    {
+      return status;
+    }
+    const double allLeft = std::accumulate(left.begin(), left.end(), 0.);
+    if (!fits || std::abs(allLeft - interior) <= 0.03 * interior + 1.)
+    {
+      break;
+    }
+    prediction.excess += allLeft - prediction.interior(scale);
+  }
+
+  const std::vector<int> share = apportion(interior, left, valid.leastInterior);
+  result.interior.resize(charts);
+  std::vector<std::vector<Sample>> inside(charts);
+  Status status =
+    forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
+      result.interior[c] = samplers[c].sample(share[c]);
+      for (const Vec2& uv : result.interior[c])
+      {
+        Sample sample;
+        const int start = images[c].faceIndex ? images[c].faceIndex[images[c].pixelAt(uv)] : 0;
+        locate(domain.surface, static_cast<int>(c), uv,
+          domain.surface.chartBegin[c] + std::max(0, start), sample.face, sample.bary);
+        inside[c].push_back(sample);
+      }
+    });
+  if (!status.ok())
+  {
+    return status;
+  }
+  const auto densityAt = [&](std::size_t c, const Vec2& uv) {
+    return scale * images[c].density(images[c].pixelAt(uv));
+  };
+  result.samples = std::move(valid.samples);
+  for (const Sample& s : result.samples)
+  {
+    result.density.push_back(s.kind == SampleKind::Backbone
+        ? scale * backboneDensityAt(domain, images, s.backbone, s.arcLength)
+        : densityAt(domain.surface.faceChart[s.face], domain.surface.parameter(s.face, s.bary)));
+  }
+  for (std::size_t c = 0; c < charts; ++c)
+  {
+    for (std::size_t i = 0; i < inside[c].size(); ++i)
+    {
+      result.samples.push_back(inside[c][i]);
+      result.density.push_back(densityAt(c, result.interior[c][i]));
+    }
+  }
+  result.graphs = std::move(valid.graphs);
+  if (static_cast<int>(result.samples.size()) != numberOfSamples)
+  {
+    return Status::error("Only " + std::to_string(result.samples.size()) + " of " +
+      std::to_string(numberOfSamples) +
+      " samples found room between the features: raise MapSize, or cut the surface into fewer charts.");
+  }
+  return Status::success();
+}
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Exactly N samples on the surface: backbones first, then the charts between them (paper 3.2).
+#ifndef stipple_SurfaceSampler_h
+#define stipple_SurfaceSampler_h
+
+#include "ControlImage.h"
+#include "PlanarValidity.h"
+
+namespace stipple
+{
+struct SurfaceSamples
+{
+  std::vector<Sample> samples; ///< nodes, constraints, backbone by backbone, chart by chart
+  std::vector<double> density; ///< by sample, samples wanted per unit of surface area
+  std::vector<ChartGraph> graphs;
+  std::vector<std::vector<Vec2>> interior; ///< by chart, the parameters of the samples of kind Interior
+};
+
+class STIPPLEFILTERSSAMPLING_EXPORT SurfaceSampler
+{
+public:
+  /// Takes charts and feature graph, and finds the least that a triangulation of them needs.
+  Status setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines);
+  const SamplingDomain& domain() const { return this->Domain; }
+
+  /// The nodes, the constraints, the fewest samples on backbones that make every chart's graph valid, and
+  /// one inside each chart that only three samples bound. Every number from there on can be had.
+  int minimumNumberOfSamples() const { return this->Minimum; }
+
+  /// Exactly numberOfSamples samples in proportion to the control images, one a chart.
+  Status sample(const std::vector<ControlImage>& images, int numberOfSamples, const Progress& progress,
+    SurfaceSamples& result) const;
+
+private:
+  int count(const ValidPlaces& valid) const;
+
+  SamplingDomain Domain;
+  ValidPlaces Least;
+  int Minimum = 0;
+};
+}
+
+#endif
