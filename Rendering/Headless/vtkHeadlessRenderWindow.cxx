@@ -204,6 +204,14 @@ void vtkHeadlessRenderWindow::MakeCurrent()
   }
 }
 
+void vtkHeadlessRenderWindow::ReleaseCurrent()
+{
+  if (this->Internal->Context)
+  {
+    this->Internal->Context->release();
+  }
+}
+
 bool vtkHeadlessRenderWindow::IsCurrent()
 {
   return this->Internal && this->Internal->Context && this->Internal->Context->isCurrent();

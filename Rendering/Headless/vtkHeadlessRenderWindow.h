@@ -78,6 +78,12 @@ public:
    */
   static bool IsHardwareAvailable();
 
+  /**
+   * Leaves the calling thread without a current context if this one is current in it. A context can be
+   * current in one thread only, so a thread that is done lets it go for the next.
+   */
+  void ReleaseCurrent();
+
   ///@{
   /**
    * What vtkRenderWindow asks of a window.
