@@ -58,8 +58,9 @@ struct EdgeFunction
   {
     const std::int64_t dx = static_cast<std::int64_t>(b.x) - a.x;
     const std::int64_t dy = static_cast<std::int64_t>(b.y) - a.y;
-    // Of a counterclockwise triangle with y up: the left edges run down, the top edge runs left.
-    const bool topLeft = dy < 0 || (dy == 0 && dx < 0);
+    // Of a counterclockwise triangle with y up, the left edges run down. The top edge of the rule is the
+    // one at the image's first row, which runs right: hardware draws into images that way up.
+    const bool topLeft = dy < 0 || (dy == 0 && dx > 0);
     this->origin = dy * a.x - dx * a.y - (topLeft ? 0 : 1);
     this->stepX = -dy * subpixelOne;
     this->stepY = dx * subpixelOne;
