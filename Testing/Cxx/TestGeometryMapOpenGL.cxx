@@ -132,6 +132,8 @@ void compareAll(vtkRenderWindow* window, const std::string& what)
   // Pixel centres lie exactly on edges.
   compare(synthetic::makeAtlas(64, 64, 0.), window, 32, what + ", points at centres");
   compare(synthetic::makeAtlas(60, 100, 0.), window, 90, what + ", edges through centres");
+  // Triangles that overlap: the smaller one in space is on top.
+  compare(synthetic::makeAtlas(40, 30, 0.8), window, 200, what + ", folds");
   // Triangles much smaller than pixels.
   compare(synthetic::makeAtlas(300, 300), window, 100, what + ", tiny triangles");
 }
