@@ -23,17 +23,22 @@ constexpr double Momentum = 0.7;
 constexpr double LaplacianStep = 0.3;
 constexpr int Grain = 256;
 
-void swapEdges(OptimizedMesh& mesh, Swaps swaps)
+/// Angles (radians) below which triangles are repaired at the end.
+constexpr double SmallAngle = 0.62;
+/// Rounds between repairs of folds.
+constexpr int RepairInterval = 10;
+
+/// Rounds that begin with swaps for regularity, then move without Delaunay swaps so that the new connectivity can settle.
+struct RegularityRounds
 {
-  if (swaps == Swaps::Regularity)
+  int period = 0;
+  int settle = 0;
+  bool swaps(int i) const { return this->period > 0 && i > 0 && i % this->period == 0; }
+  bool settles(int i) const
   {
-    delaunaySwaps(mesh);
+    return this->period > 0 && i >= this->period && i % this->period <= this->settle;
   }
-  else if (swaps == Swaps::Aspect)
-  {
-    aspectSwaps(mesh);
-  }
-}
+};
 
 Vec3 nextStep(const OptimizedMesh& mesh, Moves moves, int v, const Vec3& last)
 {
@@ -47,7 +52,18 @@ Vec3 nextStep(const OptimizedMesh& mesh, Moves moves, int v, const Vec3& last)
 
 Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
 {
+  if (options.iterations <= 0)
+  {
+    return Status::success();
+  }
   const int n = mesh.numberOfVertices();
+  const bool moves = options.moves != Moves::None;
+  const bool swaps = options.swaps != Swaps::None;
+  RegularityRounds regularity;
+  regularity.period = getenv("RP") ? atoi(getenv("RP")) : 0;
+  regularity.settle = getenv("RS") ? atoi(getenv("RS")) : 3;
+  int lastreg = options.iterations - (getenv("RL") ? atoi(getenv("RL")) : 10);
+  double ra = getenv("RA") ? atof(getenv("RA")) : 15;
   std::vector<Vec3> step(n, Vec3::Zero());
   std::vector<double> arcLength(n, 0.);
   for (int i = 0; i < options.iterations; ++i)
@@ -56,37 +72,47 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     {
       return Status::aborted();
     }
-    swapEdges(mesh, options.swaps);
-    if (options.moves == Moves::None)
+    if (options.swaps == Swaps::Aspect)
     {
-      continue;
+      aspectSwaps(mesh);
     }
-    vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
-      for (int v = static_cast<int>(begin); v < end; ++v)
-      {
-        arcLength[v] = mesh.arcLength(v);
-        if (mesh.freedom(v) == Freedom::Surface)
+    else if (swaps && i < lastreg && regularity.swaps(i))
+    {
+      regularitySwaps(mesh, ra);
+    }
+    else if (swaps && !(i < lastreg && regularity.settles(i)))
+    {
+      delaunaySwaps(mesh);
+    }
+    if (moves)
+    {
+      vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
+        for (int v = static_cast<int>(begin); v < end; ++v)
         {
-          step[v] = nextStep(mesh, options.moves, v, step[v]);
+          arcLength[v] = mesh.arcLength(v);
+          if (mesh.freedom(v) == Freedom::Surface)
+          {
+            step[v] = nextStep(mesh, options.moves, v, step[v]);
+          }
         }
-      }
-    });
-    relaxBackbones(mesh, arcLength);
-    mesh.move(step, arcLength);
-    if (i % 10 == 2) repairTriangles(mesh, 0., true, true, 3);
+      });
+      relaxBackbones(mesh, arcLength);
+      mesh.move(step, arcLength);
+    }
+    if (i % RepairInterval == 2)
+    {
+      repairTriangles(mesh, 0., swaps, moves, 3);
+    }
   }
-  if (options.iterations > 0)
+  if (options.swaps == Swaps::Aspect)
   {
-    swapEdges(mesh, options.swaps);
+    aspectSwaps(mesh);
   }
-  repairTriangles(mesh, 35. * 3.14159265358979 / 180., true, true, 5);
-  if (getenv("DBG"))
+  else if (swaps)
   {
-    int unsound = 0;
-    for (const Triangle& t : mesh.triangles())
-      if (!mesh.isSound(t[0], t[1], t[2])) { ++unsound; if (unsound<10){ Vec3 nn=(mesh.position(t[1])-mesh.position(t[0])).cross(mesh.position(t[2])-mesh.position(t[0])).normalized(); fprintf(stderr,"v unsound %d %d %d cos %.2f %.2f %.2f\n",t[0],t[1],t[2],nn.dot(mesh.normal(t[0])),nn.dot(mesh.normal(t[1])),nn.dot(mesh.normal(t[2]))); } }
-    fprintf(stderr,"v unsound triangles %d\n",unsound);
+    delaunaySwaps(mesh);
   }
+  repairTriangles(mesh, SmallAngle, swaps, moves, 5);
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }
