@@ -58,7 +58,7 @@ double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3&
 }
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, int v)
+Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
 {
   const Vec3& x = mesh.position(v);
   // Points settle with a density that is the root of the weight of a centroidal Voronoi tessellation in the plane.
@@ -86,7 +86,7 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v)
     const Vec2 halfA(0.5, 0.);
     const Vec2 halfB(0., 0.5);
     CellIntegral cell;
-    if (wall && ab < 0)
+    if ((wall || !isDelaunay) && ab < 0)
     {
       // The circumcentre lies beyond the wall: the cell ends there.
       const double atA = 0.5 * aa / (aa - ab);
