@@ -12,9 +12,7 @@ namespace stipple
 {
 namespace
 {
-/// A triangle's normal and the surface's at its vertices differ by 75 degrees at most...
-constexpr double MinimumCosine = 0.25;
-/// ... and its height is at least this share of its longest edge.
+/// The height of a triangle is at least this share of its longest edge.
 constexpr double MinimumHeight = 0.02;
 constexpr int Grain = 512;
 }
@@ -247,15 +245,23 @@ bool OptimizedMesh::isSound(int a, int b, int c) const
   {
     return false;
   }
+  return this->agreement(a, b, c, n) >= minimumAgreement();
+}
+
+double OptimizedMesh::agreement(int a, int b, int c, const Vec3& normal) const
+{
+  double sum = 0;
+  int count = 0;
   for (int v : { a, b, c })
   {
-    // On a crease the surface has no one normal.
-    if (this->Free[v] == Freedom::Surface && n.dot(this->Normal[v]) < MinimumCosine * area)
+    if (this->Free[v] == Freedom::Surface) // on a crease the surface has no one normal
     {
-      return false;
+      sum += normal.dot(this->Normal[v]);
+      ++count;
     }
   }
-  return true;
+  const double length = normal.norm();
+  return count > 0 && length > 0 ? sum / (count * length) : 1.;
 }
 
 bool OptimizedMesh::isSoundFace(int f) const
@@ -279,8 +285,8 @@ bool OptimizedMesh::swap(int edge)
   const int b = this->Graph.to_vertex_handle(h).idx();
   const int c = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx();
   const int d = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(g)).idx();
-  const bool sound = this->isSound(d, c, a) && this->isSound(c, d, b);
-  if (!sound && (this->isSound(a, b, c) || this->isSound(b, a, d)))
+  const int after = this->isSound(d, c, a) + this->isSound(c, d, b);
+  if (after < 2 && after < this->isSound(a, b, c) + this->isSound(b, a, d))
   {
     return false;
   }
@@ -369,20 +375,46 @@ bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>
   }
   const SurfacePlace old = this->Place[v];
   this->placeVertex(v, this->Atlas->walk().walk(old, step));
-  bool sound = true;
-  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    const auto f = this->Graph.face_handle(h);
-    sound = sound && (!f.is_valid() || this->isSoundFace(f.idx()));
-    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
-  } while (sound && h != first);
-  if (sound && accept())
+  if (accept())
   {
     return true;
   }
   this->placeVertex(v, old);
+  return false;
+}
+
+bool OptimizedMesh::slideOne(int v, double step, const std::function<bool()>& accept)
+{
+  if (this->Free[v] != Freedom::Backbone)
+  {
+    return false;
+  }
+  // Its neighbours on the backbone bound the way.
+  double room = 1e300;
+  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    if (this->Feature[this->Graph.edge_handle(h).idx()])
+    {
+      room = std::min(room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
+    }
+    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
+  const double old = this->ArcLength[v];
+  const double target = old + step;
+  const bool closed = this->Atlas->graph().backbones[this->BackboneOf[v]].closed;
+  if (std::abs(step) > 0.5 * room || (!closed && (target <= 0 || target >= length)))
+  {
+    return false;
+  }
+  this->placeOnBackbone(v, target);
+  if (accept())
+  {
+    return true;
+  }
+  this->placeOnBackbone(v, old);
   return false;
 }
 }

@@ -8,7 +8,7 @@
 #include "SampleSet.h"
 #include "SurfaceCache.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
 #include <functional>
 
@@ -22,18 +22,10 @@ enum class Freedom : char
   None      ///< corners and constraints
 };
 
-struct ConnectivityTraits : OpenMesh::DefaultTraits
-{
-  VertexAttributes(OpenMesh::Attributes::None);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
-  EdgeAttributes(OpenMesh::Attributes::None);
-  FaceAttributes(OpenMesh::Attributes::None);
-};
-
 class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
 {
 public:
-  using Connectivity = OpenMesh::TriMesh_ArrayKernelT<ConnectivityTraits>;
+  using Connectivity = OpenMesh::TriConnectivity; // halfedges without coordinates
   using Halfedge = OpenMesh::HalfedgeHandle;
   using Vertex = OpenMesh::VertexHandle;
 
@@ -67,15 +59,22 @@ public:
   bool swap(int edge);
   /// Swaps without asking; for taking back a swap.
   void forceSwap(int edge) { this->Graph.flip(OpenMesh::EdgeHandle(edge)); }
+  /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals at its vertices;
+  /// 1 if they all lie on creases.
+  double agreement(int a, int b, int c, const Vec3& normal) const;
+  /// Triangles that agree less are folded over. Over a rim thinner than a triangle the agreement is small for good reason; in a
+  /// fold it is about -1.
+  static constexpr double minimumAgreement() { return 0.1; }
   /// The triangle (a, b, c) faces the way the surface does at its vertices, and is not degenerate.
   bool isSound(int a, int b, int c) const;
 
   /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all at once.
   /// Where that makes a triangle unsound, the steps of its vertices are halved, at last refused.
   void move(const std::vector<Vec3>& step, const std::vector<double>& arcLength);
-  /// Moves one vertex on the surface; false, and nothing is changed, if a triangle about it would become unsound
-  /// or `accept`, asked at the new position, says no.
+  /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there. False, and nothing is
+  /// changed, if `accept`, asked at the new position, says no.
   bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
+  bool slideOne(int v, double step, const std::function<bool()>& accept);
 
   /// Backbone vertices in order, with both ends; empty for seams.
   const std::vector<std::vector<int>>& chains() const { return this->Chain; }

@@ -11,7 +11,7 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
-/// Calls visit(q, r) for every triangle (v, q, r) about v.
+/// Calls visit(q, r, wall) for every triangle (v, q, r) about v; wall: the edge qr bounds the surface, or is a crease.
 template <typename Visit>
 void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
 {
@@ -23,23 +23,51 @@ void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
     const Halfedge g = graph.next_halfedge_handle(h);
     if (!graph.is_boundary(h))
     {
-      visit(graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(g).idx());
+      visit(graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(g).idx(),
+        mesh.isFeature(graph.edge_handle(g).idx()));
     }
     h = graph.opposite_halfedge_handle(graph.next_halfedge_handle(g));
   } while (h != first);
 }
+
+/// Mass and first moment of a density that is linear over a triangle (x, x + a, x + b).
+struct CellIntegral
+{
+  double mass = 0;
+  double alongA = 0; ///< moment, in units of a
+  double alongB = 0;
+
+  /// Adds the triangle between x and the points given by their coordinates along a and b.
+  void add(const Vec2& p, const Vec2& q, double twiceArea, double here, double slopeA, double slopeB)
+  {
+    const Vec2 centroid = (p + q) / 3.;
+    const double low = 0.1 * std::min({ here, here + slopeA, here + slopeB });
+    const double density = std::max(low, here + slopeA * centroid.x() + slopeB * centroid.y());
+    const double m = 0.5 * cross2(p, q) * twiceArea * density;
+    this->mass += m;
+    this->alongA += m * centroid.x();
+    this->alongB += m * centroid.y();
+  }
+};
+
+/// Area of the surface under a triangle over the triangle's own, estimated from the normals at its vertices.
+double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
+{
+  constexpr double Largest = 4.;
+  return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
+}
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, int v)
+Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
 {
   const Vec3& x = mesh.position(v);
-  const bool uniform = mesh.uniform();
+  // Points settle with a density that is the root of the weight of a centroidal Voronoi tessellation in the plane.
   const double here = mesh.density(v) * mesh.density(v);
   Vec3 moment = Vec3::Zero();
   double mass = 0;
-  Vec3 fallbackMoment = Vec3::Zero();
-  double fallbackMass = 0;
-  forEachTriangle(mesh, v, [&](int q, int r) {
+  Vec3 ringMoment = Vec3::Zero();
+  double ringMass = 0;
+  forEachTriangle(mesh, v, [&](int q, int r, bool wall) {
     const Vec3 a = mesh.position(q) - x;
     const Vec3 b = mesh.position(r) - x;
     const double aa = a.squaredNorm();
@@ -50,34 +78,43 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v)
     {
       return;
     }
-    const double twiceArea = std::sqrt(square);
-    // The circumcentre is s a + t b. The cell's part in this triangle is (0, a/2, c) and (0, c, b/2).
-    const double s = 0.5 * bb * (aa - ab) / square;
-    const double t = 0.5 * aa * (bb - ab) / square;
-    double first = 0.25 * t * twiceArea;
-    double second = 0.25 * s * twiceArea;
-    double whole = 0.5 * twiceArea;
-    if (!uniform)
+    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a triangle cuts off would
+    // have no weight, and vertices would slide off them.
+    const double twiceArea = std::sqrt(square) * areaOfSurface(mesh, v, q, r, a.cross(b));
+    const double slopeA = mesh.density(q) * mesh.density(q) - here;
+    const double slopeB = mesh.density(r) * mesh.density(r) - here;
+    const Vec2 halfA(0.5, 0.);
+    const Vec2 halfB(0., 0.5);
+    CellIntegral cell;
+    if ((wall || !isDelaunay) && ab < 0)
     {
-      // Linear over the triangle, taken at the centroids of the parts.
-      const double atA = mesh.density(q) * mesh.density(q) - here;
-      const double atB = mesh.density(r) * mesh.density(r) - here;
-      const double low = 0.1 * std::min({ here, here + atA, here + atB });
-      first *= std::max(low, here + ((0.5 + s) * atA + t * atB) / 3.);
-      second *= std::max(low, here + (s * atA + (0.5 + t) * atB) / 3.);
-      whole *= here + (atA + atB) / 3.;
+      // The circumcentre lies beyond the wall: the cell ends there.
+      const double atA = 0.5 * aa / (aa - ab);
+      const double atB = 0.5 * bb / (bb - ab);
+      const Vec2 p(1. - atA, atA);
+      const Vec2 q2(atB, 1. - atB);
+      cell.add(halfA, p, twiceArea, here, slopeA, slopeB);
+      cell.add(p, q2, twiceArea, here, slopeA, slopeB);
+      cell.add(q2, halfB, twiceArea, here, slopeA, slopeB);
     }
-    moment += (first * (0.5 + s) + second * s) / 3. * a + (first * t + second * (0.5 + t)) / 3. * b;
-    mass += first + second;
-    fallbackMoment += whole / 3. * (a + b);
-    fallbackMass += whole;
+    else
+    {
+      const Vec2 circumcentre(0.5 * bb * (aa - ab) / square, 0.5 * aa * (bb - ab) / square);
+      cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
+      cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
+    }
+    moment += cell.alongA * a + cell.alongB * b;
+    mass += cell.mass;
+    const double whole = 0.5 * twiceArea * (here + (slopeA + slopeB) / 3.);
+    ringMoment += whole / 3. * (a + b);
+    ringMass += whole;
   });
   // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own centroid.
-  if (mass > 0.1 * fallbackMass)
+  if (mass > 0.1 * ringMass)
   {
     return moment / mass;
   }
-  return fallbackMass > 0 ? Vec3(fallbackMoment / fallbackMass) : Vec3::Zero();
+  return ringMass > 0 ? Vec3(ringMoment / ringMass) : Vec3::Zero();
 }
 
 Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
@@ -85,7 +122,7 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
   const Vec3& x = mesh.position(v);
   Vec3 sum = Vec3::Zero();
   double total = 0;
-  forEachTriangle(mesh, v, [&](int q, int r) {
+  forEachTriangle(mesh, v, [&](int q, int r, bool) {
     const Vec3& a = mesh.position(q);
     const Vec3& b = mesh.position(r);
     double area = triangleArea(x, a, b);
@@ -98,6 +135,36 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
     total += area;
   });
   return total > 0 ? Vec3(sum / total) : Vec3::Zero();
+}
+
+Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
+{
+  // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a neighbour|^2 over d in the tangent
+  // plane at v. Planes that are nearly parallel to it say nothing about where a ridge is.
+  constexpr double Inertia = 6.;
+  constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
+  const Vec3& x = mesh.position(v);
+  const Vec3& normal = mesh.normal(v);
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Vec3 right = Vec3::Zero();
+  bool onRidge = false;
+  forEachTriangle(mesh, v, [&](int q, int, bool) {
+    const Vec3& n = mesh.normal(q);
+    const double w = std::min((Ridge - n.dot(normal)) / Ridge, 1.);
+    if (w > 0 && mesh.freedom(q) == Freedom::Surface)
+    {
+      onRidge = true;
+      matrix += w * n * n.transpose();
+      right += w * n * n.dot(mesh.position(q) - x);
+    }
+  });
+  if (!onRidge)
+  {
+    return step;
+  }
+  matrix += Inertia * Eigen::Matrix3d::Identity() + 10. * normal * normal.transpose();
+  right += Inertia * step;
+  return matrix.ldlt().solve(right);
 }
 
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)

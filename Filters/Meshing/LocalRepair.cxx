@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalRepair.h"
+
+#include "Relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stipple
+{
+namespace
+{
+using Halfedge = OptimizedMesh::Halfedge;
+
+std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
+{
+  const auto& graph = mesh.graph();
+  const Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+  return { { graph.from_vertex_handle(h).idx(), graph.to_vertex_handle(h).idx(),
+    graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx() } };
+}
+
+double faceQuality(const OptimizedMesh& mesh, int f)
+{
+  const auto t = corners(mesh, f);
+  return triangleQuality(mesh, t[0], t[1], t[2]);
+}
+
+/// Calls visit(f) for every triangle about v.
+template <typename Visit>
+void forEachFace(const OptimizedMesh& mesh, int v, const Visit& visit)
+{
+  const auto& graph = mesh.graph();
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    if (!graph.is_boundary(h))
+    {
+      visit(graph.face_handle(h).idx());
+    }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first);
+}
+
+/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of what is folded.
+double starQuality(const OptimizedMesh& mesh, int v)
+{
+  double worst = 10;
+  double folded = 0;
+  forEachFace(mesh, v, [&](int f) {
+    const double q = faceQuality(mesh, f);
+    worst = std::min(worst, q);
+    folded += std::min(0., q);
+  });
+  return folded < 0 ? folded : worst;
+}
+
+bool improveBySwap(OptimizedMesh& mesh, int f)
+{
+  const auto& graph = mesh.graph();
+  Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+  for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
+  {
+    const int edge = graph.edge_handle(h).idx();
+    if (!mesh.isSwappable(edge))
+    {
+      continue;
+    }
+    const Halfedge g = graph.opposite_halfedge_handle(h);
+    const int a = graph.from_vertex_handle(h).idx();
+    const int b = graph.to_vertex_handle(h).idx();
+    const int c = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
+    const int d = graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx();
+    const double before = std::min(triangleQuality(mesh, a, b, c), triangleQuality(mesh, b, a, d));
+    const double after = std::min(triangleQuality(mesh, d, c, a), triangleQuality(mesh, c, d, b));
+    if (after > before + 1e-9 && mesh.swap(edge))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool improveByMove(OptimizedMesh& mesh, int v)
+{
+  double best = starQuality(mesh, v);
+  const double start = best;
+  const auto accept = [&]() {
+    const double q = starQuality(mesh, v);
+    if (q > best + 1e-6)
+    {
+      best = q;
+      return true;
+    }
+    return false;
+  };
+  double reach = 0;
+  int count = 0;
+  Vec3 centre = Vec3::Zero();
+  forEachFace(mesh, v, [&](int f) {
+    for (int u : corners(mesh, f))
+    {
+      if (u != v)
+      {
+        centre += mesh.position(u);
+        reach += (mesh.position(u) - mesh.position(v)).norm();
+        ++count;
+      }
+    }
+  });
+  centre /= count;
+  reach /= count;
+  if (mesh.freedom(v) == Freedom::Backbone)
+  {
+    for (double size : { 0.2, 0.05 })
+    {
+      while (mesh.slideOne(v, size * reach, accept) || mesh.slideOne(v, -size * reach, accept))
+      {
+      }
+    }
+    return best > start;
+  }
+  if (mesh.freedom(v) != Freedom::Surface)
+  {
+    return false;
+  }
+  // Where relaxation would go and to the middle of the ring; then a pattern search about the place.
+  for (const double share : { 1., 0.5 })
+  {
+    mesh.moveOne(v, share * (centre - mesh.position(v)), accept);
+    mesh.moveOne(v, share * lloydStep(mesh, v), accept);
+  }
+  for (double size = 0.2; size > 0.01; size *= 0.5)
+  {
+    const Vec3& n = mesh.normal(v);
+    const Vec3 e = n.unitOrthogonal();
+    const Vec3 g = n.cross(e);
+    for (int k = 0; k < 8; ++k)
+    {
+      const double angle = k * 0.785398163397448;
+      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+    }
+  }
+  return best > start;
+}
+}
+
+double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
+{
+  const Vec3& p = mesh.position(a);
+  const Vec3& q = mesh.position(b);
+  const Vec3& r = mesh.position(c);
+  const Vec3 u = q - p;
+  const Vec3 w = r - q;
+  const Vec3 z = p - r;
+  const Vec3 n = u.cross(-z);
+  const double area = n.norm();
+  const double cosine = mesh.agreement(a, b, c, n);
+  if (cosine < OptimizedMesh::minimumAgreement())
+  {
+    return cosine - 1.;
+  }
+  const auto angle = [area](const Vec3& s, const Vec3& t) { return std::atan2(area, -s.dot(t)); };
+  return std::min({ angle(u, z), angle(u, w), angle(w, z) });
+}
+
+int repairTriangles(
+  OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses)
+{
+  int bad = 0;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  {
+    bad = 0;
+    bool changed = false;
+    for (int f = 0; f < mesh.numberOfFaces(); ++f)
+    {
+      if (faceQuality(mesh, f) >= threshold)
+      {
+        continue;
+      }
+      ++bad;
+      if (maySwap && improveBySwap(mesh, f))
+      {
+        changed = true;
+        if (faceQuality(mesh, f) >= threshold)
+        {
+          continue;
+        }
+      }
+      const auto t = corners(mesh, f);
+      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < threshold; ++k)
+      {
+        changed = improveByMove(mesh, t[k]) || changed;
+      }
+      // The neighbours of a fold may stand in the way.
+      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
+      {
+        std::vector<int> ring;
+        forEachFace(mesh, t[k], [&](int g) {
+          for (int u : corners(mesh, g))
+          {
+            ring.push_back(u);
+          }
+        });
+        std::sort(ring.begin(), ring.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        for (int u : ring)
+        {
+          changed = improveByMove(mesh, u) || changed;
+        }
+      }
+    }
+    if (!changed)
+    {
+      break;
+    }
+  }
+  return bad;
+}
+}

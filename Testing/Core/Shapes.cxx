@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+
+#include "PolyDataConversion.h"
+
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <map>
+
+namespace shapes
+{
+using stipple::TriangleSurface;
+using stipple::Vec3;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// Merges points at the same place up to rounding, and connects.
+TriangleSurface welded(const TriangleSurface& soup)
+{
+  TriangleSurface result;
+  std::map<std::array<long, 3>, int> ids;
+  std::vector<int> id;
+  for (const Vec3& p : soup.points)
+  {
+    std::array<long, 3> key;
+    for (int k = 0; k < 3; ++k)
+    {
+      key[k] = std::lround(p[k] * 1e9);
+    }
+    const auto [slot, fresh] = ids.try_emplace(key, static_cast<int>(result.points.size()));
+    if (fresh)
+    {
+      result.points.push_back(p);
+    }
+    id.push_back(slot->second);
+  }
+  for (const stipple::Triangle& t : soup.triangles)
+  {
+    result.triangles.push_back({ id[t[0]], id[t[1]], id[t[2]] });
+  }
+  result.connect();
+  return result;
+}
+
+void addGrid(TriangleSurface& s, const Vec3& origin, const Vec3& u, const Vec3& v, int n)
+{
+  const int base = static_cast<int>(s.points.size());
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      s.points.push_back(Vec3(origin + u * (static_cast<double>(i) / n) + v * (static_cast<double>(j) / n)));
+    }
+  }
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const int a = base + j * (n + 1) + i;
+      s.triangles.push_back({ a, a + 1, a + n + 2 });
+      s.triangles.push_back({ a, a + n + 2, a + n + 1 });
+    }
+  }
+}
+}
+
+TriangleSurface torus(double ringRadius, double crossRadius, int nu, int nv)
+{
+  TriangleSurface s;
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      const double u = 2 * Pi * i / nu;
+      const double v = 2 * Pi * j / nv;
+      const double r = ringRadius + crossRadius * std::cos(v);
+      s.points.emplace_back(r * std::cos(u), r * std::sin(u), crossRadius * std::sin(v));
+      const int a = j * nu + i;
+      const int b = j * nu + (i + 1) % nu;
+      const int c = ((j + 1) % nv) * nu + (i + 1) % nu;
+      const int d = ((j + 1) % nv) * nu + i;
+      s.triangles.push_back({ a, b, c });
+      s.triangles.push_back({ a, c, d });
+    }
+  }
+  s.connect();
+  return s;
+}
+
+TriangleSurface sphere(double radius, int refinements)
+{
+  TriangleSurface s;
+  const double g = (1 + std::sqrt(5.)) / 2;
+  for (const auto& p : { Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g),
+         Vec3(0, 1, g), Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1),
+         Vec3(-g, 0, 1) })
+  {
+    s.points.push_back(p.normalized() * radius);
+  }
+  s.triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 },
+    { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 },
+    { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
+  for (int level = 0; level < refinements; ++level)
+  {
+    std::map<std::pair<int, int>, int> middle;
+    const auto mid = [&](int a, int b) {
+      const auto [slot, fresh] = middle.try_emplace(std::minmax(a, b), static_cast<int>(s.points.size()));
+      if (fresh)
+      {
+        const Vec3 m = (s.points[a] + s.points[b]).normalized() * radius;
+        s.points.push_back(m);
+      }
+      return slot->second;
+    };
+    std::vector<stipple::Triangle> finer;
+    for (const stipple::Triangle& t : s.triangles)
+    {
+      const int a = mid(t[0], t[1]);
+      const int b = mid(t[1], t[2]);
+      const int c = mid(t[2], t[0]);
+      finer.push_back({ t[0], a, c });
+      finer.push_back({ t[1], b, a });
+      finer.push_back({ t[2], c, b });
+      finer.push_back({ a, b, c });
+    }
+    s.triangles = std::move(finer);
+  }
+  s.connect();
+  return s;
+}
+
+TriangleSurface cube(int n)
+{
+  TriangleSurface s;
+  const Vec3 x(1, 0, 0);
+  const Vec3 y(0, 1, 0);
+  const Vec3 z(0, 0, 1);
+  addGrid(s, Vec3::Zero(), y, x, n);
+  addGrid(s, z, x, y, n);
+  addGrid(s, Vec3::Zero(), x, z, n);
+  addGrid(s, y, z, x, n);
+  addGrid(s, Vec3::Zero(), z, y, n);
+  addGrid(s, x, y, z, n);
+  return welded(s);
+}
+
+TriangleSurface cylinder(double radius, double height, int n, int m)
+{
+  TriangleSurface s;
+  for (int j = 0; j <= m; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const double u = 2 * Pi * i / n;
+      s.points.emplace_back(radius * std::cos(u), radius * std::sin(u), height * j / m);
+    }
+  }
+  const int bottom = static_cast<int>(s.points.size());
+  s.points.emplace_back(0, 0, 0);
+  s.points.emplace_back(0, 0, height);
+  for (int i = 0; i < n; ++i)
+  {
+    const int next = (i + 1) % n;
+    for (int j = 0; j < m; ++j)
+    {
+      s.triangles.push_back({ j * n + i, j * n + next, (j + 1) * n + next });
+      s.triangles.push_back({ j * n + i, (j + 1) * n + next, (j + 1) * n + i });
+    }
+    s.triangles.push_back({ next, i, bottom });
+    s.triangles.push_back({ m * n + i, m * n + next, bottom + 1 });
+  }
+  s.connect();
+  return s;
+}
+
+TriangleSurface saddle(int n)
+{
+  TriangleSurface s;
+  addGrid(s, Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), n);
+  for (Vec3& p : s.points)
+  {
+    p.z() = p.x() * p.y();
+  }
+  s.connect();
+  return s;
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const TriangleSurface& surface)
+{
+  return stipple::toPolyData(surface.points, surface.triangles);
+}
+}

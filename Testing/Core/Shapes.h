@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed and open surfaces with known topology and curvature, for the kernels' tests.
+#ifndef stipple_Shapes_h
+#define stipple_Shapes_h
+
+#include "TriangleSurface.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+
+namespace shapes
+{
+/// A torus about the z axis with nu x nv quads, each cut in two.
+stipple::TriangleSurface torus(double ringRadius, double crossRadius, int nu, int nv);
+/// A sphere from an icosahedron, refined 1 to 4 some times.
+stipple::TriangleSurface sphere(double radius, int refinements);
+/// The unit cube, every face a grid of n x n quads cut in two.
+stipple::TriangleSurface cube(int n);
+/// A closed cylinder about the z axis: n sides, m rings, capped by fans.
+stipple::TriangleSurface cylinder(double radius, double height, int n, int m);
+/// The saddle z = x y over [-1, 1]^2 on an n x n grid.
+stipple::TriangleSurface saddle(int n);
+
+vtkSmartPointer<vtkPolyData> toPolyData(const stipple::TriangleSurface& surface);
+}
+
+#endif
