@@ -36,8 +36,10 @@ struct STIPPLEFILTERSSAMPLING_EXPORT ControlImage
   }
   Vec2 centre(int pixel) const
   {
-    return { (pixel % this->width + 0.5) * this->extent.x() / this->width,
-      (pixel / this->width + 0.5) * this->extent.y() / this->height };
+    const int x = pixel % this->width;
+    const int y = pixel / this->width;
+    return { (x + 0.5) * this->extent.x() / this->width,
+      (y + 0.5) * this->extent.y() / this->height };
   }
   /// Wanted samples per unit of surface area, up to the global factor; 0 where nothing is known.
   double density(int pixel) const

@@ -27,7 +27,7 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
   {
     const float in = wanted[x];
     const DiffusionCoefficients& c =
-      table[static_cast<int>(std::min(in * toIndex, lastIndex) + 0.5f)];
+      table[static_cast<int>(std::min(in * toIndex + 0.5f, lastIndex))];
     float error = in * scale + current[x] + carry;
     // A sample is rare, so that the branch is predicted and the chain of dependent operations stays
     // short.
