@@ -118,7 +118,6 @@ public:
       }
     }
     this->checkDiagonals();
-    this->checkPairs();
     this->checkPockets();
   }
 
@@ -213,68 +212,6 @@ private:
     }
   }
 
-  bool conflict(const ChartGraph::Segment& s, const ChartGraph::Segment& o) const
-  {
-    const bool atFirst = s.first == o.first || s.first == o.second;
-    const bool atSecond = s.second == o.first || s.second == o.second;
-    const Vec2& a = this->uv(s.first);
-    const Vec2& b = this->uv(s.second);
-    const Vec2& c = this->uv(o.first);
-    const Vec2& d = this->uv(o.second);
-    if (atFirst && atSecond)
-    {
-      return true;
-    }
-    if (atFirst || atSecond)
-    {
-      const Vec2& shared = atFirst ? a : b;
-      const Vec2& p = atFirst ? b : a;
-      const Vec2& q = s.first == o.first || s.second == o.first ? d : c;
-      const Vec2 u = p - shared;
-      const Vec2 v = q - shared;
-      const double reach = std::min(u.norm(), v.norm());
-      return u.dot(v) > 0 &&
-        std::abs(cross2(u, v)) * reach <= this->Tolerance * u.norm() * v.norm();
-    }
-    const double t = this->Tolerance;
-    if ((a.cwiseMax(b) - c.cwiseMin(d)).minCoeff() < -t ||
-      (c.cwiseMax(d) - a.cwiseMin(b)).minCoeff() < -t)
-    {
-      return false;
-    }
-    const auto sameSide = [t](
-                            double x, double y) { return (x > t && y > t) || (x < -t && y < -t); };
-    return !sameSide(distanceToLine(a, b, c), distanceToLine(a, b, d)) &&
-      !sameSide(distanceToLine(c, d, a), distanceToLine(c, d, b));
-  }
-
-  void checkPairs()
-  {
-    BoxGrid grid(this->Domain.surface.extent[this->Chart], this->Segment.size());
-    for (int i : this->Segment)
-    {
-      const ChartGraph::Segment& s = this->Graph.segments[i];
-      const Vec2 low = this->uv(s.first).cwiseMin(this->uv(s.second));
-      const Vec2 high = this->uv(s.first).cwiseMax(this->uv(s.second));
-      grid.visit(low, high, [&](int j) {
-        const ChartGraph::Segment& o = this->Graph.segments[j];
-        if (this->conflict(s, o))
-        {
-          if (this->length(s) >= 0.5 * this->length(o))
-          {
-            this->refine(s);
-          }
-          if (this->length(o) >= 0.5 * this->length(s))
-          {
-            this->refine(o);
-          }
-        }
-        return true;
-      });
-      grid.insert(i, low, high);
-    }
-  }
-
   /// The curve that a segment stands for, in this chart, from sample to sample.
   std::vector<Vec2> curve(const ChartGraph::Segment& s) const
   {
@@ -303,6 +240,10 @@ private:
     return result;
   }
 
+  /// Nothing may lie between a segment and its curve, or on the segment. No two segments cross then
+  /// either: the closed curves that two of them form with their own backbones cross an even number
+  /// of times, the backbones themselves never do; so where the segments cross, an end of one lies
+  /// within the other's.
   void checkPockets()
   {
     if (this->Segment.empty() || this->Inner.empty())
