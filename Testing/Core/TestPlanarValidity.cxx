@@ -122,7 +122,6 @@ TEST(PlanarValidity, NoFeatureAlongTheOutline)
   s.builder.addBackbone(BackboneType::Boundary,
     path({ { 16, 0 }, { Size, 0 }, { Size, Size }, { 0, Size }, { 0, 0 }, { 8, 0 } }));
   s.feature({ { 8, 0 }, { 8, 6 }, { 16, 6 }, { 16, 0 } });
-  s.feature({ { 12, 0 }, { 12, 3 } });
   s.place(2, { 8, 32, 56, 80 });
   const Intervals bad = s.invalid();
   EXPECT_EQ(bad, (Intervals{ { 3, 0 } }));
