@@ -96,13 +96,16 @@ void compare(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow* window, in
               << a->GetDimensions()[1] << ": " << different << " of " << n << " faces differ\n";
     check(different <= n / 1000, what + ": faces equal on 99.9 % of the pixels");
     check(far == 0, what + ": other faces are neighbours");
-    for (const char* name : { "AreaDistortion", "GaussianCurvature", "MeanCurvature", "Position", "Normal",
-           "Heat", "Quad", "Region", "MinimumCurvature", "MaximumCurvature", "TotalCurvature" })
+    for (const char* name :
+      { "AreaDistortion", "GaussianCurvature", "MeanCurvature", "Position", "Normal", "Heat",
+        "Quad", "Region", "MinimumCurvature", "MaximumCurvature", "TotalCurvature" })
     {
       vtkDataArray* u = a->GetPointData()->GetArray(name);
       vtkDataArray* v = b->GetPointData()->GetArray(name);
-      // H^2 - K cancels where the surface is like a sphere, and the root makes more of what is left.
-      const bool rooted = std::string(name) == "MinimumCurvature" || std::string(name) == "MaximumCurvature";
+      // H^2 - K cancels where the surface is like a sphere, and the root makes more of what is
+      // left.
+      const bool rooted =
+        std::string(name) == "MinimumCurvature" || std::string(name) == "MaximumCurvature";
       double largest = 0.;
       double worst = 0.;
       for (vtkIdType p = 0; p < n; ++p)
@@ -152,14 +155,15 @@ void testSharedWindow(vtkRenderWindow* window)
   maps->SetRenderWindow(window);
   maps->SetMapSize(64);
   maps->Update();
-  check(std::string(maps->GetBackendName()).find("OpenGL") == 0, "AUTO draws in the caller's window");
+  check(
+    std::string(maps->GetBackendName()).find("OpenGL") == 0, "AUTO draws in the caller's window");
   window->Render();
   const auto after = testing::takePicture(window);
   const auto* p = static_cast<unsigned char*>(before->GetScalarPointer());
   const auto* q = static_cast<unsigned char*>(after->GetScalarPointer());
   check(std::equal(p, p + 3 * 100 * 80, q) && p[2] > 200, "the picture is as before");
 }
-}
+} // namespace
 
 int TestGeometryMapOpenGL(int argc, char* argv[])
 {
