@@ -175,7 +175,7 @@ private:
   vtkIdTypeArray* FeatureEdges = nullptr;
   vtkPoints* Constraints = nullptr;
   int NumberOfCharts = 1;
-  double MaximumDensityRatio = 100;
+  double MaximumDensityRatio = 200;
   int DomainShape = RECTANGLE;
 
   vtkIdType NumberOfWeldedPoints = 0;
