@@ -30,7 +30,7 @@ class StippleAbort(StippleError): ...
 class StippleWarning(UserWarning): ...
 
 @overload
-def remesh(
+def remesh(  # type: ignore
     mesh: _Arrays,
     points: int | None = ...,
     importance: _Importance | ArrayLike = ...,
