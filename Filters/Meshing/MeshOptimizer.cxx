@@ -31,15 +31,15 @@ constexpr double RegularityAngle = 36.;
 /// Rounds between repairs of folds.
 constexpr int RepairInterval = 10;
 
-void swapEdges(OptimizedMesh& mesh, Swaps swaps)
+void swapEdges(OptimizedMesh& mesh, Swaps swaps, int passes)
 {
   if (swaps == Swaps::Regularity)
   {
-    delaunaySwaps(mesh);
+    delaunaySwaps(mesh, passes);
   }
   else if (swaps == Swaps::Aspect)
   {
-    aspectSwaps(mesh);
+    aspectSwaps(mesh, passes);
   }
 }
 
@@ -72,7 +72,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     {
       return Status::aborted();
     }
-    swapEdges(mesh, options.swaps);
+    swapEdges(mesh, options.swaps, i == 0 ? 10 : 2);
     if (moves)
     {
       vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
@@ -93,7 +93,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       repairTriangles(mesh, 0., swaps, moves, 3);
     }
   }
-  swapEdges(mesh, options.swaps);
+  swapEdges(mesh, options.swaps, 10);
   if (options.swaps == Swaps::Regularity)
   {
     regularitySwaps(mesh, RegularityAngle, 2);

@@ -306,13 +306,8 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
   const int faces = this->numberOfFaces();
   const std::vector<SurfacePlace> oldPlace = this->Place;
   const std::vector<double> oldArcLength = this->ArcLength;
-  std::vector<char> wasSound(faces);
-  vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType f = begin; f < end; ++f)
-    {
-      wasSound[f] = this->isSoundFace(static_cast<int>(f));
-    }
-  });
+  std::vector<Vec3> oldPosition = this->Position;
+  std::vector<Vec3> oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
   const auto moveVertex = [&](int v) {
     if (this->Free[v] == Freedom::Surface)
@@ -331,28 +326,38 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
       moveVertex(static_cast<int>(v));
     }
   });
-  // Unsound triangles draw their vertices back: to a half, a quarter, at last all the way.
+  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter, at last all the way.
   std::vector<char> isSoundNow(faces);
   for (int round = 0; round < 12; ++round)
   {
     vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType f = begin; f < end; ++f)
       {
-        isSoundNow[f] = !wasSound[f] || this->isSoundFace(static_cast<int>(f));
+        isSoundNow[f] = this->isSoundFace(static_cast<int>(f));
       }
     });
-    std::vector<int> back;
+    // Most rounds end here; only now look back at how the few were before.
+    std::vector<int> unsound;
     for (int f = 0; f < faces; ++f)
     {
       if (!isSoundNow[f])
       {
-        Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
-        for (int k = 0; k < 3; ++k, h = this->Graph.next_halfedge_handle(h))
-        {
-          back.push_back(this->Graph.to_vertex_handle(h).idx());
-        }
+        unsound.push_back(f);
       }
     }
+    this->Position.swap(oldPosition);
+    this->Normal.swap(oldNormal);
+    std::vector<int> back;
+    for (int f : unsound)
+    {
+      Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
+      for (int k = 0; k < 3 && this->isSoundFace(f); ++k, h = this->Graph.next_halfedge_handle(h))
+      {
+        back.push_back(this->Graph.to_vertex_handle(h).idx());
+      }
+    }
+    this->Position.swap(oldPosition);
+    this->Normal.swap(oldNormal);
     if (back.empty())
     {
       return;
