@@ -146,6 +146,16 @@ Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
         "samples of one pipeline.");
     }
   }
+  for (int h = 0; h < static_cast<int>(mesh.twin.size()); ++h)
+  {
+    const int g = mesh.twin[h];
+    if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
+    {
+      return Status::error("The samples " + std::to_string(mesh.tail(h)) + ", " +
+        std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
+        " would carry two triangles back to back; use more points.");
+    }
+  }
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == atlas.topology()))
   {
