@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace stipple
 {
@@ -20,17 +19,259 @@ struct Edge
   bool strong;
 };
 
-/// Edges at every surface point.
-std::vector<std::vector<int>> incidence(const std::vector<Edge>& edges, std::size_t numberOfPoints)
+/// Candidates for sharp edges, thinned step by step.
+class Candidates
 {
-  std::vector<std::vector<int>> at(numberOfPoints);
-  for (std::size_t e = 0; e < edges.size(); ++e)
+public:
+  Candidates(const CutSurface& surface, const FeatureDetectionOptions& options)
+    : Surface(surface)
+    , Options(options)
+    , Diagonal(surface.boundingBoxDiagonal())
   {
-    at[edges[e].a].push_back(static_cast<int>(e));
-    at[edges[e].b].push_back(static_cast<int>(e));
+    const double strong = options.angle * Pi / 180;
+    const double weak = strong * options.weakFraction;
+    this->Dihedral.assign(surface.twin.size(), 0.);
+    for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+    {
+      const int t = surface.twin[h];
+      if (t > h)
+      {
+        const Vec3 a = surface.faceNormal(h / 3);
+        const Vec3 b = surface.faceNormal(t / 3);
+        const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+        this->Dihedral[h] = this->Dihedral[t] = angle;
+        if (angle >= weak)
+        {
+          this->Edges.push_back({ h, surface.tail(h), surface.head(h), angle >= strong });
+        }
+      }
+    }
+    this->At.resize(surface.points.size());
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      this->At[this->Edges[e].a].push_back(static_cast<int>(e));
+      this->At[this->Edges[e].b].push_back(static_cast<int>(e));
+    }
+    this->Accepted.assign(this->Edges.size(), 0);
+    this->IsCandidate.assign(surface.twin.size(), 0);
   }
-  return at;
-}
+
+  /// Takes the strong edges, and the weak ones that continue a chain of accepted edges straight on.
+  void acceptWithHysteresis()
+  {
+    const double straight = std::cos(35 * Pi / 180);
+    std::vector<int> queue;
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      if (this->Edges[e].strong)
+      {
+        this->accept(static_cast<int>(e), true);
+        queue.push_back(static_cast<int>(e));
+      }
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i)
+    {
+      for (int p : { this->Edges[queue[i]].a, this->Edges[queue[i]].b })
+      {
+        int valence = 0;
+        int best = -1;
+        double bestCosine = straight;
+        for (int other : this->At[p])
+        {
+          valence += this->Accepted[other];
+          const double c = -this->direction(queue[i], p).dot(this->direction(other, p));
+          if (!this->Accepted[other] && c > bestCosine)
+          {
+            best = other;
+            bestCosine = c;
+          }
+        }
+        if (valence == 1 && best >= 0)
+        {
+          this->accept(best, true);
+          queue.push_back(best);
+        }
+      }
+    }
+  }
+
+  /// Drops chains that do not stand out from their surroundings; true if there were any.
+  bool dropIndistinctChains()
+  {
+    bool dropped = false;
+    for (const std::vector<int>& chain : this->chains())
+    {
+      double length = 0;
+      double roughness = 0;
+      double angle = 0;
+      for (int e : chain)
+      {
+        const double l = this->length(e);
+        length += l;
+        roughness += l * this->roughness(e);
+        angle += l * this->Dihedral[this->Edges[e].halfedge];
+      }
+      roughness /= length;
+      // A right angle is no noise, also on a coarse mesh whose other edges are not flat.
+      const double steep = std::clamp((angle / length * 180 / Pi - 60) / 30, 0., 1.);
+      const bool isLong = length >= this->Options.longLength * this->Diagonal;
+      const double bound = isLong ? this->Options.longRoughness : this->Options.maximumRoughness;
+      if (roughness > bound + steep * std::max(0., this->Options.steepRoughness - bound))
+      {
+        dropped = true;
+        for (int e : chain)
+        {
+          this->accept(e, false);
+        }
+      }
+    }
+    return dropped;
+  }
+
+  /// Drops connected sets of edges that are short in total.
+  void dropShortSets()
+  {
+    std::vector<char> seen(this->Edges.size(), 0);
+    for (std::size_t start = 0; start < this->Edges.size(); ++start)
+    {
+      if (!this->Accepted[start] || seen[start])
+      {
+        continue;
+      }
+      std::vector<int> set = { static_cast<int>(start) };
+      seen[start] = 1;
+      double total = 0;
+      for (std::size_t i = 0; i < set.size(); ++i)
+      {
+        total += this->length(set[i]);
+        for (int p : { this->Edges[set[i]].a, this->Edges[set[i]].b })
+        {
+          for (int other : this->At[p])
+          {
+            if (this->Accepted[other] && !seen[other])
+            {
+              seen[other] = 1;
+              set.push_back(other);
+            }
+          }
+        }
+      }
+      if (total < this->Options.minimumLength * this->Diagonal)
+      {
+        for (int e : set)
+        {
+          this->accept(e, false);
+        }
+      }
+    }
+  }
+
+  /// One halfedge of every edge that is left.
+  std::vector<int> halfedges() const
+  {
+    std::vector<int> result;
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      if (this->Accepted[e])
+      {
+        result.push_back(this->Edges[e].halfedge);
+      }
+    }
+    return result;
+  }
+
+private:
+  void accept(int e, bool yes)
+  {
+    this->Accepted[e] = yes;
+    this->IsCandidate[this->Edges[e].halfedge] = yes;
+    this->IsCandidate[this->Surface.twin[this->Edges[e].halfedge]] = yes;
+  }
+
+  double length(int e) const
+  {
+    return (this->Surface.points[this->Edges[e].a] - this->Surface.points[this->Edges[e].b]).norm();
+  }
+
+  Vec3 direction(int e, int from) const
+  {
+    const Edge& edge = this->Edges[e];
+    return (this->Surface.points[edge.a == from ? edge.b : edge.a] - this->Surface.points[from]).normalized();
+  }
+
+  /// Mean dihedral angle of the other edges of the two triangles beside e, candidates left out, over e's own:
+  /// near 0 for a crease between smooth faces, above 0.2 for the ridges of a noisy or coarsely sampled bump.
+  double roughness(int e) const
+  {
+    const int h = this->Edges[e].halfedge;
+    double sum = 0;
+    int count = 0;
+    for (int side : { h, this->Surface.twin[h] })
+    {
+      for (int wing : { nextHalfedge(side), previousHalfedge(side) })
+      {
+        if (!this->IsCandidate[wing])
+        {
+          sum += this->Dihedral[wing];
+          ++count;
+        }
+      }
+    }
+    return count > 0 ? sum / count / this->Dihedral[h] : 0.;
+  }
+
+  /// Maximal paths of accepted edges between points where they end, branch or turn sharply.
+  std::vector<std::vector<int>> chains() const
+  {
+    std::vector<std::vector<int>> result;
+    std::vector<char> used(this->Edges.size(), 0);
+    const auto nextEdge = [&](int e, int p) {
+      int next = -1;
+      int valence = 0;
+      for (int other : this->At[p])
+      {
+        valence += this->Accepted[other];
+        if (this->Accepted[other] && other != e)
+        {
+          next = other;
+        }
+      }
+      const bool goesOn =
+        valence == 2 && -this->direction(e, p).dot(this->direction(next, p)) > std::cos(60 * Pi / 180);
+      return goesOn ? next : -1;
+    };
+    for (std::size_t start = 0; start < this->Edges.size(); ++start)
+    {
+      if (!this->Accepted[start] || used[start])
+      {
+        continue;
+      }
+      std::vector<int> chain = { static_cast<int>(start) };
+      used[start] = 1;
+      for (int p : { this->Edges[start].a, this->Edges[start].b })
+      {
+        int at = p;
+        for (int e = nextEdge(static_cast<int>(start), p); e >= 0 && !used[e]; e = nextEdge(e, at))
+        {
+          used[e] = 1;
+          chain.push_back(e);
+          at = this->Edges[e].a == at ? this->Edges[e].b : this->Edges[e].a;
+        }
+      }
+      result.push_back(std::move(chain));
+    }
+    return result;
+  }
+
+  const CutSurface& Surface;
+  const FeatureDetectionOptions& Options;
+  double Diagonal;
+  std::vector<double> Dihedral; // by halfedge, radians
+  std::vector<Edge> Edges;
+  std::vector<std::vector<int>> At; // edges at every point
+  std::vector<char> Accepted;
+  std::vector<char> IsCandidate; // by halfedge
+};
 }
 
 void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options)
@@ -39,112 +280,16 @@ void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options)
   {
     return;
   }
-  const double strong = std::cos(options.angle * Pi / 180);
-  const double weak = std::cos(options.angle * options.weakFraction * Pi / 180);
-  std::vector<Edge> edges;
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  Candidates candidates(surface, options);
+  candidates.acceptWithHysteresis();
+  // Dropping a chain joins others at its ends; a few rounds settle it.
+  for (int round = 0; round < 8 && candidates.dropIndistinctChains(); ++round)
   {
-    if (surface.twin[h] > h)
-    {
-      const double c = surface.faceNormal(h / 3).dot(surface.faceNormal(surface.twin[h] / 3));
-      if (c <= weak)
-      {
-        edges.push_back({ h, surface.tail(h), surface.head(h), c <= strong });
-      }
-    }
   }
-  const auto at = incidence(edges, surface.points.size());
-  const auto direction = [&](const Edge& e, int from) -> Vec3 {
-    const Vec3 d = surface.points[e.a == from ? e.b : e.a] - surface.points[from];
-    return d.normalized();
-  };
-  // Hysteresis: a weak edge belongs if it continues a chain of sharp edges straight on.
-  std::vector<char> accepted(edges.size(), 0);
-  std::vector<int> queue;
-  for (std::size_t e = 0; e < edges.size(); ++e)
+  candidates.dropShortSets();
+  for (int h : candidates.halfedges())
   {
-    if (edges[e].strong)
-    {
-      accepted[e] = 1;
-      queue.push_back(static_cast<int>(e));
-    }
-  }
-  const double straight = std::cos(35 * Pi / 180);
-  for (std::size_t i = 0; i < queue.size(); ++i)
-  {
-    const Edge& e = edges[queue[i]];
-    for (int p : { e.a, e.b })
-    {
-      int valence = 0;
-      int best = -1;
-      double bestCosine = straight;
-      for (int other : at[p])
-      {
-        valence += accepted[other];
-        const double c = -direction(e, p).dot(direction(edges[other], p));
-        if (!accepted[other] && c > bestCosine)
-        {
-          best = other;
-          bestCosine = c;
-        }
-      }
-      if (valence == 1 && best >= 0)
-      {
-        accepted[best] = 1;
-        queue.push_back(best);
-      }
-    }
-  }
-  // Connected sets: short ones and zigzags are noise of a scan, not creases.
-  const double diagonal = surface.boundingBoxDiagonal();
-  std::vector<char> seen(edges.size(), 0);
-  for (std::size_t start = 0; start < edges.size(); ++start)
-  {
-    if (!accepted[start] || seen[start])
-    {
-      continue;
-    }
-    std::vector<int> set = { static_cast<int>(start) };
-    seen[start] = 1;
-    double length = 0;
-    double turn = 0;
-    int turns = 0;
-    for (std::size_t i = 0; i < set.size(); ++i)
-    {
-      const Edge& e = edges[set[i]];
-      length += (surface.points[e.a] - surface.points[e.b]).norm();
-      for (int p : { e.a, e.b })
-      {
-        double straightest = -1;
-        for (int other : at[p])
-        {
-          if (other == set[i] || !accepted[other])
-          {
-            continue;
-          }
-          straightest = std::max(straightest, -direction(e, p).dot(direction(edges[other], p)));
-          if (!seen[other])
-          {
-            seen[other] = 1;
-            set.push_back(other);
-          }
-        }
-        if (straightest > -1)
-        {
-          turn += std::acos(std::clamp(straightest, -1., 1.)) * 180 / Pi;
-          ++turns;
-        }
-      }
-    }
-    const bool crease = length >= options.minimumLength * diagonal &&
-      (turns == 0 || turn / turns <= options.minimumMeanTurn);
-    for (int e : set)
-    {
-      if (crease)
-      {
-        surface.setSharp(edges[e].halfedge, true);
-      }
-    }
+    surface.setSharp(h, true);
   }
 }
 }

@@ -50,8 +50,8 @@ public:
   ///@{
   /**
    * Angle in degrees between the normals beside an edge, from 0 to 180, at which the edge is sharp. Chains of sharp
-   * edges are continued straight on along edges of half that angle; short or zigzag sets of sharp edges are
-   * ignored as noise. 180 finds none. The default is 40.
+   * edges are continued straight on along edges of half that angle. Chains that do not stand out from the surface beside
+   * them, and short ones, are ignored as noise. 180 finds none. The default is 40.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
@@ -60,7 +60,7 @@ public:
   ///@{
   /**
    * Shortest connected set of sharp edges that counts, as a fraction of the bounding box's diagonal, from 0 to 1.
-   * The default is 0.03.
+   * The default is 0.02.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0., 1.);
   vtkGetMacro(MinimumFeatureLength, double);
@@ -170,12 +170,12 @@ private:
   void operator=(const vtkConformalAtlas&) = delete;
 
   double FeatureAngle = 40;
-  double MinimumFeatureLength = 0.03;
+  double MinimumFeatureLength = 0.02;
   double CornerAngle = 60;
   vtkIdTypeArray* FeatureEdges = nullptr;
   vtkPoints* Constraints = nullptr;
   int NumberOfCharts = 1;
-  double MaximumDensityRatio = 100;
+  double MaximumDensityRatio = 200;
   int DomainShape = RECTANGLE;
 
   vtkIdType NumberOfWeldedPoints = 0;

@@ -14,12 +14,16 @@ class MapBackend
 {
 public:
   virtual ~MapBackend() = default;
+  /// Makes ready to draw, or says why not; called before every execution.
+  virtual Status initialize() { return Status::success(); }
   /// "CPU", or "OpenGL" with the renderer's name.
   virtual std::string name() const = 0;
   /// The triangle of every pixel; every pixel gets one.
   virtual Status faces(const MapChart& chart, int width, int height, int* faces) = 0;
   virtual Status maps(const MapChart& chart, int width, int height, const int* faces,
     const std::vector<MapRequest>& requests, const Progress& progress) = 0;
+  /// Called after the last chart: another thread may be the next to draw.
+  virtual void finish() {}
 };
 
 class CPUMapBackend : public MapBackend

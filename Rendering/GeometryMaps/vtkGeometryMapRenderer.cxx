@@ -5,16 +5,19 @@
 #include "MapBackend.h"
 #include "MapCatalogue.h"
 #include "MapSizing.h"
+#include "OpenGLMapPass.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkFloatArray.h"
+#include "vtkHeadlessRenderWindow.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
@@ -46,6 +49,12 @@ struct ChartMaps
     this->faces = nullptr;
     this->maps.clear();
   }
+};
+
+struct FinishAtEnd
+{
+  stipple::MapBackend& backend;
+  ~FinishAtEnd() { this->backend.finish(); }
 };
 }
 
@@ -121,14 +130,43 @@ std::vector<Size> vtkGeometryMapRenderer::Internals::sizes(int mapSize, vtkIdTyp
 
 stipple::Status vtkGeometryMapRenderer::Internals::chooseBackend(int backend)
 {
-  if (backend == vtkGeometryMapRenderer::OPENGL)
+  if (this->Renderer)
   {
-    return stipple::Status::error("The OpenGL back end is not built: use the CPU back end.");
+    const stipple::Status status = this->Renderer->initialize();
+    if (status.ok())
+    {
+      return status;
+    }
+    this->Renderer.reset(); // its window is gone
   }
-  if (!this->Renderer)
+  if (backend != vtkGeometryMapRenderer::CPU)
   {
-    this->Renderer = std::make_unique<stipple::CPUMapBackend>();
+    std::unique_ptr<stipple::OpenGLMapBackend> renderer;
+    if (this->Window)
+    {
+      auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+      renderer = std::make_unique<stipple::OpenGLMapBackend>(window);
+    }
+    else if (backend == vtkGeometryMapRenderer::OPENGL ||
+      vtkHeadlessRenderWindow::IsHardwareAvailable())
+    {
+      renderer = std::make_unique<stipple::OpenGLMapBackend>();
+    }
+    const stipple::Status status =
+      renderer ? renderer->initialize() : stipple::Status::success();
+    if (backend == vtkGeometryMapRenderer::OPENGL && !status.ok())
+    {
+      return status;
+    }
+    // AUTO: a context that is at hand anyway, or hardware; software OpenGL is slower than the CPU back end.
+    if (renderer && status.ok() &&
+      (backend == vtkGeometryMapRenderer::OPENGL || this->Window || !renderer->isSoftware()))
+    {
+      this->Renderer = std::move(renderer);
+      return stipple::Status::success();
+    }
   }
+  this->Renderer = std::make_unique<stipple::CPUMapBackend>();
   return stipple::Status::success();
 }
 
@@ -334,6 +372,7 @@ int vtkGeometryMapRenderer::RequestData(
     }
   }
   self.BackendName = backendName;
+  const FinishAtEnd finish{ *self.Renderer };
   for (unsigned int c = 0; c < n; ++c)
   {
     const auto progress = [&](double fraction)

@@ -73,8 +73,8 @@ def volume(points, triangles):
 def assert_sound(test, mesh, number_of_points, euler):
     """Exactly so many points, a manifold, nothing degenerate, the Euler characteristic as it has to be."""
     figures = stipple.quality(mesh)
-    test.assertEqual(figures["points"], number_of_points)
-    for name in ("unused_points", "nonmanifold_edges", "misoriented_edges", "degenerate"):
+    test.assertEqual(figures["V"], number_of_points)
+    for name in ("isolated", "nonmanifold_edges", "misoriented_edges", "degenerate"):
         test.assertEqual(figures[name], 0, name)
-    test.assertEqual(figures["euler_characteristic"], euler)
+    test.assertEqual(figures["euler"], euler)
     return figures

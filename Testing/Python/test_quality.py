@@ -15,10 +15,10 @@ class Quality(unittest.TestCase):
         triangles = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
         figures = stipple.quality((points, triangles), reference=(points, triangles))
         for name, value in {
-            "points": 4, "triangles": 4, "unused_points": 0, "nonmanifold_edges": 0, "boundary_edges": 0,
-            "misoriented_edges": 0, "components": 1, "boundary_loops": 0, "euler_characteristic": 2,
-            "degenerate": 0, "Qmin": 1, "Qavg": 1, "angle_min": 60, "angle_max": 60, "pct_below_30": 0,
-            "pct_above_90": 0, "valence_6_pct": 0, "area_cv": 0, "edge_cv": 0, "area": 8 * np.sqrt(3),
+            "V": 4, "F": 4, "isolated": 0, "nonmanifold_edges": 0, "boundary_edges": 0,
+            "misoriented_edges": 0, "components": 1, "boundary_loops": 0, "euler": 2, "genus": 0,
+            "degenerate": 0, "Qmin": 1, "Qavg": 1, "angle_min": 60, "angle_max": 60, "pct_lt30": 0,
+            "pct_gt90": 0, "V6_pct": 0, "area_cv": 0, "edge_cv": 0, "area": 8 * np.sqrt(3),
             "rms_pct": 0, "hausdorff_pct": 0,
         }.items():  # fmt: skip
             self.assertAlmostEqual(figures[name], value, places=6, msg=name)
@@ -28,8 +28,8 @@ class Quality(unittest.TestCase):
         figures = stipple.quality((points, [[0, 1, 2], [3, 4, 5]]))
         self.assertEqual(figures["components"], 2)
         self.assertEqual(figures["boundary_loops"], 2)
-        self.assertEqual(figures["euler_characteristic"], 2)
-        self.assertEqual(figures["unused_points"], 1)
+        self.assertEqual(figures["euler"], 2)
+        self.assertEqual(figures["isolated"], 1)
         self.assertAlmostEqual(figures["area"], 1)
 
     def test_defects_are_counted(self):
@@ -40,15 +40,30 @@ class Quality(unittest.TestCase):
         self.assertEqual(figures["misoriented_edges"], 1)
         self.assertEqual(figures["degenerate"], 1)
 
+    def test_pinched_point(self):
+        points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+        figures = stipple.quality((points, [[0, 1, 2], [0, 3, 4]]))
+        self.assertEqual(figures["nonmanifold_vertices"], 1)
+        self.assertEqual(figures["components"], 1)
+
+    def test_large_loop_and_many_components(self):
+        points, triangles = shapes.arrays(shapes.plane(100))
+        shifted = [(points + [3 * k, 0, 0], triangles + k * len(points)) for k in range(3)]
+        figures = stipple.quality((np.vstack([s[0] for s in shifted]), np.vstack([s[1] for s in shifted])))
+        self.assertEqual((figures["components"], figures["boundary_loops"], figures["euler"]), (3, 3, 3))
+        self.assertEqual(figures["nonmanifold_vertices"], 0)
+
     def test_distance(self):
         points, triangles = shapes.arrays(shapes.plane())
         figures = stipple.quality((points + [0, 0, 0.01], triangles), reference=(points, triangles))
         self.assertAlmostEqual(figures["rms_pct"], 1 / np.sqrt(2), places=6)
         self.assertAlmostEqual(figures["hausdorff_pct"], 1 / np.sqrt(2), places=6)
+        self.assertAlmostEqual(figures["area_ratio"], 1)
+        self.assertTrue(figures["same_topology"])
 
     def test_no_triangles(self):
         figures = stipple.quality(([], []))
-        self.assertEqual(figures["triangles"], 0)
+        self.assertEqual(figures["F"], 0)
         self.assertTrue(np.isnan(figures["Qavg"]))
         with self.assertRaisesRegex(ValueError, "reference"):
             stipple.quality(shapes.plane(), reference=([], []))

@@ -23,17 +23,20 @@ def quality(mesh, reference=None, samples=20000):
     Returns
     -------
     dict
-        - points, triangles, unused_points;
-        - nonmanifold_edges, boundary_edges, misoriented_edges, components, boundary_loops, euler_characteristic;
+        The figures of `stipple --report` by the same names:
+
+        - V, F, isolated: points, triangles, points that no triangle uses;
+        - nonmanifold_edges, boundary_edges, misoriented_edges, nonmanifold_vertices, components, boundary_loops;
+        - euler: V - E + F over the points that triangles use; genus: that of all components together;
         - degenerate: triangles of no area;
         - Qmin, Qavg: 6/sqrt(3) area / (half perimeter x longest edge), 1 for an equilateral triangle;
         - angle_min, angle_min_avg, angle_max: degrees;
-        - pct_below_30, pct_above_90: % of the triangles with such an angle;
-        - valence_6_pct, valence_5_to_7_pct: % of the interior points;
+        - pct_lt30, pct_gt90: % of the triangles with an angle below 30, above 90 degrees;
+        - V6_pct, V567_pct: % of the interior points with 6, with 5 to 7 neighbours;
         - area_cv, edge_cv: standard deviation / mean of the triangles' areas and of the edges' lengths;
         - area, in the square of the unit of the points;
         - with a reference: rms_pct and hausdorff_pct, the larger of the two directions, in % of the diagonal of the
-          reference's bounding box.
+          reference's bounding box; area_ratio; same_topology (components, boundary_loops and euler agree).
 
         Figures of shape are nan for a mesh without triangles.
 
@@ -44,66 +47,95 @@ def quality(mesh, reference=None, samples=20000):
     """
     data = from_mesh(mesh)
     points, triangles = points_of(data), triangles_of(data)
-    result = _topology(points, triangles)
-    result.update(_shape(points, triangles))
+    result = {**_topology(points, triangles), **_shape(points, triangles)}
     if reference is not None:
         data = from_mesh(reference, "reference")
-        result.update(_distance((points, triangles), (points_of(data), triangles_of(data)), int(samples)))
+        other = points_of(data), triangles_of(data)
+        if len(other[1]) == 0:
+            raise ValueError("reference has no triangles")
+        result.update(_distance((points, triangles), other, int(samples)))
+        result["area_ratio"] = result["area"] / _shape(*other)["area"]
+        topology = _topology(*other)
+        result["same_topology"] = all(result[k] == topology[k] for k in ("components", "boundary_loops", "euler"))
     return result
 
 
 def _edges(points, triangles):
-    """Ends of the edges, number of triangles at each, number of halfedges that a second triangle runs along too."""
+    """Ends of the edges, number of triangles at each, number of directed edges that occur more than once."""
     half = np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    low, high = half.min(axis=1), half.max(axis=1)
     size = np.int64(len(points) + 1)
-    key, count = np.unique(low * size + high, return_counts=True)
+    key, count = np.unique(half.min(axis=1) * size + half.max(axis=1), return_counts=True)
     directed = np.unique(half[:, 0] * size + half[:, 1], return_counts=True)[1]
     return key // size, key % size, count, int((directed > 1).sum())
 
 
-def _number_of_components(size, first, second):
-    """Connected components of a graph of size nodes."""
+def _components(size, first, second):
+    """A label for each of size nodes of a graph, the same for all of a connected component."""
     label = np.arange(size)
     while True:
         low = np.minimum(label[first], label[second])
         new = label.copy()
+        np.minimum.at(new, first, low)
+        np.minimum.at(new, second, low)
         np.minimum.at(new, label[first], low)
         np.minimum.at(new, label[second], low)
         new = new[new]
         if np.array_equal(new, label):
-            return len(np.unique(label))
+            return label
         label = new
+
+
+def _fans(points, triangles):
+    """Number of fans of triangles around each point; two triangles of a point are of one fan if they share an edge."""
+    face = np.tile(np.arange(len(triangles)), 3)
+    half = np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    key = half.min(axis=1) * np.int64(len(points) + 1) + half.max(axis=1)
+    order = np.argsort(key, kind="stable")
+    same = key[order][1:] == key[order][:-1]
+    one, two = order[:-1][same], order[1:][same]
+
+    def corner(halfedge, point):
+        return 3 * face[halfedge] + np.argmax(triangles[face[halfedge]] == point[:, None], axis=1)
+
+    ends = half[one, 0], half[one, 1]
+    label = _components(
+        triangles.size,
+        np.concatenate([corner(one, end) for end in ends]),
+        np.concatenate([corner(two, end) for end in ends]),
+    )
+    pairs = np.unique(np.stack([triangles.ravel(), label], axis=1), axis=0)
+    return np.bincount(pairs[:, 0], minlength=len(points))
 
 
 def _topology(points, triangles):
     used = np.unique(triangles)
     first, second, count, misoriented = _edges(points, triangles)
-    unused = len(points) - len(used)
+    isolated = len(points) - len(used)
     border = count == 1
     ends = np.unique(np.concatenate([first[border], second[border]]))
-    loops = 0
-    if border.any():
-        loops = _number_of_components(
-            len(ends), np.searchsorted(ends, first[border]), np.searchsorted(ends, second[border])
-        )
+    rim = _components(len(ends), np.searchsorted(ends, first[border]), np.searchsorted(ends, second[border]))
+    loops = len(np.unique(rim))
+    components = len(np.unique(_components(len(points), first, second))) - isolated
+    euler = len(used) - len(first) + len(triangles)
     return {
-        "points": len(points),
-        "triangles": len(triangles),
-        "unused_points": unused,
+        "V": len(points),
+        "F": len(triangles),
+        "isolated": isolated,
         "nonmanifold_edges": int((count > 2).sum()),
         "boundary_edges": int(border.sum()),
         "misoriented_edges": misoriented,
-        "components": _number_of_components(len(points), first, second) - unused,
+        "nonmanifold_vertices": int((_fans(points, triangles) > 1).sum()),
+        "components": components,
         "boundary_loops": loops,
-        "euler_characteristic": len(used) - len(first) + len(triangles),
+        "euler": euler,
+        "genus": (2 * components - loops - euler) / 2,
     }
 
 
 def _shape(points, triangles):
     names = (
-        "Qmin", "Qavg", "angle_min", "angle_min_avg", "angle_max", "pct_below_30", "pct_above_90",
-        "valence_6_pct", "valence_5_to_7_pct", "area_cv", "edge_cv",
+        "Qmin", "Qavg", "angle_min", "angle_min_avg", "angle_max", "pct_lt30", "pct_gt90",
+        "V6_pct", "V567_pct", "area_cv", "edge_cv",
     )  # fmt: skip
     if len(triangles) == 0:
         return {"degenerate": 0, **dict.fromkeys(names, float("nan")), "area": 0.0}
@@ -170,8 +202,6 @@ def _to_surface(places, points, triangles):
 
 
 def _distance(mesh, reference, samples):
-    if len(reference[1]) == 0:
-        raise ValueError("reference has no triangles")
     if len(mesh[1]) == 0:
         return {"rms_pct": float("nan"), "hausdorff_pct": float("nan")}
     corners = reference[0][np.unique(reference[1])]

@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include "MeshFile.h"
+#include "TextNumbers.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <set>
+
+namespace stipple
+{
+namespace
+{
+/// Stores an argument, or says in one sentence (without the option's name) what is wrong with it.
+using Setter = std::function<std::string(Options&, const std::string&)>;
+
+struct Entry
+{
+  std::string name;     ///< with its dashes
+  std::string argument; ///< empty for a flag
+  std::string help;     ///< lines
+  Setter set;
+};
+
+struct Group
+{
+  std::string title;
+  std::vector<Entry> entries;
+};
+
+std::string list(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+Setter text(std::string Options::*member)
+{
+  return [member](Options& o, const std::string& s) {
+    o.*member = s;
+    return s.empty() ? std::string("needs a file name") : std::string();
+  };
+}
+
+Setter integer(int Options::*member, int low, int high)
+{
+  return [=](Options& o, const std::string& s) {
+    return parseInteger(s, low, high, o.*member)
+      ? std::string()
+      : "needs a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+        ", not '" + s + "'";
+  };
+}
+
+Setter number(double Options::*member, bool Options::*given, double low, double high,
+  const std::string& range)
+{
+  return [=](Options& o, const std::string& s) {
+    o.*given = true;
+    return parseNumber(s, o.*member) && o.*member >= low && o.*member <= high
+      ? std::string()
+      : "needs a number " + range + ", not '" + s + "'";
+  };
+}
+
+Setter choice(std::string Options::*member, const std::vector<std::string>& words)
+{
+  return [=](Options& o, const std::string& s) {
+    o.*member = s;
+    if (std::find(words.begin(), words.end(), s) != words.end())
+    {
+      return std::string();
+    }
+    const std::string near = nearestWord(s, words);
+    return "is one of " + list(words) + ", not '" + s + "'" +
+      (near.empty() ? "" : "; did you mean '" + near + "'?");
+  };
+}
+
+/// An option whose stage comes later; the words that are available already are accepted.
+Setter notYet(const std::vector<std::string>& available, const std::vector<std::string>& later)
+{
+  return [=](Options&, const std::string& s) -> std::string {
+    if (std::find(available.begin(), available.end(), s) != available.end())
+    {
+      return {};
+    }
+    if (later.empty() || std::find(later.begin(), later.end(), s) != later.end())
+    {
+      return s + " is not available yet";
+    }
+    std::vector<std::string> all = available;
+    all.insert(all.end(), later.begin(), later.end());
+    return "is one of " + list(all) + ", not '" + s + "'";
+  };
+}
+
+std::string setMapSize(Options& o, const std::string& s)
+{
+  o.mapSize = 0;
+  return s == "auto" || parseInteger(s, 16, 8192, o.mapSize)
+    ? ""
+    : "needs auto or a whole number of pixels from 16 to 8192, not '" + s + "'";
+}
+
+std::string setTransfer(Options& o, const std::string& s)
+{
+  return parseTransfer(s, o.transfer);
+}
+
+std::string setPanel(Options& o, const std::string& s)
+{
+  const std::vector<std::string> words = { "all", "before", "charts", "maps", "samples", "after" };
+  const auto found = std::find(words.begin(), words.end(), s);
+  o.panel = static_cast<PicturePanel>(found - words.begin());
+  return found == words.end() ? "is one of " + list(words) + ", not '" + s + "'" : "";
+}
+
+Setter flag(bool Options::*member)
+{
+  return [member](Options& o, const std::string&) {
+    o.*member = true;
+    return std::string();
+  };
+}
+
+const std::vector<Group>& groups()
+{
+  static const std::vector<Group> table = {
+    { "Sampling",
+      { { "--points", "N",
+          "exact number of output points, 1 to 10000000\n(default: as many as the input has after welding)",
+          integer(&Options::points, 1, MaximumNumberOfPoints) },
+        { "--importance", "KIND",
+          "what attracts samples: uniform, mean, gaussian, minimum,\nmaximum, total (curvatures), l2, "
+          "image or array (default: uniform)",
+          choice(&Options::importance,
+            { "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image", "array" }) },
+        { "--importance-image", "FILE", "the image for --importance image (PNG, JPEG, TIFF, VTI, ...)",
+          text(&Options::importanceImage) },
+        { "--importance-array", "NAME", "the input's point or cell array for --importance array",
+          text(&Options::importanceArray) },
+        { "--gamma", "G", "exponent on the importance, -10 to 10 (default: 1)",
+          number(&Options::gamma, &Options::hasGamma, -10, 10, "from -10 to 10") },
+        { "--transfer", "X0:Y0,X1:Y1,...", "piecewise linear curve on the importance; X ascending, X and Y 0 to 1",
+          setTransfer },
+        { "--gradation", "SIGMA", "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
+          number(&Options::gradation, &Options::hasGradation, 0, 100, "from 0 to 100") },
+        { "--minimum-density", "D", "least density, 0 to 1 of the maximum",
+          number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") } } },
+    { "Features and charts",
+      { { "--feature-angle", "DEG",
+          "an edge bent by more is a feature, 0 to 180 degrees\n(default: 40; 180: none)",
+          number(&Options::featureAngle, &Options::hasFeatureAngle, 0, 180, "from 0 to 180") },
+        { "--feature-edges", "FILE", "more feature edges: two input point ids a line, from 0",
+          text(&Options::featureEdges) },
+        { "--constraints", "FILE", "positions that must become vertices: x y z a line",
+          text(&Options::constraints) },
+        { "--charts", "K", "at least so many charts (default: 1)",
+          integer(&Options::charts, 1, 100000) },
+        { "--map-size", "auto|S", "pixels along the longer side of a map, 16 to 8192\n(default: auto)",
+          setMapSize },
+        { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
+          choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
+    { "Mesh",
+      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect",
+          choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
+        { "--smoothing", "KIND", "none, area, density or lloyd",
+          choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
+        { "--iterations", "I", "rounds of optimisation, 0 to 1000",
+          integer(&Options::iterations, 0, 1000) },
+        { "--pattern", "KIND", "triangles (default); quads and semiregular are not\navailable yet",
+          notYet({ "triangles" }, { "quads", "semiregular" }) },
+        { "--subdivisions", "L", "not available yet", notYet({}, {}) } } },
+    { "Files beside the output",
+      { { "--report", "FILE.json", "counts, seconds, repairs and quality figures",
+          text(&Options::report) },
+        { "--picture", "FILE.png", "a sheet: before, charts, maps, samples, after",
+          text(&Options::picture) },
+        { "--picture-panel", "NAME", "only one of it: before, charts, maps, samples or after\n(default: all)",
+          setPanel },
+        { "--save-charts", "FILE", "charts with their parameters (.vtpc, or .vtp in one piece)",
+          text(&Options::saveCharts) },
+        { "--save-maps", "DIR", "the maps of every chart: a PNG a map, one .vti of floats",
+          text(&Options::saveMaps) },
+        { "--save-samples", "FILE", "samples before they are meshed (.vtp, .vtk or .ply)",
+          text(&Options::saveSamples) } } },
+    { "General",
+      { { "--threads", "T", "threads to use, 1 to 1024 (default: all); the output is\nthe same for any",
+          integer(&Options::threads, 1, 1024) },
+        { "--quiet", "", "no progress, no warnings", flag(&Options::quiet) },
+        { "--verbose", "", "warnings, seconds and repairs, on stderr", flag(&Options::verbose) },
+        { "--version", "", "versions of Stipple, VTK, CGAL and the GL renderer", {} },
+        { "--help", "", "this text", {} } } }
+  };
+  return table;
+}
+
+const Entry* findEntry(const std::string& name)
+{
+  for (const Group& group : groups())
+  {
+    for (const Entry& entry : group.entries)
+    {
+      if (entry.name == name)
+      {
+        return &entry;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// Number of insertions, deletions, replacements and swaps of neighbours between two words.
+int editDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+  {
+    for (std::size_t j = 0; j <= b.size(); ++j)
+    {
+      if (i == 0 || j == 0)
+      {
+        d[i][j] = static_cast<int>(i + j);
+        continue;
+      }
+      d[i][j] = std::min(
+        { d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]) });
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+      {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+std::string unknownOption(const std::string& name)
+{
+  std::vector<std::string> names;
+  for (const Group& group : groups())
+  {
+    for (const Entry& entry : group.entries)
+    {
+      names.push_back(entry.name);
+    }
+  }
+  const std::string near = nearestWord(name, names);
+  return "unknown option '" + name + "'" +
+    (near.empty() ? "; --help lists them all" : "; did you mean '" + near + "'?");
+}
+
+/// What no single option can tell.
+std::string checkTogether(Options& o, bool importanceGiven)
+{
+  if (o.input.empty())
+  {
+    return "no input file; usage: stipple INPUT -o OUTPUT [options]";
+  }
+  if (o.output.empty())
+  {
+    return "no output file; say -o FILE";
+  }
+  if (!importanceGiven && (!o.importanceImage.empty() || !o.importanceArray.empty()))
+  {
+    o.importance = o.importanceImage.empty() ? "array" : "image";
+  }
+  if ((o.importance == "image") != !o.importanceImage.empty())
+  {
+    return "--importance image and --importance-image FILE go together";
+  }
+  if ((o.importance == "array") != !o.importanceArray.empty())
+  {
+    return "--importance array and --importance-array NAME go together";
+  }
+  if (o.quiet && o.verbose)
+  {
+    return "--quiet and --verbose exclude each other";
+  }
+  if (o.panel != PicturePanel::All && o.picture.empty())
+  {
+    return "--picture-panel needs --picture FILE.png";
+  }
+  const auto wrongExtension = [](const std::string& option, const std::string& file,
+                                const std::vector<std::string>& extensions) -> std::string {
+    if (file.empty() ||
+      std::find(extensions.begin(), extensions.end(), fileExtension(file)) != extensions.end())
+    {
+      return {};
+    }
+    return option + " '" + file + "' must end in " + list(extensions);
+  };
+  for (const std::string& wrong :
+    { wrongExtension("the input", o.input, meshFileExtensions()),
+      wrongExtension("the output", o.output, meshFileExtensions()),
+      wrongExtension("--picture", o.picture, { ".png" }),
+      wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),
+      wrongExtension("--save-samples", o.saveSamples, { ".vtp", ".vtk", ".ply" }) })
+  {
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+  }
+  std::set<std::string> files;
+  for (const std::string& file :
+    { o.output, o.report, o.picture, o.saveCharts, o.saveMaps, o.saveSamples })
+  {
+    if (!file.empty() && !files.insert(file).second)
+    {
+      return "'" + file + "' is named as the output of two options";
+    }
+  }
+  return {};
+}
+}
+
+std::string nearestWord(const std::string& typed, const std::vector<std::string>& words)
+{
+  std::string best;
+  int bestDistance = std::max<int>(2, static_cast<int>(typed.size()) / 3) + 1;
+  for (const std::string& word : words)
+  {
+    const bool beginning = typed.size() >= 4 && word.compare(0, typed.size(), typed) == 0;
+    const int distance = beginning ? 1 : editDistance(typed, word);
+    if (distance < bestDistance)
+    {
+      bestDistance = distance;
+      best = word;
+    }
+  }
+  return best;
+}
+
+CommandLine parseCommandLine(const std::vector<std::string>& arguments)
+{
+  CommandLine result;
+  Options& o = result.options;
+  bool importanceGiven = false;
+  bool onlyFiles = false; // after "--"
+  std::string problem;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string& argument = arguments[i];
+    if (onlyFiles || argument.size() < 2 || argument[0] != '-')
+    {
+      if (problem.empty() && !o.input.empty())
+      {
+        problem = "two input files, '" + o.input + "' and '" + argument + "'";
+      }
+      o.input = argument;
+      continue;
+    }
+    if (argument == "--")
+    {
+      onlyFiles = true;
+      continue;
+    }
+    const std::size_t equals = argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
+    const std::string name = argument.substr(0, equals);
+    if (name == "--help" || name == "-h" || name == "--version")
+    {
+      result.action =
+        name == "--version" ? CommandLine::Action::Version : CommandLine::Action::Help;
+      return result;
+    }
+    const bool isOutput = name == "-o" || name == "--output";
+    const Entry* entry = isOutput ? nullptr : findEntry(name);
+    if (!entry && !isOutput)
+    {
+      problem = problem.empty() ? unknownOption(name) : problem;
+      continue;
+    }
+    std::string value;
+    if (isOutput || !entry->argument.empty())
+    {
+      if (equals == std::string::npos && i + 1 == arguments.size())
+      {
+        problem = problem.empty() ? name + " needs " + (isOutput ? "FILE" : entry->argument) : problem;
+        break;
+      }
+      value = equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1);
+    }
+    else if (equals != std::string::npos && problem.empty())
+    {
+      problem = name + " takes no value";
+    }
+    importanceGiven |= name == "--importance";
+    const std::string wrong = isOutput ? text(&Options::output)(o, value) : entry->set(o, value);
+    if (!wrong.empty() && problem.empty())
+    {
+      problem = name + " " + wrong;
+    }
+  }
+  if (problem.empty())
+  {
+    problem = arguments.empty() ? "no input file; usage: stipple INPUT -o OUTPUT [options]"
+                                : checkTogether(o, importanceGiven);
+  }
+  if (!problem.empty())
+  {
+    result.action = CommandLine::Action::UsageError;
+    result.message = problem;
+  }
+  return result;
+}
+
+std::string helpText()
+{
+  constexpr std::size_t Indent = 30;
+  std::string help = "usage: stipple INPUT -o OUTPUT [options]\n\n"
+                     "Remeshes a triangle surface: charts, maps, halftoned samples, triangles.\n"
+                     "Meshes are read and written as " +
+    list(meshFileExtensions()) + ".\n\n  -o, --output FILE           the mesh to write\n";
+  for (const Group& group : groups())
+  {
+    help += "\n" + group.title + ":\n";
+    for (const Entry& entry : group.entries)
+    {
+      std::string line = "  " + entry.name + (entry.argument.empty() ? "" : " " + entry.argument);
+      line += line.size() + 2 > Indent ? "\n" + std::string(Indent, ' ')
+                                       : std::string(Indent - line.size(), ' ');
+      for (char c : entry.help)
+      {
+        line += c;
+        if (c == '\n')
+        {
+          line += std::string(Indent, ' ');
+        }
+      }
+      help += line + "\n";
+    }
+  }
+  help += "\nExit status: 0 written, 1 could not be done (one sentence on stderr, no output file),\n"
+          "2 wrong usage.\n";
+  return help;
+}
+}

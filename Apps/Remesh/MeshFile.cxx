@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFile.h"
+
+#include "Messages.h"
+#include "OffFile.h"
+#include "TextNumbers.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+namespace stipple
+{
+namespace
+{
+Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mesh)
+{
+  ErrorCollector errors(reader);
+  reader->Update();
+  vtkDataObject* output = reader->GetOutputDataObject(0);
+  vtkPolyData* read = vtkPolyData::SafeDownCast(output);
+  if (read && errors.first().empty())
+  {
+    mesh->ShallowCopy(read);
+    return Status::success();
+  }
+  if (output && !read)
+  {
+    return Status::error("'" + file + "' holds a " + output->GetClassName() +
+      ", not a vtkPolyData: extract its surface first");
+  }
+  return Status::error("cannot read '" + file + "'" + (errors.first().empty() ? "" : ": " + errors.first()));
+}
+
+Status readByExtension(const std::string& file, vtkPolyData* mesh)
+{
+  const std::string extension = fileExtension(file);
+  if (extension == ".off")
+  {
+    return readOff(file, mesh);
+  }
+  if (extension == ".ply")
+  {
+    vtkNew<vtkPLYReader> reader;
+    reader->SetFileName(file.c_str());
+    return readByVTK(reader, file, mesh);
+  }
+  if (extension == ".obj")
+  {
+    vtkNew<vtkOBJReader> reader;
+    reader->SetFileName(file.c_str());
+    return readByVTK(reader, file, mesh);
+  }
+  if (extension == ".stl")
+  {
+    vtkNew<vtkSTLReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->MergingOff(); // the atlas welds, and counts what it welded
+    return readByVTK(reader, file, mesh);
+  }
+  if (extension == ".vtp")
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    return readByVTK(reader, file, mesh);
+  }
+  if (extension == ".vtk")
+  {
+    vtkNew<vtkGenericDataObjectReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->ReadAllScalarsOn();
+    reader->ReadAllVectorsOn();
+    reader->ReadAllNormalsOn();
+    reader->ReadAllTensorsOn();
+    reader->ReadAllTCoordsOn();
+    reader->ReadAllFieldsOn();
+    return readByVTK(reader, file, mesh);
+  }
+  return Status::error("'" + file + "' has an unknown extension");
+}
+
+Status checkCells(const std::string& file, vtkPolyData* mesh)
+{
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      cells->GetCellAtId(c, size, ids);
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        if (ids[k] < 0 || ids[k] >= numberOfPoints)
+        {
+          return Status::error("face " + std::to_string(c) + " of '" + file + "' names point " +
+            std::to_string(ids[k]) + ", but there are " + std::to_string(numberOfPoints) +
+            " points, from 0");
+        }
+      }
+    }
+  }
+  return Status::success();
+}
+
+Status checkPoints(const std::string& file, vtkPolyData* mesh)
+{
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    mesh->GetPoint(p, x);
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      return Status::error("point " + std::to_string(p) + " of '" + file + "' lies at (" +
+        shortestText(x[0]) + ", " + shortestText(x[1]) + ", " + shortestText(x[2]) +
+        "): every coordinate must be finite");
+    }
+  }
+  return Status::success();
+}
+
+Status checkFaces(const std::string& file, vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0)
+  {
+    return Status::success();
+  }
+  if (mesh->GetNumberOfLines() > 0)
+  {
+    return Status::error("'" + file + "' holds only lines, no faces");
+  }
+  return Status::error(mesh->GetNumberOfPoints() > 0 ? "'" + file + "' holds only points, no faces"
+                                                     : "'" + file + "' holds an empty mesh");
+}
+
+/// VTK 9.1's writer rounds coordinates to float, which can fold small triangles: ours keeps doubles.
+Status writePly(vtkPolyData* mesh, const std::string& file)
+{
+  std::ofstream stream(file, std::ios::binary);
+  const std::uint16_t one = 1;
+  const bool little = *reinterpret_cast<const unsigned char*>(&one) == 1;
+  stream << "ply\nformat binary_" << (little ? "little" : "big") << "_endian 1.0\ncomment Stipple\nelement vertex "
+         << mesh->GetNumberOfPoints() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+         << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    mesh->GetPoint(p, x);
+    stream.write(reinterpret_cast<const char*>(x), sizeof(x));
+  }
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(f, size, ids);
+    stream.put(static_cast<char>(size));
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      const std::int32_t id = static_cast<std::int32_t>(ids[k]);
+      stream.write(reinterpret_cast<const char*>(&id), sizeof(id));
+    }
+  }
+  stream.close();
+  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
+}
+
+/// VTK 9.1's writer keeps six digits.
+Status writeObj(vtkPolyData* mesh, const std::string& file)
+{
+  std::ofstream stream(file, std::ios::binary);
+  stream << "# Stipple\n";
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    mesh->GetPoint(p, x);
+    stream << "v " << shortestText(x[0]) << ' ' << shortestText(x[1]) << ' ' << shortestText(x[2]) << '\n';
+  }
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(f, size, ids);
+    stream << 'f';
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      stream << ' ' << ids[k] + 1;
+    }
+    stream << '\n';
+  }
+  stream.close();
+  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
+}
+
+template <typename WriterT>
+Status writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
+{
+  ErrorCollector errors(writer);
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(mesh);
+  return writer->Write() && writer->GetErrorCode() == 0 && errors.first().empty()
+    ? Status::success()
+    : Status::error("cannot write '" + file + "'");
+}
+}
+
+const std::vector<std::string>& meshFileExtensions()
+{
+  static const std::vector<std::string> extensions = { ".ply", ".obj", ".stl", ".off", ".vtp", ".vtk" };
+  return extensions;
+}
+
+std::string fileExtension(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh)
+{
+  mesh = vtkSmartPointer<vtkPolyData>::New();
+  std::error_code code;
+  if (!std::filesystem::exists(file, code))
+  {
+    return Status::error("there is no file '" + file + "'");
+  }
+  if (std::filesystem::is_directory(file, code) || !std::ifstream(file))
+  {
+    return Status::error("cannot read '" + file + "'");
+  }
+  if (std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) == 0)
+  {
+    return Status::error("'" + file + "' is empty");
+  }
+  Status status = readByExtension(file, mesh);
+  for (const auto check : { checkCells, checkPoints, checkFaces })
+  {
+    if (status.ok())
+    {
+      status = check(file, mesh);
+    }
+  }
+  return status;
+}
+
+Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)
+{
+  if (extension == ".off")
+  {
+    return writeOff(mesh, file);
+  }
+  if (extension == ".ply")
+  {
+    return writePly(mesh, file);
+  }
+  if (extension == ".obj")
+  {
+    return writeObj(mesh, file);
+  }
+  if (extension == ".stl")
+  {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileTypeToBinary();
+    return writeByVTK(writer.Get(), mesh, file);
+  }
+  if (extension == ".vtp")
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    return writeByVTK(writer.Get(), mesh, file);
+  }
+  if (extension == ".vtk")
+  {
+    vtkNew<vtkPolyDataWriter> writer;
+    writer->SetFileTypeToBinary();
+    return writeByVTK(writer.Get(), mesh, file);
+  }
+  return Status::error("'" + file + "' has an unknown extension");
+}
+}

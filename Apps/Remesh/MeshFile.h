@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes in files, by extension.
+#ifndef stipple_MeshFile_h
+#define stipple_MeshFile_h
+
+#include "Progress.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace stipple
+{
+/// ".ply", ".obj", ".stl", ".off", ".vtp", ".vtk".
+[[nodiscard]] const std::vector<std::string>& meshFileExtensions();
+
+/// In lower case with its dot; empty if there is none.
+[[nodiscard]] std::string fileExtension(const std::string& file);
+
+/// Reads a surface and checks what no filter could repair: unreadable, empty, no faces, a coordinate that is
+/// not finite, a face that names a point which does not exist.
+[[nodiscard]] Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh);
+
+/// Writes binary where the format has it, in full precision where the format has it (all but STL). .vtp and
+/// .vtk keep all arrays. The format is that of `extension`.
+[[nodiscard]] Status writeMesh(
+  vtkPolyData* mesh, const std::string& file, const std::string& extension);
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Messages.h"
+
+#include "MessageText.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkObjectFactory.h"
+
+namespace stipple
+{
+vtkStandardNewMacro(CollectingOutputWindow);
+
+vtkSmartPointer<CollectingOutputWindow> CollectingOutputWindow::install()
+{
+  auto window = vtkSmartPointer<CollectingOutputWindow>::New();
+  vtkOutputWindow::SetInstance(window);
+  return window;
+}
+
+void CollectingOutputWindow::DisplayText(const char* text)
+{
+  this->Warnings.push_back(sentenceOf(text ? text : ""));
+}
+
+void CollectingOutputWindow::DisplayErrorText(const char* text)
+{
+  this->Errors.push_back(sentenceOf(text ? text : ""));
+}
+
+void CollectingOutputWindow::DisplayWarningText(const char* text)
+{
+  this->Warnings.push_back(sentenceOf(text ? text : ""));
+}
+
+void CollectingOutputWindow::DisplayGenericWarningText(const char* text)
+{
+  this->Warnings.push_back(sentenceOf(text ? text : ""));
+}
+
+ErrorCollector::ErrorCollector(vtkObject* object)
+  : Object(object)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback(&ErrorCollector::execute);
+  this->Tag = object->AddObserver(vtkCommand::ErrorEvent, command);
+}
+
+ErrorCollector::~ErrorCollector()
+{
+  this->Object->RemoveObserver(this->Tag);
+}
+
+void ErrorCollector::execute(vtkObject*, unsigned long, void* self, void* message)
+{
+  auto* collector = static_cast<ErrorCollector*>(self);
+  if (collector->First.empty() && message)
+  {
+    collector->First = sentenceOf(static_cast<const char*>(message));
+  }
+}
+}

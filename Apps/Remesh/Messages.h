@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK's own messages, collected instead of printed, so that a failure is one line.
+#ifndef stipple_Messages_h
+#define stipple_Messages_h
+
+#include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkObject;
+
+namespace stipple
+{
+/// Takes the place of VTK's output window: nothing is printed, everything is kept.
+class CollectingOutputWindow : public vtkOutputWindow
+{
+public:
+  static CollectingOutputWindow* New();
+  vtkTypeMacro(CollectingOutputWindow, vtkOutputWindow);
+
+  /// Makes a new one VTK's output window.
+  static vtkSmartPointer<CollectingOutputWindow> install();
+
+  void DisplayText(const char* text) override;
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+  void DisplayDebugText(const char*) override {}
+
+  const std::vector<std::string>& errors() const { return this->Errors; }
+  const std::vector<std::string>& warnings() const { return this->Warnings; }
+
+private:
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+};
+
+/// Collects the errors of one object as long as it lives.
+class ErrorCollector
+{
+public:
+  explicit ErrorCollector(vtkObject* object);
+  ~ErrorCollector();
+  ErrorCollector(const ErrorCollector&) = delete;
+  ErrorCollector& operator=(const ErrorCollector&) = delete;
+  /// The first sentence, or nothing.
+  const std::string& first() const { return this->First; }
+
+private:
+  static void execute(vtkObject* caller, unsigned long event, void* self, void* message);
+  vtkSmartPointer<vtkObject> Object;
+  unsigned long Tag;
+  std::string First;
+};
+}
+
+#endif

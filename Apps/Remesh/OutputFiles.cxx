@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputFiles.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace stipple
+{
+namespace
+{
+fs::path parentOf(const fs::path& target)
+{
+  const fs::path normal = fs::absolute(target).lexically_normal();
+  return (normal.has_filename() ? normal : normal.parent_path()).parent_path();
+}
+
+std::string besideName(const fs::path& target)
+{
+  const fs::path normal = fs::absolute(target).lexically_normal();
+  const fs::path name = normal.has_filename() ? normal.filename() : normal.parent_path().filename();
+  return (parentOf(target) / ("." + name.string() + "." + std::to_string(getpid()) + ".part")).string();
+}
+
+bool isSpecial(const fs::path& target)
+{
+  std::error_code code;
+  return fs::exists(target, code) && !fs::is_regular_file(target, code) && !fs::is_directory(target, code);
+}
+
+Status cannotWrite(const std::string& target, const std::error_code& code)
+{
+  return Status::error("cannot write '" + target + "': " + code.message());
+}
+}
+
+OutputFiles::~OutputFiles()
+{
+  std::error_code ignored;
+  for (const Item& item : this->Items)
+  {
+    if (item.now != item.target)
+    {
+      fs::remove_all(item.now, ignored);
+    }
+  }
+}
+
+Status OutputFiles::check(const std::string& target, bool isFolder)
+{
+  std::error_code code;
+  const fs::path parent = parentOf(target);
+  if (!fs::is_directory(parent, code))
+  {
+    return Status::error("cannot write '" + target + "': there is no folder '" + parent.string() + "'");
+  }
+  const bool exists = fs::exists(target, code);
+  if (exists && fs::is_directory(target, code) != isFolder)
+  {
+    return Status::error(
+      "cannot write '" + target + "': it is " + (isFolder ? "no folder" : "a folder"));
+  }
+  const bool special = isSpecial(target);
+  if (access((special || (exists && isFolder) ? fs::path(target) : parent).c_str(), W_OK) != 0)
+  {
+    return cannotWrite(target, std::error_code(errno, std::generic_category()));
+  }
+  return Status::success();
+}
+
+std::string OutputFiles::aside(const std::string& target)
+{
+  const std::string now = isSpecial(target) ? target : besideName(target);
+  this->Items.push_back({ target, now, false });
+  return now;
+}
+
+Status OutputFiles::asideFolder(const std::string& target, std::string& folder)
+{
+  folder = besideName(target);
+  std::error_code code;
+  fs::create_directory(folder, code);
+  if (code)
+  {
+    return cannotWrite(target, code);
+  }
+  this->Items.push_back({ target, folder, true });
+  return Status::success();
+}
+
+Status OutputFiles::commit()
+{
+  std::error_code code;
+  for (const Item& item : this->Items)
+  {
+    if (!item.isFolder)
+    {
+      if (item.now != item.target)
+      {
+        fs::rename(item.now, item.target, code);
+      }
+    }
+    else
+    {
+      fs::create_directories(item.target, code);
+      for (auto file = fs::recursive_directory_iterator(item.now, code);
+           !code && file != fs::recursive_directory_iterator(); file.increment(code))
+      {
+        const fs::path place = item.target / fs::relative(file->path(), item.now, code);
+        if (file->is_directory(code))
+        {
+          fs::create_directories(place, code);
+        }
+        else if (!code)
+        {
+          fs::rename(file->path(), place, code);
+        }
+      }
+      if (!code)
+      {
+        fs::remove_all(item.now, code);
+      }
+    }
+    if (code)
+    {
+      return cannotWrite(item.target, code);
+    }
+  }
+  this->Items.clear();
+  return Status::success();
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MessageText.h"
+
+namespace stipple
+{
+std::string sentenceOf(const std::string& vtkMessage)
+{
+  std::string text = vtkMessage;
+  const std::size_t firstLine = text.find('\n');
+  const bool located = text.compare(0, 7, "ERROR: ") == 0 || text.compare(0, 9, "Warning: ") == 0 ||
+    text.compare(0, 17, "Generic Warning: ") == 0;
+  if (located && firstLine != std::string::npos)
+  {
+    text.erase(0, firstLine + 1);
+    const std::size_t address = text.find(" (0x");
+    const std::size_t colon = text.find("): ");
+    if (address < colon && colon != std::string::npos && text.find_first_of(" \n") == address)
+    {
+      text.erase(0, colon + 3);
+    }
+  }
+  for (char& c : text)
+  {
+    c = c == '\n' || c == '\r' ? ' ' : c;
+  }
+  const std::size_t end = text.find_last_not_of(' ');
+  return text.substr(0, end == std::string::npos ? 0 : end + 1);
+}
+}

@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeometryRemesher.h"
+
+#include "MessageText.h"
+
+#include "vtkCDTRemesh.h"
+#include "vtkCallbackCommand.h"
+#include "vtkConformalAtlas.h"
+#include "vtkControlMap.h"
+#include "vtkDataArraySelection.h"
+#include "vtkErrorDiffusionSampler.h"
+#include "vtkExecutive.h"
+#include "vtkGeometryMapRenderer.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
+#include "vtkRenderWindow.h"
+#include "vtkTimerLog.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+vtkStandardNewMacro(vtkGeometryRemesher);
+
+namespace
+{
+constexpr int NumberOfStages = 6;
+
+/// Where each stage's progress begins in the whole: about the shares of time it takes, and the end.
+constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7, 1. } };
+
+constexpr const char* StageNames[NumberOfStages] = { "atlas", "map renderer", "control map", "sampler",
+  "mesher", "optimizer" };
+}
+
+struct vtkGeometryRemesher::Internals
+{
+  vtkNew<vtkConformalAtlas> Atlas;
+  vtkNew<vtkGeometryMapRenderer> MapRenderer;
+  vtkNew<vtkControlMap> ControlMap;
+  vtkNew<vtkErrorDiffusionSampler> Sampler;
+  vtkNew<vtkCDTRemesh> Mesher;
+  vtkNew<vtkRemeshOptimizer> Optimizer;
+  std::array<vtkAlgorithm*, NumberOfStages> InOrder;
+  std::array<double, NumberOfStages> Seconds = {};
+
+  vtkWeakPointer<vtkPolyData> Input;
+  vtkMTimeType InputTime = 0;
+
+  vtkGeometryRemesher* Self = nullptr;
+  vtkNew<vtkCallbackCommand> Observer;
+  int Current = 0;
+  std::string StageError;     ///< the first that the stage reported
+  std::string ExecutiveError; ///< the first that its executive reported
+  bool Failed = false;        ///< a stage did in this execution
+  bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
+  vtkTimeStamp StoppedTime;
+  std::string EnabledArray; ///< the map that the importance ARRAY made this filter add
+
+  explicit Internals(vtkGeometryRemesher* self)
+    : Self(self)
+  {
+    this->InOrder = { { this->Atlas, this->MapRenderer, this->ControlMap, this->Sampler, this->Mesher,
+      this->Optimizer } };
+    vtkAlgorithmOutput* charts = this->Atlas->GetOutputPort(0);
+    vtkAlgorithmOutput* graph = this->Atlas->GetOutputPort(1);
+    this->MapRenderer->SetInputConnection(0, charts);
+    this->ControlMap->SetInputConnection(0, this->MapRenderer->GetOutputPort(0));
+    this->ControlMap->SetInputConnection(1, charts);
+    this->Sampler->SetInputConnection(0, this->ControlMap->GetOutputPort(0));
+    this->Sampler->SetInputConnection(1, charts);
+    this->Sampler->SetInputConnection(2, graph);
+    this->Mesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
+    this->Mesher->SetInputConnection(1, charts);
+    this->Mesher->SetInputConnection(2, graph);
+    this->Optimizer->SetInputConnection(0, this->Mesher->GetOutputPort(0));
+    this->Optimizer->SetInputConnection(1, charts);
+    this->Optimizer->SetInputConnection(2, graph);
+    this->Optimizer->SetInputConnection(3, this->ControlMap->GetOutputPort(0));
+    this->Observer->SetClientData(this);
+    this->Observer->SetCallback(&Internals::execute);
+    for (vtkAlgorithm* stage : this->InOrder)
+    {
+      stage->AddObserver(vtkCommand::ProgressEvent, this->Observer);
+      stage->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+      stage->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    }
+  }
+
+  ~Internals()
+  {
+    // A stage may outlive this filter in a caller's hands.
+    for (vtkAlgorithm* stage : this->InOrder)
+    {
+      stage->RemoveObserver(this->Observer);
+      stage->GetExecutive()->RemoveObserver(this->Observer);
+    }
+  }
+
+  static void execute(vtkObject* caller, unsigned long event, void* data, void* callData)
+  {
+    auto* self = static_cast<Internals*>(data);
+    vtkAlgorithm* stage = self->InOrder[self->Current];
+    if (event == vtkCommand::ErrorEvent)
+    {
+      std::string& text = caller == stage ? self->StageError : self->ExecutiveError;
+      if (text.empty() && callData)
+      {
+        text = stipple::sentenceOf(static_cast<const char*>(callData));
+      }
+    }
+    else if (caller == stage)
+    {
+      const double begin = ProgressBegin[self->Current];
+      const double end = ProgressBegin[self->Current + 1];
+      self->Self->UpdateProgress(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
+      if (self->Self->GetAbortExecute())
+      {
+        stage->SetAbortExecute(1);
+      }
+    }
+  }
+
+  /// Hands the input to the atlas if it is not the one of before.
+  void takeInput(vtkPolyData* input)
+  {
+    if (this->Input == input && this->InputTime == input->GetMTime())
+    {
+      return;
+    }
+    vtkNew<vtkPolyData> copy; // the atlas must not lead upstream of this filter
+    copy->ShallowCopy(input);
+    this->Atlas->SetInputDataObject(0, copy);
+    this->Input = input;
+    this->InputTime = input->GetMTime();
+  }
+
+  /// The importance ARRAY reads a map that is not made by default.
+  void selectMaps()
+  {
+    vtkDataArraySelection* maps = this->MapRenderer->GetMapSelection();
+    const char* name = this->ControlMap->GetImportanceArrayName();
+    const std::string wanted =
+      this->ControlMap->GetImportance() == vtkControlMap::ARRAY && name ? name : "";
+    if (wanted != this->EnabledArray && !this->EnabledArray.empty())
+    {
+      maps->DisableArray(this->EnabledArray.c_str());
+      this->EnabledArray.clear();
+    }
+    if (!wanted.empty() && !maps->ArrayIsEnabled(wanted.c_str()))
+    {
+      maps->EnableArray(wanted.c_str());
+      this->EnabledArray = wanted;
+    }
+  }
+};
+
+vtkGeometryRemesher::vtkGeometryRemesher()
+  : Stages(new Internals(this))
+{
+  this->SetNumberOfOutputPorts(7);
+}
+
+vtkGeometryRemesher::~vtkGeometryRemesher() = default;
+
+int vtkGeometryRemesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const bool collection = port == 2 || port == 4 || port == 6;
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), collection ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  return 1;
+}
+
+vtkMTimeType vtkGeometryRemesher::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkAlgorithm* stage : this->Stages->InOrder)
+  {
+    time = std::max(time, stage->GetMTime());
+  }
+  if (this->Stages->Stopped)
+  {
+    this->Stages->StoppedTime.Modified(); // newer than the outputs that the stopped execution left empty
+  }
+  return std::max(time, this->Stages->StoppedTime.GetMTime());
+}
+
+bool vtkGeometryRemesher::RunStage(int stage)
+{
+  Internals& s = *this->Stages;
+  s.Current = stage;
+  s.StageError.clear();
+  s.ExecutiveError.clear();
+  const double begin = vtkTimerLog::GetUniversalTime();
+  const bool updated = s.InOrder[stage]->GetExecutive()->Update() != 0;
+  s.Seconds[stage] = vtkTimerLog::GetUniversalTime() - begin;
+  if (s.InOrder[stage]->GetAbortExecute() || this->AbortExecute)
+  {
+    this->AbortExecute = 1;
+    s.InOrder[stage]->Modified(); // what it left is not its result
+    return false;
+  }
+  if (!updated || !s.StageError.empty())
+  {
+    s.InOrder[stage]->Modified();
+    const std::string sentence = !s.StageError.empty()
+      ? s.StageError
+      : (!s.ExecutiveError.empty() ? s.ExecutiveError
+                                   : "The " + std::string(StageNames[stage]) + " failed without saying why.");
+    s.Failed = true;
+    vtkErrorMacro(<< sentence);
+    return false;
+  }
+  this->UpdateProgress(ProgressBegin[stage + 1]);
+  return true;
+}
+
+bool vtkGeometryRemesher::RunStages()
+{
+  Internals& s = *this->Stages;
+  if (!this->RunStage(ATLAS))
+  {
+    return false;
+  }
+  const vtkIdType surfacePoints = s.Atlas->GetNumberOfSurfacePoints();
+  if (s.Atlas->GetNumberOfSurfaceTriangles() == 0)
+  {
+    vtkWarningMacro("The input has no triangle with an area: the output is empty.");
+    return false;
+  }
+  const int points = this->NumberOfPoints > 0
+    ? this->NumberOfPoints
+    : static_cast<int>(std::min<vtkIdType>(surfacePoints, this->GetNumberOfPointsMaxValue()));
+  s.selectMaps();
+  s.MapRenderer->SetNumberOfSamples(points);
+  s.Sampler->SetNumberOfSamples(points);
+  return this->RunStage(MAPS) && this->RunStage(CONTROL) && this->RunStage(SAMPLING) &&
+    this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
+}
+
+int vtkGeometryRemesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals& s = *this->Stages;
+  s.Failed = false;
+  s.Stopped = false;
+  s.Seconds.fill(0.);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    return 1;
+  }
+  s.takeInput(input);
+  const bool done = this->RunStages();
+  if (done)
+  {
+    const std::array<vtkDataObject*, 7> results = { { s.Optimizer->GetOutputDataObject(0),
+      s.Optimizer->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0), s.Atlas->GetOutputDataObject(1),
+      s.ControlMap->GetOutputDataObject(0), s.Sampler->GetOutputDataObject(0),
+      s.Sampler->GetOutputDataObject(1) } };
+    for (int port = 0; port < 7; ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->ShallowCopy(results[port]);
+    }
+    return 1;
+  }
+  s.Stopped = this->AbortExecute != 0;
+  return s.Failed ? 0 : 1;
+}
+
+double vtkGeometryRemesher::GetStageSeconds(int stage)
+{
+  return stage >= 0 && stage < NumberOfStages ? this->Stages->Seconds[stage] : 0.;
+}
+
+// Parameters that live in the stages.
+#define stippleGetFrom(stage, name, type)                                                          \
+  type vtkGeometryRemesher::Get##name() { return this->Stages->stage->Get##name(); }
+#define stippleForward(stage, name, type)                                                          \
+  stippleGetFrom(stage, name, type);                                                               \
+  void vtkGeometryRemesher::Set##name(type value) { this->Stages->stage->Set##name(value); }
+#define stippleForwardClamped(stage, name, type)                                                   \
+  stippleForward(stage, name, type);                                                               \
+  stippleGetFrom(stage, name##MinValue, type);                                                     \
+  stippleGetFrom(stage, name##MaxValue, type)
+#define stippleForwardChoice(stage, name, choice)                                                  \
+  void vtkGeometryRemesher::Set##name##To##choice() { this->Stages->stage->Set##name##To##choice(); }
+
+stippleForwardClamped(Atlas, FeatureAngle, double);
+stippleForward(Atlas, FeatureEdges, vtkIdTypeArray*);
+stippleForward(Atlas, Constraints, vtkPoints*);
+stippleForwardClamped(Atlas, NumberOfCharts, int);
+stippleForward(Atlas, MaximumDensityRatio, double);
+stippleForwardClamped(MapRenderer, MapSize, int);
+stippleForward(MapRenderer, Backend, int);
+stippleForwardChoice(MapRenderer, Backend, Auto);
+stippleForwardChoice(MapRenderer, Backend, OpenGL);
+stippleForwardChoice(MapRenderer, Backend, CPU);
+stippleForward(MapRenderer, RenderWindow, vtkRenderWindow*);
+stippleForward(ControlMap, Importance, int);
+stippleForwardChoice(ControlMap, Importance, Uniform);
+stippleForwardChoice(ControlMap, Importance, Mean);
+stippleForwardChoice(ControlMap, Importance, Gaussian);
+stippleForwardChoice(ControlMap, Importance, Minimum);
+stippleForwardChoice(ControlMap, Importance, Maximum);
+stippleForwardChoice(ControlMap, Importance, Total);
+stippleForwardChoice(ControlMap, Importance, L2);
+stippleForwardChoice(ControlMap, Importance, Image);
+stippleForwardChoice(ControlMap, Importance, Array);
+stippleForward(ControlMap, ImportanceArrayName, const char*);
+stippleForward(ControlMap, ImportanceImage, vtkImageData*);
+stippleForwardClamped(ControlMap, Gamma, double);
+stippleForward(ControlMap, TransferFunction, vtkPiecewiseFunction*);
+stippleForwardClamped(ControlMap, Gradation, double);
+stippleForwardClamped(ControlMap, MinimumDensity, double);
+stippleForward(Optimizer, Connectivity, int);
+stippleForwardChoice(Optimizer, Connectivity, None);
+stippleForwardChoice(Optimizer, Connectivity, Regularity);
+stippleForwardChoice(Optimizer, Connectivity, Aspect);
+stippleForward(Optimizer, Smoothing, int);
+stippleForwardChoice(Optimizer, Smoothing, None);
+stippleForwardChoice(Optimizer, Smoothing, Area);
+stippleForwardChoice(Optimizer, Smoothing, Density);
+stippleForwardChoice(Optimizer, Smoothing, Lloyd);
+stippleForwardClamped(Optimizer, NumberOfIterations, int);
+
+vtkConformalAtlas* vtkGeometryRemesher::GetAtlas()
+{
+  return this->Stages->Atlas;
+}
+
+vtkGeometryMapRenderer* vtkGeometryRemesher::GetMapRenderer()
+{
+  return this->Stages->MapRenderer;
+}
+
+vtkControlMap* vtkGeometryRemesher::GetControlMap()
+{
+  return this->Stages->ControlMap;
+}
+
+vtkErrorDiffusionSampler* vtkGeometryRemesher::GetSampler()
+{
+  return this->Stages->Sampler;
+}
+
+vtkCDTRemesh* vtkGeometryRemesher::GetMesher()
+{
+  return this->Stages->Mesher;
+}
+
+vtkRemeshOptimizer* vtkGeometryRemesher::GetOptimizer()
+{
+  return this->Stages->Optimizer;
+}
+
+void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  for (int stage = 0; stage < NumberOfStages; ++stage)
+  {
+    os << indent << "The " << StageNames[stage] << " (" << this->Stages->Seconds[stage] << " s):\n";
+    this->Stages->InOrder[stage]->PrintSelf(os, indent.GetNextIndent());
+  }
+}

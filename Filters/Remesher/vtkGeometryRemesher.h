@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeometryRemesher
+ * @brief   remesh a triangle surface with exactly the number of points asked for
+ *
+ * vtkGeometryRemesher runs the whole of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH 2002:
+ * vtkConformalAtlas, vtkGeometryMapRenderer, vtkControlMap, vtkErrorDiffusionSampler, vtkCDTRemesh and
+ * vtkRemeshOptimizer, one behind the other. It takes any vtkPolyData with polygons or strips; the atlas repairs
+ * what needs to be. Parameters are those of the stages, which can also be reached directly, and a stage
+ * executes again only if its own parameters or what flows into it changed: a new Gamma or Importance
+ * re-executes from the control map on, and so does a new NumberOfPoints unless the maps must grow.
+ *
+ * Output ports:
+ * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`, `ChartCellId`,
+ *   `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`, `ArcLength`) say where on the
+ *   input each point lies
+ * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points, with the cell arrays
+ *   `BackboneType`, `Closed` and `BackboneId`
+ * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
+ * - 3: the feature graph, a vtkPolyData (vtkConformalAtlas)
+ * - 4: the maps with `Control`, a vtkPartitionedDataSetCollection of images (vtkControlMap)
+ * - 5: the samples, a vtkPolyData of vertices (vtkErrorDiffusionSampler)
+ * - 6: the halftones, a vtkPartitionedDataSetCollection of images (vtkErrorDiffusionSampler)
+ *
+ * The outputs share their arrays with the stages' outputs. Input without faces makes empty outputs. If a stage fails,
+ * its sentence is this filter's one error, and all outputs are empty. A run that was stopped by
+ * SetAbortExecute(1), from an observer of progress, leaves empty outputs and is done again by the next update.
+ *
+ * @warning Fewer points than the features and the topology need are an error that names the least number that works.
+ *
+ * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh vtkRemeshOptimizer
+ */
+#ifndef vtkGeometryRemesher_h
+#define vtkGeometryRemesher_h
+
+#include "StippleFiltersRemesherModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkCDTRemesh;
+class vtkConformalAtlas;
+class vtkControlMap;
+class vtkErrorDiffusionSampler;
+class vtkGeometryMapRenderer;
+class vtkIdTypeArray;
+class vtkImageData;
+class vtkPartitionedDataSetCollection;
+class vtkPiecewiseFunction;
+class vtkPoints;
+class vtkRemeshOptimizer;
+class vtkRenderWindow;
+
+class STIPPLEFILTERSREMESHER_EXPORT vtkGeometryRemesher : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkGeometryRemesher* New();
+  vtkTypeMacro(vtkGeometryRemesher, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The exact number of points of the mesh, 0 to 10 million; 0 is as many as the input has after repairs. The default
+  /// is 0.
+  vtkSetClampMacro(NumberOfPoints, int, 0, 10000000);
+  vtkGetMacro(NumberOfPoints, int);
+  ///@}
+
+  ///@{
+  /// Angle in degrees between the normals beside an edge, 0 to 180, at which the edge is sharp; 180 finds none. The
+  /// default is 40. See vtkConformalAtlas.
+  void SetFeatureAngle(double degrees);
+  double GetFeatureAngle();
+  double GetFeatureAngleMinValue();
+  double GetFeatureAngleMaxValue();
+  ///@}
+
+  ///@{
+  /// Edges to keep as features besides the sharp ones: two components, the input's point ids. The default is none.
+  void SetFeatureEdges(vtkIdTypeArray* edges);
+  vtkIdTypeArray* GetFeatureEdges();
+  /// Positions that must become vertices; each is moved to the nearest place on the surface. The default is none.
+  void SetConstraints(vtkPoints* positions);
+  vtkPoints* GetConstraints();
+  ///@}
+
+  ///@{
+  /// Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The default is 1.
+  void SetNumberOfCharts(int charts);
+  int GetNumberOfCharts();
+  int GetNumberOfChartsMinValue();
+  int GetNumberOfChartsMaxValue();
+  ///@}
+
+  ///@{
+  /// Bound on a chart's density ratio, without unit, 2 or more. The default is 100. See vtkConformalAtlas.
+  void SetMaximumDensityRatio(double ratio);
+  double GetMaximumDensityRatio();
+  ///@}
+
+  ///@{
+  /// Pixels along the longer side of every chart's maps, 0 to 16384; 0 is what NumberOfPoints needs. The default is 0.
+  void SetMapSize(int pixels);
+  int GetMapSize();
+  int GetMapSizeMinValue();
+  int GetMapSizeMaxValue();
+  ///@}
+
+  ///@{
+  /// What draws the maps: vtkGeometryMapRenderer::AUTO, OPENGL or CPU. The default is AUTO.
+  void SetBackend(int backend);
+  int GetBackend();
+  void SetBackendToAuto();
+  void SetBackendToOpenGL();
+  void SetBackendToCPU();
+  /// An OpenGL render window whose context may draw the maps; the caller keeps it alive. The default is none.
+  void SetRenderWindow(vtkRenderWindow* window);
+  vtkRenderWindow* GetRenderWindow();
+  ///@}
+
+  ///@{
+  /// Where samples matter, a member of vtkControlMap::ImportanceType. The default is UNIFORM.
+  void SetImportance(int importance);
+  int GetImportance();
+  void SetImportanceToUniform();
+  void SetImportanceToMean();
+  void SetImportanceToGaussian();
+  void SetImportanceToMinimum();
+  void SetImportanceToMaximum();
+  void SetImportanceToTotal();
+  void SetImportanceToL2();
+  void SetImportanceToImage();
+  void SetImportanceToArray();
+  /// The input's point or cell array for the importance ARRAY; it becomes a map. The default is nullptr.
+  void SetImportanceArrayName(const char* name);
+  const char* GetImportanceArrayName();
+  /// The picture for the importance IMAGE; bright means many points. The default is nullptr.
+  void SetImportanceImage(vtkImageData* image);
+  vtkImageData* GetImportanceImage();
+  ///@}
+
+  ///@{
+  /// The power that the importance is raised to, without unit, 0 (uniform) or more. The default is 1.
+  void SetGamma(double gamma);
+  double GetGamma();
+  double GetGammaMinValue();
+  double GetGammaMaxValue();
+  ///@}
+
+  ///@{
+  /// A function from importance in [0, 1] to importance. The default is nullptr: none.
+  void SetTransferFunction(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetTransferFunction();
+  ///@}
+
+  ///@{
+  /// Standard deviation of the density's low-pass, in percent of the bounding box's diagonal, 0 to 100. The default is 0.
+  void SetGradation(double percent);
+  double GetGradation();
+  double GetGradationMinValue();
+  double GetGradationMaxValue();
+  ///@}
+
+  ///@{
+  /// The least density, as a part of the largest, 0 to 1. The default is vtkControlMap's.
+  void SetMinimumDensity(double fraction);
+  double GetMinimumDensity();
+  double GetMinimumDensityMinValue();
+  double GetMinimumDensityMaxValue();
+  ///@}
+
+  ///@{
+  /// What edge swaps are for, a member of vtkRemeshOptimizer::ConnectivityType. The default is vtkRemeshOptimizer's.
+  void SetConnectivity(int connectivity);
+  int GetConnectivity();
+  void SetConnectivityToNone();
+  void SetConnectivityToRegularity();
+  void SetConnectivityToAspect();
+  ///@}
+
+  ///@{
+  /// How vertices move, a member of vtkRemeshOptimizer::SmoothingType. The default is vtkRemeshOptimizer's.
+  void SetSmoothing(int smoothing);
+  int GetSmoothing();
+  void SetSmoothingToNone();
+  void SetSmoothingToArea();
+  void SetSmoothingToDensity();
+  void SetSmoothingToLloyd();
+  ///@}
+
+  ///@{
+  /// Rounds of swaps and moves, 0 to 10,000. The default is vtkRemeshOptimizer's.
+  void SetNumberOfIterations(int rounds);
+  int GetNumberOfIterations();
+  int GetNumberOfIterationsMinValue();
+  int GetNumberOfIterationsMaxValue();
+  ///@}
+
+  ///@{
+  /// The stages, for parameters that are not here and for their getters after an update. Do not change their inputs.
+  vtkConformalAtlas* GetAtlas();
+  vtkGeometryMapRenderer* GetMapRenderer();
+  vtkControlMap* GetControlMap();
+  vtkErrorDiffusionSampler* GetSampler();
+  vtkCDTRemesh* GetMesher();
+  vtkRemeshOptimizer* GetOptimizer();
+  ///@}
+
+  /// The stages in their order.
+  enum StageType
+  {
+    ATLAS = 0,
+    MAPS = 1,
+    CONTROL = 2,
+    SAMPLING = 3,
+    MESHING = 4,
+    OPTIMISATION = 5
+  };
+
+  /// Wall-clock seconds that a stage took in the last execution; 0 if it had nothing to do.
+  double GetStageSeconds(int stage);
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkGeometryRemesher();
+  ~vtkGeometryRemesher() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkGeometryRemesher(const vtkGeometryRemesher&) = delete;
+  void operator=(const vtkGeometryRemesher&) = delete;
+
+  bool RunStage(int stage);
+  bool RunStages();
+
+  int NumberOfPoints = 0;
+  struct Internals;
+  std::unique_ptr<Internals> Stages;
+};
+
+#endif
