@@ -44,7 +44,8 @@ void forEachFace(const OptimizedMesh& mesh, int v, const Visit& visit)
   } while (h != first);
 }
 
-/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of what is folded.
+/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of
+/// what is folded.
 double starQuality(const OptimizedMesh& mesh, int v)
 {
   double worst = 10;
