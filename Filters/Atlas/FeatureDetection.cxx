@@ -103,15 +103,20 @@ public:
     {
       double length = 0;
       double roughness = 0;
+      double angle = 0;
       for (int e : chain)
       {
         const double l = this->length(e);
         length += l;
         roughness += l * this->roughness(e);
+        angle += l * this->Dihedral[this->Edges[e].halfedge];
       }
       roughness /= length;
+      // A right angle is no noise, also on a coarse mesh whose other edges are not flat.
+      const double steep = std::clamp((angle / length * 180 / Pi - 60) / 30, 0., 1.);
       const bool isLong = length >= this->Options.longLength * this->Diagonal;
-      if (roughness > (isLong ? this->Options.longRoughness : this->Options.maximumRoughness))
+      const double bound = isLong ? this->Options.longRoughness : this->Options.maximumRoughness;
+      if (roughness > bound + steep * std::max(0., this->Options.steepRoughness - bound))
       {
         dropped = true;
         for (int e : chain)

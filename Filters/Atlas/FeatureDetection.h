@@ -16,6 +16,7 @@ struct FeatureDetectionOptions
   double maximumRoughness = 0.16; ///< largest dihedral angle beside a chain, as a fraction of the chain's own
   double longLength = 0.1;        ///< fraction of the diagonal from which on a chain counts as long
   double longRoughness = 0.27;    ///< the same as maximumRoughness for long chains
+  double steepRoughness = 0.45;   ///< the same for chains of a right angle or more; from 60 degrees on in between
 };
 
 /// Marks the sharp edges of the surface.

@@ -167,7 +167,7 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
 }
 
 int repairTriangles(
-  OptimizedMesh& mesh, double threshold, bool mayswap, bool mayMove, int maximumNumberOfPasses)
+  OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses)
 {
   int bad = 0;
   for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
@@ -181,7 +181,7 @@ int repairTriangles(
         continue;
       }
       ++bad;
-      if (mayswap && improveBySwap(mesh, f))
+      if (maySwap && improveBySwap(mesh, f))
       {
         changed = true;
         if (faceQuality(mesh, f) >= threshold)
@@ -194,8 +194,8 @@ int repairTriangles(
       {
         changed = improveByMove(mesh, t[k]) || changed;
       }
-      // The neighbours may stand in the way.
-      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0.6 * threshold; ++k)
+      // The neighbours of a fold may stand in the way.
+      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
       {
         std::vector<int> ring;
         forEachFace(mesh, t[k], [&](int g) {

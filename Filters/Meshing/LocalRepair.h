@@ -14,7 +14,7 @@ STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, i
 /// Swaps edges and moves vertices about every triangle whose quality is below `threshold` (radians), always such that the worst
 /// triangle touched becomes better. Returns the number of triangles that stay below the threshold.
 STIPPLEFILTERSMESHING_EXPORT int repairTriangles(
-  OptimizedMesh& mesh, double threshold, bool mayswap, bool mayMove, int maximumNumberOfPasses);
+  OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses);
 }
 
 #endif

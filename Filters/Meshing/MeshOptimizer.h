@@ -25,7 +25,7 @@ struct OptimizerOptions
   };
   Swaps swaps = Swaps::Regularity;
   Moves moves = Moves::Lloyd;
-  int iterations = 40; ///< >= 0
+  int iterations = 60; ///< >= 0; 0 changes nothing
 };
 
 STIPPLEFILTERSMESHING_EXPORT Status optimizeMesh(

@@ -8,7 +8,7 @@
 #include "SampleSet.h"
 #include "SurfaceCache.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
 #include <functional>
 
@@ -22,18 +22,10 @@ enum class Freedom : char
   None      ///< corners and constraints
 };
 
-struct ConnectivityTraits : OpenMesh::DefaultTraits
-{
-  VertexAttributes(OpenMesh::Attributes::None);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
-  EdgeAttributes(OpenMesh::Attributes::None);
-  FaceAttributes(OpenMesh::Attributes::None);
-};
-
 class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
 {
 public:
-  using Connectivity = OpenMesh::TriMesh_ArrayKernelT<ConnectivityTraits>;
+  using Connectivity = OpenMesh::TriConnectivity; // halfedges without coordinates
   using Halfedge = OpenMesh::HalfedgeHandle;
   using Vertex = OpenMesh::VertexHandle;
 

@@ -49,9 +49,16 @@ struct CellIntegral
     this->alongB += m * centroid.y();
   }
 };
+
+/// Area of the surface under a triangle over the triangle's own, estimated from the normals at its vertices.
+double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
+{
+  constexpr double Largest = 4.;
+  return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
+}
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, int v)
+Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
 {
   const Vec3& x = mesh.position(v);
   // Points settle with a density that is the root of the weight of a centroidal Voronoi tessellation in the plane.
@@ -71,13 +78,15 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v)
     {
       return;
     }
-    const double twiceArea = std::sqrt(square);
+    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a triangle cuts off would
+    // have no weight, and vertices would slide off them.
+    const double twiceArea = std::sqrt(square) * areaOfSurface(mesh, v, q, r, a.cross(b));
     const double slopeA = mesh.density(q) * mesh.density(q) - here;
     const double slopeB = mesh.density(r) * mesh.density(r) - here;
     const Vec2 halfA(0.5, 0.);
     const Vec2 halfB(0., 0.5);
     CellIntegral cell;
-    if (wall && ab < 0)
+    if ((wall || !isDelaunay) && ab < 0)
     {
       // The circumcentre lies beyond the wall: the cell ends there.
       const double atA = 0.5 * aa / (aa - ab);
@@ -93,16 +102,6 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v)
       const Vec2 circumcentre(0.5 * bb * (aa - ab) / square, 0.5 * aa * (bb - ab) / square);
       cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
       cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
-    }
-    static const double cexp = getenv("CEXP") ? atof(getenv("CEXP")) : 1.;
-    if (cexp > 0)
-    {
-      const Vec3 n = a.cross(b);
-      double sum = 0; int count = 0;
-      for (int u : { v, q, r })
-        if (mesh.freedom(u) == Freedom::Surface) { sum += n.dot(mesh.normal(u)); ++count; }
-      const double w = std::pow(std::clamp(count*twiceArea/std::max(sum,1e-300),1.,4.), cexp);
-      cell.mass *= w; cell.alongA *= w; cell.alongB *= w;
     }
     moment += cell.alongA * a + cell.alongB * b;
     mass += cell.mass;
@@ -140,24 +139,31 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
 
 Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
 {
-  static const double lambda = getenv("LAMBDA") ? atof(getenv("LAMBDA")) : 6.;
-  if (lambda <= 0) return step;
+  // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a neighbour|^2 over d in the tangent
+  // plane at v. Planes that are nearly parallel to it say nothing about where a ridge is.
+  constexpr double Inertia = 6.;
+  constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
   const Vec3& x = mesh.position(v);
-  Eigen::Matrix3d matrix = lambda * Eigen::Matrix3d::Identity();
-  Vec3 right = lambda * step; bool any = false;
+  const Vec3& normal = mesh.normal(v);
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Vec3 right = Vec3::Zero();
+  bool onRidge = false;
   forEachTriangle(mesh, v, [&](int q, int, bool) {
-    if (mesh.freedom(q) != Freedom::Surface) return;
     const Vec3& n = mesh.normal(q);
-    static const double c0 = getenv("C0") ? atof(getenv("C0")) : .6, c1 = getenv("C1") ? atof(getenv("C1")) : .6;
-    const double w = std::clamp((c0 - n.dot(mesh.normal(v))) / c1, 0., 1.);
-    if (w <= 0) return;
-    any = true;
-    matrix += w * n * n.transpose();
-    right += w * n * n.dot(mesh.position(q) - x);
+    const double w = std::min((Ridge - n.dot(normal)) / Ridge, 1.);
+    if (w > 0 && mesh.freedom(q) == Freedom::Surface)
+    {
+      onRidge = true;
+      matrix += w * n * n.transpose();
+      right += w * n * n.dot(mesh.position(q) - x);
+    }
   });
-  if (!any) return step;
-  const Vec3& n = mesh.normal(v);
-  matrix += 10. * n * n.transpose();
+  if (!onRidge)
+  {
+    return step;
+  }
+  matrix += Inertia * Eigen::Matrix3d::Identity() + 10. * normal * normal.transpose();
+  right += Inertia * step;
   return matrix.ldlt().solve(right);
 }
 

@@ -10,10 +10,11 @@ namespace stipple
 {
 /// To the centroid, under the wanted density, of the vertex's Voronoi cell: Lloyd's step. The cell is pieced together from the
 /// circumcentres of the triangles about the vertex, each in its own plane. Cells have equal shares of the density where
-/// the centroids are those of its square.
-STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v);
+/// the centroids are those of its square. Cells end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
+STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay = true);
 
-Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
+/// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and thin rims keep vertices then.
+STIPPLEFILTERSMESHING_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
 
 /// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with areas in space, or with the
 /// integrals of the wanted density over the triangles.

@@ -86,7 +86,7 @@ public:
 
   ///@{
   /**
-   * Rounds of swaps and moves, 0 to 10,000; 0 leaves the mesh as it is. The default is 40.
+   * Rounds of swaps and moves, 0 to 10,000; 0 leaves the mesh as it is. The default is 60.
    */
   vtkSetClampMacro(NumberOfIterations, int, 0, 10000);
   vtkGetMacro(NumberOfIterations, int);
@@ -105,7 +105,7 @@ private:
 
   int Connectivity = REGULARITY;
   int Smoothing = LLOYD;
-  int NumberOfIterations = 40;
+  int NumberOfIterations = 60;
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 };

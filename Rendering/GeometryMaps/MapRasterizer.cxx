@@ -58,8 +58,9 @@ struct EdgeFunction
   {
     const std::int64_t dx = static_cast<std::int64_t>(b.x) - a.x;
     const std::int64_t dy = static_cast<std::int64_t>(b.y) - a.y;
-    // Of a counterclockwise triangle with y up: the left edges run down, the top edge runs left.
-    const bool topLeft = dy < 0 || (dy == 0 && dx < 0);
+    // Of a counterclockwise triangle with y up, the left edges run down. The top edge of the rule is the
+    // one at the image's first row, which runs right: hardware draws into images that way up.
+    const bool topLeft = dy < 0 || (dy == 0 && dx > 0);
     this->origin = dy * a.x - dx * a.y - (topLeft ? 0 : 1);
     this->stepX = -dy * subpixelOne;
     this->stepY = dx * subpixelOne;
@@ -378,47 +379,51 @@ int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces
     open.erase(open.begin());
   }
   // Rings from the rim of a gap inwards: a pixel takes the nearest of the triangles that its neighbours
-  // of earlier rings have, so the result does not depend on the order within a ring.
-  std::vector<std::pair<int, int>> ring;
-  while (!open.empty())
+  // have. Then all of them again, until nothing changes, as the first ring to come by need not bring the
+  // nearest. Changes take effect after a round, so the order within one does not matter.
+  std::vector<std::pair<int, int>> changes;
+  const std::vector<int> gap = open;
+  const auto round = [&](const std::vector<int>& pixels)
   {
-    ring.clear();
-    std::size_t kept = 0;
-    for (const int p : open)
+    changes.clear();
+    for (const int p : pixels)
     {
       const int i = p % width;
       const int j = p / width;
-      int best = -1;
-      double least = std::numeric_limits<double>::max();
-      for (int dj = -1; dj <= 1; ++dj)
+      int best = faces[p];
+      double least =
+        best >= 0 ? nearest.distance(best, i, j) : std::numeric_limits<double>::max();
+      for (int y = std::max(0, j - 1); y <= std::min(height - 1, j + 1); ++y)
       {
-        for (int di = -1; di <= 1; ++di)
+        for (int x = std::max(0, i - 1); x <= std::min(width - 1, i + 1); ++x)
         {
-          const int x = i + di;
-          const int y = j + dj;
-          const int f = x >= 0 && x < width && y >= 0 && y < height ? faces[y * width + x] : -1;
-          const double d = f >= 0 ? nearest.distance(f, i, j) : 0.;
-          if (f >= 0 && (d < least || (d == least && f < best)))
+          const int f = faces[y * width + x];
+          const double d = f >= 0 && f != best ? nearest.distance(f, i, j) : least;
+          if (d < least || (d == least && f >= 0 && f < best))
           {
             least = d;
             best = f;
           }
         }
       }
-      if (best >= 0)
+      if (best != faces[p])
       {
-        ring.emplace_back(p, best);
-      }
-      else
-      {
-        open[kept++] = p;
+        changes.emplace_back(p, best);
       }
     }
-    open.resize(kept);
-    for (const auto& [pixel, face] : ring)
+    for (const auto& [pixel, face] : changes)
     {
       faces[pixel] = face;
     }
+  };
+  while (!open.empty())
+  {
+    round(open);
+    open.erase(std::remove_if(open.begin(), open.end(), [&](int p) { return faces[p] >= 0; }), open.end());
+  }
+  for (int k = 0; k < width + height && (k == 0 || !changes.empty()); ++k)
+  {
+    round(gap);
   }
   return holes;
 }

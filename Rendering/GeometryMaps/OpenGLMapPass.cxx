@@ -237,6 +237,18 @@ std::string expression(const MapRequest& request, int first)
   return (request.kind == MapKind::UnitVector ? "unit(vec4(" : "(vec4(") + list + "))";
 }
 
+/// The attachments 0 .. n-1 of the bound framebuffer. VTK 9.1's cache of this state does not see that a
+/// framebuffer is a new one, nor that n changed.
+void drawInto(std::size_t n)
+{
+  GLenum buffers[mapsPerPass];
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    buffers[k] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(k);
+  }
+  glDrawBuffers(static_cast<GLsizei>(n), buffers);
+}
+
 /// Several maps in one go.
 class ValuePass
 {
@@ -310,7 +322,7 @@ public:
       }
       target->AddColorAttachment(static_cast<unsigned int>(textures.size() - 1), textures.back());
     }
-    target->ActivateDrawBuffers(static_cast<unsigned int>(textures.size()));
+    drawInto(textures.size());
     const char* problem = nullptr;
     if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, problem))
     {
@@ -345,7 +357,7 @@ public:
     }
     for (std::size_t k = 0; k < textures.size(); ++k)
     {
-      target->ActivateReadBuffer(static_cast<unsigned int>(k));
+      glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(k));
       glReadPixels(0, 0, width, height, FloatFormat(this->Begin[k].components).read, GL_FLOAT,
         this->Begin[k].output);
     }
@@ -499,7 +511,7 @@ Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int
   target->Bind();
   target->AddColorAttachment(0, texture);
   target->AddDepthAttachment(depth);
-  target->ActivateDrawBuffer(0);
+  drawInto(1);
   const char* problem = nullptr;
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, problem))
   {
@@ -522,7 +534,7 @@ Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int
   if (attributes)
   {
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size() / 3));
-    target->ActivateReadBuffer(0);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_INT, faces);
   }
   array->Release();

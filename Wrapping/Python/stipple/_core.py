@@ -189,7 +189,7 @@ def remesh(
     importance_image=None,
     transfer=None,
     gradation=0.0,
-    minimum_density=0.0,
+    minimum_density=None,
     feature_edges=None,
     constraints=None,
     charts=1,
@@ -207,14 +207,14 @@ def remesh(
         points (n, 3) real numbers, triangles (m, 3) point indices. Polygons of a vtkPolyData are triangulated,
         coincident points welded, faces oriented, edges and points that are not manifold split.
     points : int, optional
-        Number of points of the result, from 4 to 10 million; None is the input's. A number too small for the
-        features and the topology is an error that names the least number that works.
+        Number of points of the result, from 4 to 10 million; None is as many as the input has after repairs. A
+        number too small for the features and the topology is an error that names the least number that works.
     importance : str or (n,) array, optional
         What attracts points: "uniform" (the default: nothing does), the curvatures "mean", "gaussian", "minimum",
         "maximum", "total", "l2" (the best approximation), "array" (importance_array), "image"
         (importance_image); or a number not less than 0 for every point of the mesh.
     gamma : float, optional
-        Exponent that the importance is raised to; below 1 evens it out, above 1 sharpens it. The default is 1.
+        Power that the importance is raised to, 0 or more; below 1 evens it out, above 1 sharpens it. The default is 1.
     feature_angle : float, optional
         Edges whose two faces differ by at least so many degrees (0 to 180) are kept as features; 180 for none.
         The default is 40.
@@ -229,7 +229,7 @@ def remesh(
     gradation : float, optional
         Low-pass filter of the density, in % of the diagonal of the bounding box. The default is 0.
     minimum_density : float, optional
-        Least density, as a fraction (0 to 1) of the greatest. The default is 0.
+        Least importance, as a fraction (0 to 1) of the greatest. None is vtkControlMap's default, 0.02.
     feature_edges : (k, 2) integers, optional
         Pairs of points of the mesh, ends of edges that are features whatever their angle.
     constraints : (k, 3) real numbers, optional
@@ -237,15 +237,16 @@ def remesh(
     charts : int, optional
         Least number of charts. The default is 1.
     map_size : "auto" or int, optional
-        Pixels along the longer side of a map.
+        Pixels along the longer side of a map, up to 16384.
     map_backend : "auto", "opengl" or "cpu", optional
         What draws the maps. "auto" and "cpu" need no display.
     connectivity : "none", "regularity" or "aspect", optional
-        Aim of the edge swaps.
+        Aim of the edge swaps: "regularity" (valence 6; what None means) or "aspect" (fat triangles).
     smoothing : "none", "area", "density" or "lloyd", optional
-        Way of smoothing on the surface.
+        How points move on the surface: "area" evens out areas, "density" integrals of the wanted density, "lloyd" (what
+        None means) moves points to the centroids of their Voronoi cells.
     iterations : int, optional
-        Number of smoothing iterations.
+        Rounds of swaps and moves; 0 leaves the mesh as it was triangulated. None is vtkRemeshOptimizer's default, 40.
 
     Returns
     -------
@@ -264,14 +265,15 @@ def remesh(
     """
     data = _surface(mesh)
     remesher = _classes.vtkGeometryRemesher()
-    count = data.GetNumberOfPoints() if points is None else points
-    remesher.SetNumberOfPoints(_integer(count, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
+    if points is not None:  # otherwise 0: as many as the input has after repairs
+        remesher.SetNumberOfPoints(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
     _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
     _set_map_options(remesher, map_size, map_backend)
     _set_importance(remesher, data, importance, importance_array, importance_image)
     _set(remesher, "Gamma", gamma, "gamma")
     _set(remesher, "Gradation", gradation, "gradation")
-    _set(remesher, "MinimumDensity", minimum_density, "minimum_density")
+    if minimum_density is not None:
+        _set(remesher, "MinimumDensity", minimum_density, "minimum_density")
     if transfer is not None:
         remesher.SetTransferFunction(_transfer_function(transfer))
     if connectivity is not None:
@@ -459,8 +461,7 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     else:
         charts = atlas(mesh, **atlas_options)
     if points is None:
-        ids = [chart.surface_point_id for chart in charts]
-        points = max(4, len(np.unique(np.concatenate(ids))) if ids else 0)
+        points = max(4, charts.properties["number_of_surface_points"])
     algorithm = _classes.vtkGeometryMapRenderer()
     algorithm.SetNumberOfSamples(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
     _set_map_options(algorithm, size, backend)

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Constrained Delaunay triangulation, and the complex that stitching swaps edges in.
+#include "ConstrainedDelaunay.h"
+#include "TriangleComplex.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+using namespace stipple;
+
+namespace
+{
+double area(const std::vector<Vec2>& points, const std::vector<Triangle>& triangles)
+{
+  double sum = 0;
+  for (const Triangle& t : triangles)
+  {
+    sum += 0.5 * orient2(points[t[0]], points[t[1]], points[t[2]]);
+  }
+  return sum;
+}
+
+std::pair<int, int> ordered(int a, int b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+std::set<std::pair<int, int>> edges(const std::vector<Triangle>& triangles)
+{
+  std::set<std::pair<int, int>> result;
+  for (const Triangle& t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      result.insert(ordered(t[k], t[(k + 1) % 3]));
+    }
+  }
+  return result;
+}
+
+/// A square with collinear points on its sides, a lattice inside (all cocircular), and pairs 1e-12 apart.
+struct Square
+{
+  std::vector<Vec2> points;
+  std::vector<std::array<int, 2>> segments;
+  Square()
+  {
+    const std::array<Vec2, 4> corner = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
+    for (int side = 0; side < 4; ++side)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        this->points.push_back(corner[side] + i / 8. * (corner[(side + 1) % 4] - corner[side]));
+      }
+    }
+    for (int i = 0; i < 32; ++i)
+    {
+      this->segments.push_back({ { i, (i + 1) % 32 } });
+    }
+    for (int j = 1; j < 8; ++j)
+    {
+      for (int i = 1; i < 8; ++i)
+      {
+        this->points.emplace_back(i / 8., j / 8.);
+        this->points.emplace_back(i / 8. + 1e-12, j / 8.);
+      }
+    }
+  }
+};
+}
+
+TEST(ConstrainedDelaunay, TakesCollinearCocircularAndNearlyCoincidentPoints)
+{
+  const Square square;
+  std::vector<Triangle> triangles;
+  ASSERT_EQ(constrainedDelaunay(square.points, square.segments, triangles).kind, DelaunayConflict::Kind::None);
+  EXPECT_NEAR(area(square.points, triangles), 1., 1e-12);
+  EXPECT_EQ(static_cast<int>(triangles.size()), 2 * static_cast<int>(square.points.size()) - 2 - 32);
+  for (const Triangle& t : triangles)
+  {
+    EXPECT_GT(orient2(square.points[t[0]], square.points[t[1]], square.points[t[2]]), 0.);
+  }
+}
+
+TEST(ConstrainedDelaunay, KeepsSegmentsAndDropsWhatLiesOutside)
+{
+  // An L: the notch is outside, though the hull covers it.
+  const std::vector<Vec2> points = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0.9, 0.2 },
+    { 0.1, 0.5 }, { 0.5, 0.9 } };
+  const std::vector<std::array<int, 2>> segments = { { { 0, 1 } }, { { 1, 2 } }, { { 2, 3 } }, { { 3, 4 } },
+    { { 4, 5 } }, { { 5, 0 } }, { { 7, 2 } } };
+  std::vector<Triangle> triangles;
+  ASSERT_EQ(constrainedDelaunay(points, segments, triangles).kind, DelaunayConflict::Kind::None);
+  EXPECT_NEAR(area(points, triangles), 3., 1e-12);
+  const auto found = edges(triangles);
+  for (const auto& s : segments)
+  {
+    EXPECT_EQ(found.count(ordered(s[0], s[1])), 1u);
+  }
+}
+
+TEST(ConstrainedDelaunay, NamesConflicts)
+{
+  const std::vector<Vec2> points = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 1, 1 } };
+  std::vector<Triangle> triangles;
+  auto conflict = constrainedDelaunay(points, { { { 0, 2 } } }, triangles);
+  EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::OnSegment);
+  EXPECT_EQ(conflict.first, 4);
+  conflict = constrainedDelaunay({ points[0], points[1], points[2], points[3] }, { { { 0, 2 } }, { { 1, 3 } } }, triangles);
+  EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::Crossing);
+  conflict = constrainedDelaunay({ points[0], points[1], points[2], points[1] }, {}, triangles);
+  EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::Duplicate);
+  EXPECT_EQ(conflict.first, 3);
+  EXPECT_EQ(conflict.second, 1);
+  conflict = constrainedDelaunay({ { 0, 0 }, { 1, 0 }, { 2, 0 } }, {}, triangles);
+  EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::Degenerate);
+}
+
+TEST(TriangleComplex, FourFlipsOfAnEdgeGiveItBack)
+{
+  TriangleComplex c;
+  c.triangles = { { 0, 1, 2 }, { 1, 0, 3 }, { 1, 4, 2 }, { 0, 5, 3 } };
+  c.twin = halfedgeTwins(c.triangles);
+  c.label.assign(c.twin.size(), -1);
+  const auto before = edges(c.triangles);
+  c.flip(0);
+  EXPECT_EQ(edges(c.triangles).count({ 0, 1 }), 0u);
+  EXPECT_EQ(edges(c.triangles).count({ 2, 3 }), 1u);
+  EXPECT_EQ(c.twin, halfedgeTwins(c.triangles));
+  for (int i = 0; i < 3; ++i)
+  {
+    c.flip(0);
+  }
+  EXPECT_EQ(edges(c.triangles), before);
+}
+
+TEST(TriangleComplex, TakesAVertexOutOfAChain)
+{
+  // A hexagon about vertex 6, through which a chain runs from 0 to 3.
+  TriangleComplex c;
+  for (int i = 0; i < 6; ++i)
+  {
+    c.triangles.push_back({ 6, i, (i + 1) % 6 });
+  }
+  c.twin = halfedgeTwins(c.triangles);
+  c.label.assign(c.twin.size(), -1);
+  std::vector<int> outgoing(7);
+  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  {
+    const auto edge = ordered(c.tail(h), c.head(h));
+    if (edge.second == 6 && (edge.first == 0 || edge.first == 3))
+    {
+      c.label[h] = 5;
+    }
+    else if (c.twin[h] < 0)
+    {
+      c.label[h] = 100 + c.tail(h);
+    }
+    outgoing[c.tail(h)] = h;
+  }
+  std::vector<std::array<int, 2>> merged;
+  ASSERT_TRUE(c.removeFromChain(6, outgoing, [](int, int, int) { return 0.; }, merged));
+  EXPECT_TRUE(merged.empty());
+  c.compact();
+  EXPECT_EQ(c.triangles.size(), 4u);
+  EXPECT_EQ(c.twin, halfedgeTwins(c.triangles));
+  int chain = 0;
+  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  {
+    if (ordered(c.tail(h), c.head(h)) == ordered(0, 3))
+    {
+      EXPECT_EQ(c.label[h], 5);
+      ++chain;
+    }
+    else
+    {
+      EXPECT_EQ(c.label[h] >= 100, c.twin[h] < 0);
+    }
+  }
+  EXPECT_EQ(chain, 2);
+}

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapRasterizer.h"
+#include "MapSizing.h"
+#include "SyntheticMapChart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace
+{
+using stipple::MapChart;
+using stipple::MapKind;
+using stipple::MapRequest;
+using stipple::Vec2;
+using stipple::Vec3;
+
+std::vector<int> facesOf(const MapChart& chart, int width, int height)
+{
+  std::vector<int> faces(static_cast<std::size_t>(width) * height, -2);
+  stipple::rasterizeFaces(chart, width, height, faces.data());
+  return faces;
+}
+
+/// The face that the pixel's centre is deepest in, by exact-enough geometry and brute force.
+double depthIn(const MapChart& chart, int f, int i, int j, int width, int height)
+{
+  const Vec2 p((i + 0.5) * chart.extent.x() / width, (j + 0.5) * chart.extent.y() / height);
+  const auto& t = chart.triangles[f];
+  return stipple::barycentric(p, chart.uv[t[0]], chart.uv[t[1]], chart.uv[t[2]]).minCoeff();
+}
+
+TEST(MapRasterizer, FacesContainTheirPixelCentres)
+{
+  const auto sheet = synthetic::makeSheet(17, 13, 1., 0.7, 0.25);
+  const int width = 211;
+  const int height = 148;
+  const auto faces = facesOf(sheet.chart, width, height);
+  std::set<int> seen;
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      const int f = faces[j * width + i];
+      ASSERT_GE(f, 0);
+      // A pixel may be off by the rounding to 1/256 of a pixel.
+      EXPECT_GT(depthIn(sheet.chart, f, i, j, width, height), -2e-3) << "pixel " << i << ", " << j;
+      seen.insert(f);
+    }
+  }
+  EXPECT_EQ(seen.size(), sheet.chart.triangles.size()) << "triangles of 60 pixels each own some";
+}
+
+TEST(MapRasterizer, EveryPixelHasAFaceWithoutRepairs)
+{
+  // From one triangle a thousand pixels to a hundred triangles a pixel, and centres right on edges.
+  for (const double jitter : { 0., 0.35 })
+  {
+    for (const int n : { 1, 2, 16, 33, 250 })
+    {
+      const auto sheet = synthetic::makeSheet(n, n, 0.8, 1., jitter);
+      for (const int size : { 1, 2, 32, 33, 45, 64, 257 })
+      {
+        const auto faces = facesOf(sheet.chart, size, size);
+        EXPECT_EQ(std::count_if(faces.begin(), faces.end(), [](int f) { return f < 0; }), 0)
+          << n << " quads, " << size << " pixels, jitter " << jitter;
+      }
+    }
+  }
+}
+
+TEST(MapRasterizer, EdgesThroughCentresBelongToOneSide)
+{
+  // Four triangles around the centre of the middle pixel of 3 x 3; both diagonals run through centres.
+  MapChart chart;
+  chart.uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0.5, 0.5 } };
+  chart.triangles = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
+  chart.area = { 1.f, 1.f, 1.f, 1.f };
+  // Left edges and edges at a first row belong to a triangle. Were any centre owned twice, the equal areas
+  // would leave the lower index; reversing the order must not change who owns it.
+  const auto faces = facesOf(chart, 3, 3);
+  MapChart reversed = chart;
+  std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+  const auto other = facesOf(reversed, 3, 3);
+  for (int p = 0; p < 9; ++p)
+  {
+    EXPECT_EQ(faces[p], 3 - other[p]) << "pixel " << p;
+  }
+}
+
+TEST(MapRasterizer, WideTrianglesAreFilledLikeSmallOnes)
+{
+  // Triangles wider than a few pixels are filled by spans, which must be the same pixels.
+  const auto sheet = synthetic::makeSheet(2, 30, 1., 1., 0.4);
+  const int size = 200;
+  const auto faces = facesOf(sheet.chart, size, size);
+  for (int p = 0; p < size * size; ++p)
+  {
+    ASSERT_GE(faces[p], 0);
+    EXPECT_GT(depthIn(sheet.chart, faces[p], p % size, p / size, size, size), -5e-3);
+  }
+}
+
+TEST(MapRasterizer, SmallerTrianglesWinTheirPixels)
+{
+  MapChart chart;
+  chart.uv = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
+  chart.triangles = { { 0, 1, 2 }, { 1, 3, 2 }, { 0, 1, 3 }, { 0, 3, 2 } }; // the square, twice
+  chart.area = { 2.f, 2.f, 1.f, 3.f };
+  const auto faces = facesOf(chart, 8, 8);
+  for (int j = 0; j < 8; ++j)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      if (i > j)
+      {
+        EXPECT_EQ(faces[8 * j + i], 2) << i << ", " << j;
+      }
+      else if (i < j)
+      {
+        EXPECT_NE(faces[8 * j + i], 3) << i << ", " << j;
+      }
+    }
+  }
+}
+
+TEST(MapRasterizer, UncoveredPixelsGoToTheNearestTriangle)
+{
+  auto sheet = synthetic::makeSheet(12, 12, 1., 1., 0.3);
+  // Cut a hole.
+  MapChart& chart = sheet.chart;
+  MapChart holed = chart;
+  holed.triangles.clear();
+  holed.area.clear();
+  for (int f = 0; f < chart.numberOfTriangles(); ++f)
+  {
+    const auto& t = chart.triangles[f];
+    const Vec2 center = (chart.uv[t[0]] + chart.uv[t[1]] + chart.uv[t[2]]) / 3.;
+    if ((center - Vec2(0.45, 0.5)).norm() > 0.2)
+    {
+      holed.triangles.push_back(t);
+      holed.area.push_back(chart.area[f]);
+    }
+  }
+  const int size = 64;
+  auto faces = facesOf(holed, size, size);
+  const auto before = faces;
+  const auto open = std::count(faces.begin(), faces.end(), -1);
+  ASSERT_GT(open, 200);
+  EXPECT_EQ(stipple::fillUncoveredPixels(holed, size, size, faces.data()), open);
+  const auto distance = [&](int f, int p)
+  {
+    const Vec2 q((p % size + 0.5) / size, (p / size + 0.5) / size);
+    double least = std::numeric_limits<double>::max();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vec2& a = holed.uv[holed.triangles[f][k]];
+      const Vec2 ab = holed.uv[holed.triangles[f][(k + 1) % 3]] - a;
+      const double s = std::clamp((q - a).dot(ab) / ab.squaredNorm(), 0., 1.);
+      least = std::min(least, (q - a - s * ab).norm());
+    }
+    return least;
+  };
+  for (int p = 0; p < size * size; ++p)
+  {
+    ASSERT_GE(faces[p], 0);
+    if (before[p] >= 0)
+    {
+      EXPECT_EQ(faces[p], before[p]) << "covered pixels stay";
+      continue;
+    }
+    double nearest = std::numeric_limits<double>::max();
+    for (int f = 0; f < holed.numberOfTriangles(); ++f)
+    {
+      nearest = std::min(nearest, distance(f, p));
+    }
+    EXPECT_LT(distance(faces[p], p), nearest + 0.5 / size) << "half a pixel from the best at most";
+  }
+
+  // No pixel at all covered: still a face each.
+  MapChart far;
+  far.uv = { { 0, 0 }, { 0.001, 0 }, { 0, 0.001 } };
+  far.triangles = { { 0, 1, 2 } };
+  far.area = { 1.f };
+  auto none = facesOf(far, 4, 4);
+  EXPECT_EQ(stipple::fillUncoveredPixels(far, 4, 4, none.data()), 16);
+  EXPECT_EQ(std::count(none.begin(), none.end(), 0), 16);
+}
+
+TEST(MapRasterizer, LinearMapsReproduceLinearFunctions)
+{
+  const auto sheet = synthetic::makeSheet(23, 19, 1., 0.5, 0.3);
+  const int width = 160;
+  const int height = 80;
+  const auto faces = facesOf(sheet.chart, width, height);
+  std::vector<double> values;
+  for (const Vec2& uv : sheet.chart.uv)
+  {
+    values.push_back(3. * uv.x() - 5. * uv.y() + 1.);
+    values.push_back(1e6 + uv.x());
+  }
+  std::vector<float> map(2 * faces.size());
+  ASSERT_TRUE(stipple::rasterizeMaps(sheet.chart, width, height, faces.data(),
+    { { MapKind::Linear, 2, values.data(), map.data() } })
+                .ok());
+  for (int p = 0; p < width * height; ++p)
+  {
+    const double u = (p % width + 0.5) / width;
+    const double v = (p / width + 0.5) / height * 0.5;
+    EXPECT_NEAR(map[2 * p], 3. * u - 5. * v + 1., 1e-3) << "but for centres that rounding moved over an edge";
+    EXPECT_NEAR(map[2 * p + 1], 1e6 + u, 0.07);
+  }
+}
+
+TEST(MapRasterizer, DerivedCurvatures)
+{
+  const auto sheet = synthetic::makeSheet(1, 1, 1., 1., 0.);
+  const auto faces = facesOf(sheet.chart, 2, 2);
+  for (const auto& [mean, gaussian, low, high] :
+    std::initializer_list<std::array<double, 4>>{ { 2., 3., 1., 3. }, { 0., -4., -2., 2. },
+      { -1.5, 2., -2., -1. }, { 1., 1.5, 1., 1. } }) // the last pair no surface has: K is cut at H^2
+  {
+    std::vector<double> pairs;
+    for (std::size_t p = 0; p < sheet.points.size(); ++p)
+    {
+      pairs.insert(pairs.end(), { mean, gaussian });
+    }
+    float k1[4];
+    float k2[4];
+    float total[4];
+    ASSERT_TRUE(stipple::rasterizeMaps(sheet.chart, 2, 2, faces.data(),
+      { { MapKind::MinimumCurvature, 1, pairs.data(), k1 }, { MapKind::MaximumCurvature, 1, pairs.data(), k2 },
+        { MapKind::TotalCurvature, 1, pairs.data(), total } })
+                  .ok());
+    EXPECT_NEAR(k1[3], low, 1e-6);
+    EXPECT_NEAR(k2[3], high, 1e-6);
+    EXPECT_NEAR(total[3], low * low + high * high, 1e-5);
+  }
+}
+
+TEST(MapRasterizer, AnAbortIsHonoured)
+{
+  const auto sheet = synthetic::makeSheet(4, 4, 1., 1., 0.3);
+  const auto faces = facesOf(sheet.chart, 16, 16);
+  std::vector<double> values(sheet.points.size(), 1.);
+  std::vector<float> map(faces.size());
+  const stipple::Status status = stipple::rasterizeMaps(sheet.chart, 16, 16, faces.data(),
+    { { MapKind::Linear, 1, values.data(), map.data() } }, [](double) { return false; });
+  EXPECT_TRUE(status.isAbort());
+}
+
+TEST(MapSizing, PixelsFollowSamplesAndDensity)
+{
+  stipple::MapDemand demand;
+  demand.extent = { 1., 0.5 };
+  demand.area = 10.;
+  demand.densityRatio = 10.;
+  for (const double samples : { 100., 1000., 12345., 50000. })
+  {
+    const auto size = stipple::automaticMapSize(demand, samples);
+    const double pixels = static_cast<double>(size[0]) * size[1];
+    EXPECT_GE(pixels, 0.98 * 2. * samples * 10.) << samples;
+    EXPECT_LE(pixels, 2.1 * 2. * samples * 10.) << samples;
+    EXPECT_NEAR(size[0], 2. * size[1], 1.);
+  }
+  EXPECT_EQ(stipple::automaticMapSize(demand, 5000.), stipple::automaticMapSize(demand, 5200.));
+  EXPECT_EQ(stipple::automaticMapSize(demand, 0.), (std::array<int, 2>{ 32, 32 }));
+  EXPECT_EQ(stipple::automaticMapSize(demand, 1e9), (std::array<int, 2>{ 4096, 2048 }));
+  EXPECT_EQ(stipple::fixedMapSize({ 0.25, 1. }, 400), (std::array<int, 2>{ 100, 400 }));
+  EXPECT_EQ(stipple::fixedMapSize({ 1., 1e-6 }, 400), (std::array<int, 2>{ 400, 2 }));
+}
+
+TEST(MapSizing, TheDensityRatioForgetsTheDensestThousandth)
+{
+  // Four equal triangles of the square, three of them of area 1 in space, the last one of area a.
+  MapChart chart;
+  chart.uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0.5, 0.5 } };
+  chart.triangles = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
+  chart.area = { 1.f, 1.f, 1.f, 5.f };
+  EXPECT_NEAR(stipple::densityRatio(chart), 5. / 2., 1e-6); // mean density 8 / 4 quarters
+  // A tiny but very dense triangle of less than a thousandth of the surface does not count.
+  chart.uv.push_back({ 0.5, 0.4999 });
+  chart.triangles.push_back({ 4, 5, 4 });
+  chart.triangles.back() = { 0, 5, 4 };
+  chart.area = { 1.f, 1.f, 1.f, 1.f, 0.003f };
+  const double plane = 0.5 * stipple::orient2(chart.uv[0], chart.uv[5], chart.uv[4]);
+  ASSERT_GT(0.003 / plane, 50.) << "it is dense";
+  EXPECT_LT(stipple::densityRatio(chart), 1.1);
+  chart.area.back() = 0.006f;
+  EXPECT_GT(stipple::densityRatio(chart), 50.);
+}
+}
