@@ -105,9 +105,9 @@ Setter notYet(const std::vector<std::string>& available, const std::vector<std::
 std::string setMapSize(Options& o, const std::string& s)
 {
   o.mapSize = 0;
-  return s == "auto" || parseInteger(s, 16, 8192, o.mapSize)
+  return s == "auto" || parseInteger(s, 16, 16384, o.mapSize)
     ? ""
-    : "needs auto or a whole number of pixels from 16 to 8192, not '" + s + "'";
+    : "needs auto or a whole number of pixels from 16 to 16384, not '" + s + "'";
 }
 
 std::string setTransfer(Options& o, const std::string& s)
@@ -147,13 +147,13 @@ const std::vector<Group>& groups()
           text(&Options::importanceImage) },
         { "--importance-array", "NAME", "the input's point or cell array for --importance array",
           text(&Options::importanceArray) },
-        { "--gamma", "G", "exponent on the importance, -10 to 10 (default: 1)",
-          number(&Options::gamma, &Options::hasGamma, -10, 10, "from -10 to 10") },
+        { "--gamma", "G", "exponent on the importance, 0 (uniform) to 100 (default: 1)",
+          number(&Options::gamma, &Options::hasGamma, 0, 100, "from 0 to 100") },
         { "--transfer", "X0:Y0,X1:Y1,...", "piecewise linear curve on the importance; X ascending, X and Y 0 to 1",
           setTransfer },
         { "--gradation", "SIGMA", "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
           number(&Options::gradation, &Options::hasGradation, 0, 100, "from 0 to 100") },
-        { "--minimum-density", "D", "least density, 0 to 1 of the maximum",
+        { "--minimum-density", "D", "least density, 0 to 1 of the maximum (default: 0.02)",
           number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") } } },
     { "Features and charts",
       { { "--feature-angle", "DEG",
@@ -165,17 +165,17 @@ const std::vector<Group>& groups()
           text(&Options::constraints) },
         { "--charts", "K", "at least so many charts (default: 1)",
           integer(&Options::charts, 1, 100000) },
-        { "--map-size", "auto|S", "pixels along the longer side of a map, 16 to 8192\n(default: auto)",
+        { "--map-size", "auto|S", "pixels along the longer side of a map, 16 to 16384\n(default: auto)",
           setMapSize },
         { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
           choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
     { "Mesh",
-      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect",
+      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
           choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
-        { "--smoothing", "KIND", "none, area, density or lloyd",
+        { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
           choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
-        { "--iterations", "I", "rounds of optimisation, 0 to 1000",
-          integer(&Options::iterations, 0, 1000) },
+        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 40)",
+          integer(&Options::iterations, 0, 10000) },
         { "--pattern", "KIND", "triangles (default); quads and semiregular are not\navailable yet",
           notYet({ "triangles" }, { "quads", "semiregular" }) },
         { "--subdivisions", "L", "not available yet", notYet({}, {}) } } },

@@ -81,8 +81,10 @@ std::string OutputFiles::aside(const std::string& target)
 
 Status OutputFiles::asideFolder(const std::string& target, std::string& folder)
 {
-  folder = besideName(target);
   std::error_code code;
+  const bool exists = fs::is_directory(target, code);
+  folder = exists ? (fs::path(target) / (".stipple." + std::to_string(getpid()) + ".part")).string()
+                  : besideName(target);
   fs::create_directory(folder, code);
   if (code)
   {
