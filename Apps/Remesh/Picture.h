@@ -26,10 +26,10 @@ struct PictureContent
   vtkPolyData* lines = nullptr; ///< feature lines of `after`
 };
 
-/// Draws all panels in a sheet, or one of them; `now` is where to write, `file` how the user calls it. An error if
-/// there is no OpenGL.
-[[nodiscard]] Status writePicture(
-  const PictureContent& content, PicturePanel panel, const std::string& now, const std::string& file);
+/// Draws all panels in a sheet, or one of them; `now` is where to write, `file` how the user calls
+/// it. An error if there is no OpenGL.
+[[nodiscard]] Status writePicture(const PictureContent& content, PicturePanel panel,
+  const std::string& now, const std::string& file);
 }
 
 #endif

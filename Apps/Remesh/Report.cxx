@@ -21,11 +21,15 @@ public:
   }
   void add(const std::string& name, const std::string& json)
   {
-    this->Members += (this->Members.empty() ? "\n  " : ",\n  ") + this->Indent + '"' + name + "\": " + json;
+    this->Members +=
+      (this->Members.empty() ? "\n  " : ",\n  ") + this->Indent + '"' + name + "\": " + json;
   }
   void add(const std::string& name, long long value) { this->add(name, std::to_string(value)); }
   void add(const std::string& name, int value) { this->add(name, std::to_string(value)); }
-  void add(const std::string& name, bool value) { this->add(name, std::string(value ? "true" : "false")); }
+  void add(const std::string& name, bool value)
+  {
+    this->add(name, std::string(value ? "true" : "false"));
+  }
   void add(const std::string& name, double value)
   {
     this->add(name, std::isfinite(value) ? shortestText(value) : std::string("null"));

@@ -102,8 +102,8 @@ Status readImage(const std::string& file, vtkGeometryRemesher* remesher)
     xml->SetFileName(file.c_str());
     reader = xml;
   }
-  else if (auto image =
-             vtkSmartPointer<vtkImageReader2>::Take(vtkImageReader2Factory::CreateImageReader2(file.c_str())))
+  else if (auto image = vtkSmartPointer<vtkImageReader2>::Take(
+             vtkImageReader2Factory::CreateImageReader2(file.c_str())))
   {
     image->SetFileName(file.c_str());
     reader = image;
@@ -126,8 +126,8 @@ Status readImage(const std::string& file, vtkGeometryRemesher* remesher)
 Status checkArray(const std::string& name, vtkPolyData* mesh)
 {
   std::string have;
-  for (vtkDataSetAttributes* data :
-    { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()), static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -142,7 +142,8 @@ Status checkArray(const std::string& name, vtkPolyData* mesh)
       }
     }
   }
-  return Status::error("the input has no array '" + name + "'; it has " + (have.empty() ? "none" : have));
+  return Status::error(
+    "the input has no array '" + name + "'; it has " + (have.empty() ? "none" : have));
 }
 
 Status applyFiles(const Options& o, vtkPolyData* mesh, vtkGeometryRemesher* remesher)
@@ -193,11 +194,12 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   static const std::map<std::string, int> importances = { { "uniform", vtkControlMap::UNIFORM },
     { "mean", vtkControlMap::MEAN }, { "gaussian", vtkControlMap::GAUSSIAN },
     { "minimum", vtkControlMap::MINIMUM }, { "maximum", vtkControlMap::MAXIMUM },
-    { "total", vtkControlMap::TOTAL }, { "l2", vtkControlMap::L2 }, { "image", vtkControlMap::IMAGE },
-    { "array", vtkControlMap::ARRAY } };
+    { "total", vtkControlMap::TOTAL }, { "l2", vtkControlMap::L2 },
+    { "image", vtkControlMap::IMAGE }, { "array", vtkControlMap::ARRAY } };
   static const std::map<std::string, int> backends = { { "auto", vtkGeometryMapRenderer::AUTO },
     { "opengl", vtkGeometryMapRenderer::OPENGL }, { "cpu", vtkGeometryMapRenderer::CPU } };
-  static const std::map<std::string, int> swaps = { { "none", vtkRemeshOptimizer::CONNECTIVITY_NONE },
+  static const std::map<std::string, int> swaps = { { "none",
+                                                      vtkRemeshOptimizer::CONNECTIVITY_NONE },
     { "regularity", vtkRemeshOptimizer::REGULARITY }, { "aspect", vtkRemeshOptimizer::ASPECT } };
   static const std::map<std::string, int> moves = { { "none", vtkRemeshOptimizer::SMOOTHING_NONE },
     { "area", vtkRemeshOptimizer::AREA }, { "density", vtkRemeshOptimizer::DENSITY },
@@ -277,15 +279,18 @@ Report makeReport(
   report.output = o.output;
   report.inputPoints = input->GetNumberOfPoints();
   report.inputFaces = input->GetNumberOfPolys() + input->GetNumberOfStrips();
-  report.charts = static_cast<int>(
-    vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2))->GetNumberOfPartitionedDataSets());
+  report.charts =
+    static_cast<int>(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2))
+                       ->GetNumberOfPartitionedDataSets());
   report.mapBackend = remesher->GetMapRenderer()->GetBackendName();
-  report.seconds = { { "load", load }, { "atlas", remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) },
+  report.seconds = { { "load", load },
+    { "atlas", remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) },
     { "maps", remesher->GetStageSeconds(vtkGeometryRemesher::MAPS) },
     { "control", remesher->GetStageSeconds(vtkGeometryRemesher::CONTROL) },
     { "sampling", remesher->GetStageSeconds(vtkGeometryRemesher::SAMPLING) },
     { "meshing", remesher->GetStageSeconds(vtkGeometryRemesher::MESHING) },
-    { "optimisation", remesher->GetStageSeconds(vtkGeometryRemesher::OPTIMISATION) }, { "write", write } };
+    { "optimisation", remesher->GetStageSeconds(vtkGeometryRemesher::OPTIMISATION) },
+    { "write", write } };
   report.repairs = { { "welded_points", atlas->GetNumberOfWeldedPoints() },
     { "unused_points", atlas->GetNumberOfUnusedPoints() },
     { "degenerate_triangles", atlas->GetNumberOfDegenerateTriangles() },
@@ -350,15 +355,20 @@ Status writeFiles(const Options& o, vtkPolyData* input, vtkGeometryRemesher* rem
   Report report = makeReport(o, input, remesher, load, watch.seconds());
   if (status.ok() && !o.saveCharts.empty())
   {
-    status = saveCharts(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2)), o.saveCharts, files);
+    status =
+      saveCharts(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2)),
+        o.saveCharts, files);
   }
   if (status.ok() && !o.saveMaps.empty())
   {
-    status = saveMaps(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4)), o.saveMaps, files);
+    status =
+      saveMaps(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4)),
+        o.saveMaps, files);
   }
   if (status.ok() && !o.saveSamples.empty())
   {
-    status = saveSamples(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5)), o.saveSamples, files);
+    status = saveSamples(
+      vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5)), o.saveSamples, files);
   }
   if (status.ok() && !o.report.empty())
   {
@@ -374,7 +384,8 @@ Status writeFiles(const Options& o, vtkPolyData* input, vtkGeometryRemesher* rem
   return status;
 }
 
-Status drawPicture(const Options& o, vtkPolyData* input, vtkGeometryRemesher* remesher, OutputFiles& files)
+Status drawPicture(
+  const Options& o, vtkPolyData* input, vtkGeometryRemesher* remesher, OutputFiles& files)
 {
   PictureContent content;
   content.name = o.input;

@@ -37,8 +37,9 @@ Status write(WriterT* writer, DataT* data, const std::string& now, const std::st
     ? Status::success()
     : Status::error("cannot write '" + target + "'");
 }
+}
 
-vtkSmartPointer<vtkPolyData> inOnePiece(vtkPartitionedDataSetCollection* charts)
+vtkSmartPointer<vtkPolyData> chartsInOnePiece(vtkPartitionedDataSetCollection* charts)
 {
   vtkNew<vtkAppendPolyData> append;
   for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
@@ -55,14 +56,12 @@ vtkSmartPointer<vtkPolyData> inOnePiece(vtkPartitionedDataSetCollection* charts)
   append->Update();
   return append->GetOutput();
 }
-}
-
 Status saveCharts(
   vtkPartitionedDataSetCollection* charts, const std::string& file, OutputFiles& files)
 {
   if (fileExtension(file) == ".vtp")
   {
-    return writeMesh(inOnePiece(charts), files.aside(file), ".vtp");
+    return writeMesh(chartsInOnePiece(charts), files.aside(file), ".vtp");
   }
   // The pieces go to a folder that is named like the file.
   const std::filesystem::path target = std::filesystem::absolute(file);
@@ -99,7 +98,8 @@ Status saveMaps(
       {
         letter = letter == '/' ? '_' : letter; // an array of the input may have any name
       }
-      if (const vtkSmartPointer<vtkImageData> picture = mapPicture(maps, static_cast<int>(c), names[i]))
+      if (const vtkSmartPointer<vtkImageData> picture =
+            mapPicture(maps, static_cast<int>(c), names[i]))
       {
         vtkNew<vtkPNGWriter> png;
         status = write(png.Get(), picture.Get(), folder + "/" + file, target);

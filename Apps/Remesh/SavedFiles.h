@@ -6,6 +6,8 @@
 
 #include "Progress.h"
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 
 class vtkPartitionedDataSetCollection;
@@ -15,11 +17,16 @@ namespace stipple
 {
 class OutputFiles;
 
+/// All charts in one surface, with a cell array ChartId.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> chartsInOnePiece(
+  vtkPartitionedDataSetCollection* charts);
+
 /// .vtpc: one vtkPolyData a chart. .vtp: all charts in one, with a cell array ChartId.
 [[nodiscard]] Status saveCharts(
   vtkPartitionedDataSetCollection* charts, const std::string& file, OutputFiles& files);
 
-/// For every chart, chartNNN.vti with all its maps as floats, and a picture chartNNN_Map.png of each.
+/// For every chart, chartNNN.vti with all its maps as floats, and a picture chartNNN_Map.png of
+/// each.
 [[nodiscard]] Status saveMaps(
   vtkPartitionedDataSetCollection* maps, const std::string& folder, OutputFiles& files);
 
