@@ -53,7 +53,6 @@ Status writePicture(const PictureContent& content, PicturePanel panel, const std
   PanelLayout layout;
   layout.scale = Oversampling;
   layout.width = layout.height = (sheet ? TileSize : SingleSize) * Oversampling;
-  content.before->GetCellsBounds(layout.bounds.data());
 
   vtkNew<vtkHeadlessRenderWindow> window;
   ErrorCollector errors(window);

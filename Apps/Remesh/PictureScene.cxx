@@ -30,9 +30,11 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 namespace stipple
 {
@@ -40,7 +42,7 @@ namespace
 {
 using Color = std::array<double, 3>;
 constexpr Color Ink = { { 0.16, 0.18, 0.21 } };
-constexpr Color Paper = { { 0.985, 0.985, 0.98 } };
+constexpr Color Paper = { { 1., 1., 1. } };
 constexpr Color Clay = { { 0.82, 0.86, 0.91 } };
 constexpr Color Edge = { { 0.24, 0.28, 0.34 } };
 constexpr Color FeatureRed = { { 0.86, 0.10, 0.13 } };
@@ -85,39 +87,48 @@ void addLabel(vtkRenderer* renderer, const PanelLayout& layout, const std::strin
   addText(renderer, detail, 16 * s, layout.height - 38 * s, 14 * s, false, { { 0.4, 0.42, 0.46 } });
 }
 
-void aimCamera(vtkRenderer* renderer, const PanelLayout& layout)
+/// Closer than ResetCamera(), which makes room for the sphere around the bounding box: the surface
+/// just fits.
+void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, const PanelLayout& layout)
 {
-  // Closer than ResetCamera(), which makes room for the sphere around the box: the box's corners
-  // just fit.
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const auto& b = layout.bounds;
-  const double center[3] = { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
-  double from[3] = { ViewFrom[0], ViewFrom[1], ViewFrom[2] };
-  vtkMath::Normalize(from);
-  const double up[3] = { 0, 1, 0 };
-  double right[3];
-  double above[3];
-  vtkMath::Cross(up, from, right);
-  vtkMath::Normalize(right);
-  vtkMath::Cross(from, right, above);
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  const double aspect = static_cast<double>(layout.width) / layout.height;
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner)
+  Vec3 from(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
+  from.normalize();
+  const Vec3 right = Vec3::UnitY().cross(from).normalized();
+  const Vec3 up = from.cross(right);
+  const TriangleSurface triangles = fromPolyData(surface);
+  Eigen::Matrix3d axes;
+  axes << right, up, from;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
+  Vec3 high = -low;
+  for (const Triangle& t : triangles.triangles)
   {
-    const double d[3] = { b[corner & 1] - center[0], b[2 + ((corner >> 1) & 1)] - center[1],
-      b[4 + ((corner >> 2) & 1)] - center[2] };
-    const double across =
-      std::max(std::abs(vtkMath::Dot(d, right)) / aspect, std::abs(vtkMath::Dot(d, above)));
-    distance = std::max(distance, vtkMath::Dot(d, from) + across / tangent);
+    for (const int p : t)
+    {
+      const Vec3 q = axes.transpose() * triangles.points[p];
+      low = low.cwiseMin(q);
+      high = high.cwiseMax(q);
+    }
   }
-  distance = distance > 0 ? 1.12 * distance : 1.;
-  camera->SetFocalPoint(center);
-  camera->SetPosition(
-    center[0] + distance * from[0], center[1] + distance * from[1], center[2] + distance * from[2]);
-  camera->SetViewUp(up);
+  const Vec3 center = 0.5 * (low + high);
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+  const double margin = 1. - 2. * 48. * layout.scale / layout.height; // below the label
+  double distance = 0;
+  for (const Triangle& t : triangles.triangles)
+  {
+    for (const int p : t)
+    {
+      const Vec3 q = axes.transpose() * triangles.points[p] - center;
+      distance =
+        std::max(distance, q.z() + std::max(std::abs(q.x()), std::abs(q.y())) / (margin * tangent));
+    }
+  }
+  const Vec3 focus = axes * center;
+  const Vec3 position = focus + (distance > 0 ? distance : 1.) * from;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
   camera->SetViewAngle(ViewAngle);
-  renderer->ResetCameraClippingRange();
 }
 
 /// Pixels of the picture that a length at the model's centre takes.
@@ -219,7 +230,7 @@ std::array<unsigned char, 3> chartColor(int chart)
   const double hue = std::fmod(0.58 + 0.618033988749895 * chart, 1.);
   double rgb[3];
   vtkMath::HSVToRGB(
-    hue, 0.36 + 0.12 * (chart % 3), 0.95 - 0.07 * ((chart / 3) % 3), rgb, rgb + 1, rgb + 2);
+    hue, 0.30 + 0.08 * (chart % 3), 0.96 - 0.06 * ((chart / 3) % 3), rgb, rgb + 1, rgb + 2);
   return { { static_cast<unsigned char>(255 * rgb[0]), static_cast<unsigned char>(255 * rgb[1]),
     static_cast<unsigned char>(255 * rgb[2]) } };
 }
@@ -270,6 +281,8 @@ void addSamples(vtkRenderer* renderer, const PictureContent& content, const Pane
   points->GetPointData()->SetScalars(colors);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(points);
+  // A dot faces the viewer: bring it forward until a slanting surface does not cut it in half.
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-150.);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   const double spacing = pixelsOf(meanEdge(content.after), renderer, layout);
@@ -285,11 +298,21 @@ void addMaps(vtkRenderer* renderer, const PictureContent& content, const PanelLa
   ContactSheetOptions options;
   options.maps = { "AreaDistortion", "MeanCurvature", "Control" };
   options.maximumCharts = std::min(charts, layout.height / layout.scale > 700 ? 6 : 4);
-  options.tile = std::max(16,
-    std::min((layout.width / layout.scale - 60) / 3,
-      (layout.height / layout.scale - 110) / options.maximumCharts) -
-      12);
-  const vtkSmartPointer<vtkImageData> sheet = mapContactSheet(content.maps, options);
+  const double width = layout.width / layout.scale - 24.;
+  const double height = layout.height / layout.scale - 76.;
+  // Charts are of any shape: see how large the sheet becomes, then let it fill the panel.
+  vtkSmartPointer<vtkImageData> sheet = mapContactSheet(content.maps, options);
+  for (int attempt = 0; sheet && attempt < 4; ++attempt)
+  {
+    const int* size = sheet->GetDimensions();
+    const double growth = std::min(width / size[0], height / size[1]);
+    if (growth >= 1. && growth < 1.05)
+    {
+      break;
+    }
+    options.tile = std::clamp(static_cast<int>(options.tile * growth), 16, 1024);
+    sheet = mapContactSheet(content.maps, options);
+  }
   if (!sheet)
   {
     return;
@@ -300,9 +323,7 @@ void addMaps(vtkRenderer* renderer, const PictureContent& content, const PanelLa
   actor->InterpolateOff();
   renderer->AddActor(actor);
   // A pixel of the sheet is a pixel of the picture, below the label, or smaller if it must.
-  const double usable = layout.height / layout.scale - 64.;
-  const double zoom =
-    std::min({ 1., usable / size[1], (layout.width / layout.scale - 24.) / size[0] });
+  const double zoom = std::min({ 1., width / size[0], height / size[1] });
   const double* spacing = sheet->GetSpacing();
   const double* origin = sheet->GetOrigin();
   const double x = origin[0] + 0.5 * (size[0] - 1) * spacing[0];
@@ -325,7 +346,7 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
   lights->SetKeyLightIntensity(0.85);
   lights->SetKeyLightWarmth(0.53);
   lights->AddLightsToRenderer(renderer);
-  aimCamera(renderer, layout);
+  aimCamera(renderer, content.before, layout);
   const auto charts = content.charts->GetNumberOfPartitionedDataSets();
   switch (panel)
   {

@@ -6,8 +6,6 @@
 
 #include "Picture.h"
 
-#include <array>
-
 class vtkRenderer;
 
 namespace stipple
@@ -17,7 +15,6 @@ struct PanelLayout
   int width = 0;  ///< window pixels
   int height = 0; ///< window pixels
   int scale = 1;  ///< window pixels a pixel of the picture, for the widths of lines and letters
-  std::array<double, 6> bounds = {}; ///< of the input
 };
 
 /// Fills a renderer with what a panel shows (not All), with its label, and sets its camera.

@@ -107,10 +107,10 @@ std::string toJson(const Report& report)
   double total = 0;
   for (const auto& stage : report.seconds)
   {
-    seconds.add(stage.first, std::round(stage.second * 1e4) * 1e-4);
+    seconds.add(stage.first, std::round(stage.second * 1e4) / 1e4);
     total += stage.second;
   }
-  seconds.add("total", std::round(total * 1e4) * 1e-4);
+  seconds.add("total", std::round(total * 1e4) / 1e4);
   JsonObject repairs(1);
   for (const auto& repair : report.repairs)
   {
