@@ -14,7 +14,6 @@
 #include "vtkCylinderSource.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -325,7 +324,7 @@ int TestDataContracts(int, char*[])
   atlas->SetConstraints(constraints);
   vtkNew<vtkGeometryMapRenderer> maps;
   maps->SetInputConnection(atlas->GetOutputPort(0));
-  maps->SetNumberOfSamples(n);
+  maps->SetMapSize(512);
   vtkNew<vtkControlMap> control;
   control->SetInputConnection(maps->GetOutputPort());
   vtkNew<vtkErrorDiffusionSampler> sampler;
@@ -374,7 +373,7 @@ int TestDataContracts(int, char*[])
     {
       ++constrained;
       const double* x = polyData(optimizer, 0)->GetPoint(p);
-      check(std::abs(x[1] - 0.21) < 1e-9 && std::hypot(x[0] - 0.5, x[2]) < 0.01, "the constraint stays");
+      check(std::abs(x[1] - 0.21) < 1e-6 && std::hypot(x[0] - 0.5, x[2]) < 0.01, "the constraint stays");
     }
   }
   check(constrained == 1, "one constraint, one vertex");
