@@ -37,8 +37,7 @@ InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const 
 {
 }
 
-int InteriorSampler::upsampling(
-  const ControlImage& image, double scale, const ControlMass& mass)
+int InteriorSampler::upsampling(const ControlImage& image, double scale, const ControlMass& mass)
 {
   const double toWanted = scale * image.pixelArea();
   if (2. * mass.largest * toWanted <= 1.)
@@ -57,7 +56,8 @@ int InteriorSampler::upsampling(
     {
       const double wanted = image.control[i] * toWanted;
       const auto factor = [](double x) {
-        return static_cast<std::size_t>(std::min(std::ceil(std::sqrt(x)), static_cast<double>(most)));
+        return static_cast<std::size_t>(
+          std::min(std::ceil(std::sqrt(x)), static_cast<double>(most)));
       };
       crowded[factor(2. * wanted)] += wanted;
       overfull[factor(wanted)] += wanted;
@@ -104,8 +104,8 @@ void InteriorSampler::prepare(int factor)
   r.width = this->Image.width * factor;
   r.height = this->Image.height * factor;
   r.wanted.resize(static_cast<std::size_t>(r.width) * r.height);
-  const float toWanted =
-    static_cast<float>(this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
+  const float toWanted = static_cast<float>(
+    this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
   for (int y = 0; y < this->Image.height; ++y)
   {
     const float* in = this->Image.control + static_cast<std::size_t>(y) * this->Image.width;
@@ -120,7 +120,8 @@ void InteriorSampler::prepare(int factor)
     }
     for (int x = 0; x < this->Image.width; ++x)
     {
-      std::fill_n(out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
+      std::fill_n(
+        out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
     }
     for (int k = 1; k < factor; ++k)
     {
@@ -167,8 +168,8 @@ void InteriorSampler::maskOutside()
       {
         const double x = (a.x() + d.x() * dy / d.y()) / pixel.x() - 0.5;
         const double clamped = std::clamp(x, -1., static_cast<double>(r.width));
-        (d.y() > 0 ? begin : end) =
-          d.y() > 0 ? static_cast<int>(std::ceil(clamped)) : static_cast<int>(std::floor(clamped)) + 1;
+        (d.y() > 0 ? begin : end) = d.y() > 0 ? static_cast<int>(std::ceil(clamped))
+                                              : static_cast<int>(std::floor(clamped)) + 1;
       }
       else if (d.x() * dy > 0)
       {
@@ -192,15 +193,16 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const Vec2 pixel(this->Image.extent.x() / r.width, this->Image.extent.y() / r.height);
   const double closest = 0.36 * pixel.squaredNorm() / 2.;
   const Vec2 e = b - a;
-  // How far to look: half as far again as the control at the segment says, as it may fade beside it.
+  // How far to look: half as far again as the control at the segment says, as it may fade beside
+  // it.
   double least = std::numeric_limits<double>::max();
   for (double t : { 0., 0.5, 1. })
   {
     least = std::min(least, this->control(a + t * e) * this->Scale);
   }
   const double far = 2. * e.norm() + 8. * pixel.maxCoeff();
-  const double reach =
-    std::max(least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
+  const double reach = std::max(
+    least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
   const double length = e.norm();
   const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
   const Vec2 low = a.cwiseMin(b).array() - reach;
@@ -355,12 +357,13 @@ NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
 
 void InteriorSampler::add(std::vector<Vec2>& places, int count) const
 {
-  // Candidates are taken each time the running sum of what is wanted passes a step, so that they are as
-  // dense as the samples: six a sample, or a hundred for each sample to add if that is less.
+  // Candidates are taken each time the running sum of what is wanted passes a step, so that they
+  // are as dense as the samples: six a sample, or a hundred for each sample to add if that is less.
   const InteriorRaster& r = this->Raster;
   NeighbourGrid grid = this->gridOf(places);
   std::vector<Ranked> candidates;
-  const double step = r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
+  const double step =
+    r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
   double sum = 0;
   for (int y = 0; y < r.height && r.left > 0; ++y)
   {
@@ -379,7 +382,8 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count) const
     }
   }
   std::priority_queue<Ranked> holes({}, std::move(candidates));
-  const double closest = 0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
+  const double closest =
+    0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
   while (count > 0 && !holes.empty())
   {
     const Ranked top = holes.top();
@@ -436,8 +440,8 @@ bool InteriorSampler::clearOfGraph(const Vec2& p) const
 
 void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
 {
-  // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a sliver. Look
-  // for the widest gaps on ever finer lattices, in the box of the polygon.
+  // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a
+  // sliver. Look for the widest gaps on ever finer lattices, in the box of the polygon.
   NeighbourGrid grid = this->gridOf(places);
   Vec2 low = this->Image.extent;
   Vec2 high = Vec2::Zero();
@@ -485,9 +489,7 @@ void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
 void InteriorSampler::remove(std::vector<Vec2>& places, int count) const
 {
   NeighbourGrid grid = this->gridOf(places);
-  const auto key = [&](int i) {
-    return -grid.nearest(places[i], i) * this->control(places[i]);
-  };
+  const auto key = [&](int i) { return -grid.nearest(places[i], i) * this->control(places[i]); };
   std::priority_queue<Ranked> pairs;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -548,8 +550,7 @@ void locate(
       const int h = 3 * f + (k + 1) % 3;
       const int twin = surface.twin[h];
       if (b[k] < most && twin >= 0 && twin / 3 != from && surface.faceChart[twin / 3] == chart &&
-        surface.chartPoints[f][h % 3] ==
-          surface.chartPoints[twin / 3][nextHalfedge(twin) % 3])
+        surface.chartPoints[f][h % 3] == surface.chartPoints[twin / 3][nextHalfedge(twin) % 3])
       {
         most = b[k];
         next = twin / 3;

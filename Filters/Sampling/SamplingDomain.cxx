@@ -27,8 +27,8 @@ std::array<float, 3> firstFundamentalForm(const AtlasSurface& s, int face)
     static_cast<float>(dv.dot(dv)) } };
 }
 
-/// A segment of a backbone by the surface point that it begins at, if the backbone changes there between a
-/// chart's inside and its border, or from chart to chart: there must be a node. Else -1.
+/// A segment of a backbone by the surface point that it begins at, if the backbone changes there
+/// between a chart's inside and its border, or from chart to chart: there must be a node. Else -1.
 int segmentThatLacksNode(const SamplingDomain& domain, std::size_t b)
 {
   const AtlasSurface& s = domain.surface;
@@ -65,7 +65,8 @@ public:
       {
         for (std::size_t i = 0; i < trace.halfedge[side].size(); ++i)
         {
-          this->Segment[trace.halfedge[side][i]] = { static_cast<int>(b), static_cast<int>(i), side };
+          this->Segment[trace.halfedge[side][i]] = { static_cast<int>(b), static_cast<int>(i),
+            side };
         }
       }
       const Backbone& backbone = domain.graph.backbones[b];
@@ -229,7 +230,8 @@ Status readSamplingDomain(
     {
       return Status::error("Backbone " + std::to_string(b) + " has no node at surface point " +
         std::to_string(domain.graph.backbones[b].points[i]) +
-        ", where it passes from one chart, or from a chart's border, to another: pass the feature graph of "
+        ", where it passes from one chart, or from a chart's border, to another: pass the feature "
+        "graph of "
         "the vtkConformalAtlas that made the charts.");
     }
   }
@@ -276,9 +278,11 @@ Status readSamplingDomain(
     if (c.chart < 0 || c.chart >= s.numberOfCharts() || c.chartCell < 0 ||
       c.chartCell >= s.chartBegin[c.chart + 1] - s.chartBegin[c.chart])
     {
-      return Status::error("Constraint " + std::to_string(i) + " of the feature graph lies in cell " +
-        std::to_string(c.chartCell) + " of chart " + std::to_string(c.chart) +
-        ", which these charts do not have: pass charts and feature graph of the same vtkConformalAtlas.");
+      return Status::error("Constraint " + std::to_string(i) +
+        " of the feature graph lies in cell " + std::to_string(c.chartCell) + " of chart " +
+        std::to_string(c.chart) +
+        ", which these charts do not have: pass charts and feature graph of the same "
+        "vtkConformalAtlas.");
     }
     sorter.add(s.chartBegin[c.chart] + c.chartCell, c.bary);
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Control images made by hand for the charts of ../Cxx/SyntheticAtlas.h, and what must hold of their samples.
+// Control images made by hand for the charts of ../Cxx/SyntheticAtlas.h, and what must hold of
+// their samples.
 #ifndef stipple_testing_SyntheticControl_h
 #define stipple_testing_SyntheticControl_h
 
@@ -16,7 +17,8 @@
 
 namespace synthetic
 {
-/// Control = area distortion x importance(position), on images of `size` pixels along the longer side.
+/// Control = area distortion x importance(position), on images of `size` pixels along the longer
+/// side.
 struct ControlMaps
 {
   std::vector<std::vector<float>> control;
@@ -63,8 +65,9 @@ inline double segmentDistance(const Vec2& a, const Vec2& b, const Vec2& p)
   return (a + t * (b - a) - p).norm();
 }
 
-/// By brute force: segments of a chart meet only at shared ends, features and interior samples lie strictly
-/// inside the boundary's polygon, off all segments and apart; no two intervals join the same two samples.
+/// By brute force: segments of a chart meet only at shared ends, features and interior samples lie
+/// strictly inside the boundary's polygon, off all segments and apart; no two intervals join the
+/// same two samples.
 inline void expectTriangulable(const SurfaceSamples& result, const SamplingDomain& domain)
 {
   std::set<std::array<int, 4>> seen;
@@ -106,9 +109,11 @@ inline void expectTriangulable(const SurfaceSamples& result, const SamplingDomai
           continue;
         }
         const bool apart1 = orient2(uv(s.first), uv(s.second), uv(o.first)) *
-            orient2(uv(s.first), uv(s.second), uv(o.second)) >= 0;
+            orient2(uv(s.first), uv(s.second), uv(o.second)) >=
+          0;
         const bool apart2 = orient2(uv(o.first), uv(o.second), uv(s.first)) *
-            orient2(uv(o.first), uv(o.second), uv(s.second)) >= 0;
+            orient2(uv(o.first), uv(o.second), uv(s.second)) >=
+          0;
         ASSERT_TRUE(apart1 || apart2) << "segments cross in chart " << c;
       }
       const int p = g.vertices[s.first].sample;
@@ -131,7 +136,8 @@ inline void expectTriangulable(const SurfaceSamples& result, const SamplingDomai
     {
       for (std::size_t k = 0; k < g.boundary.size(); ++k)
       {
-        ASSERT_GT(orient2(uv(g.boundary[k]), uv(g.boundary[(k + 1) % g.boundary.size()]), inside[i]), 0.)
+        ASSERT_GT(
+          orient2(uv(g.boundary[k]), uv(g.boundary[(k + 1) % g.boundary.size()]), inside[i]), 0.)
           << "outside chart " << c;
       }
       for (std::size_t j = 0; j < i; ++j)

@@ -33,7 +33,8 @@ TEST(Importance, L2DensityIsTheMeanSquareErrorOfEquilateralTriangles)
 {
   // The mean square of f - interpolant over the triangle, by brute force, is h^4 (9 H^2 - K) / 480.
   const double h = 0.3;
-  for (const auto& [k1, k2] : { std::pair<double, double>{ 1., 1. }, { 1., 0. }, { 2., -1. }, { 0.3, -0.3 } })
+  for (const auto& [k1, k2] :
+    { std::pair<double, double>{ 1., 1. }, { 1., 0. }, { 2., -1. }, { 0.3, -0.3 } })
   {
     for (double turn : { 0., 0.4, 1.1 })
     {

@@ -18,8 +18,7 @@ constexpr int Size = 512;
 std::vector<int> halftone(const std::vector<float>& wanted, ErrorDiffusionOptions options = {})
 {
   std::vector<int> samples;
-  diffuseErrors(
-    wanted.data(), Size, static_cast<int>(wanted.size()) / Size, options, samples);
+  diffuseErrors(wanted.data(), Size, static_cast<int>(wanted.size()) / Size, options, samples);
   return samples;
 }
 

@@ -43,7 +43,8 @@ void expectSound(const SurfaceSamples& result, const Fixture& f, int n)
   expectTriangulable(result, f.sampler.domain());
 }
 
-/// A square chart of n x n squares in the plane z = 0, its outline one closed boundary without a node.
+/// A square chart of n x n squares in the plane z = 0, its outline one closed boundary without a
+/// node.
 void flatSquare(Builder& b, int n)
 {
   const auto position = [=](int i, int j) {
@@ -51,8 +52,8 @@ void flatSquare(Builder& b, int n)
   };
   b.addGrid(n, n, position);
   std::vector<Vec3> outline;
-  for (const auto& [i0, j0, i1, j1] : { std::array<int, 4>{ 0, 0, n, 0 }, { n, 0, n, n }, { n, n, 0, n },
-         { 0, n, 0, 0 } })
+  for (const auto& [i0, j0, i1, j1] :
+    { std::array<int, 4>{ 0, 0, n, 0 }, { n, 0, n, n }, { n, n, 0, n }, { 0, n, 0, 0 } })
   {
     const std::vector<Vec3> side = run(position, i0, j0, i1, j1);
     outline.insert(outline.end(), side.begin(), side.end() - 1);
@@ -102,8 +103,8 @@ TEST(SurfaceSampler, ExactCountOnManyDraws)
       const ControlMaps maps(f.surface(), draw % 3 == 0 ? 20 : 90, [&](const Vec3& p) {
         return power == 4. && p.x() < 0.4 ? 0. : std::exp(-power * 2. * (p - dense).norm());
       });
-      const int n = draw < 6 ? least + draw
-                             : least + static_cast<int>(std::pow(3000., (engine() % 100) / 99.));
+      const int n =
+        draw < 6 ? least + draw : least + static_cast<int>(std::pow(3000., (engine() % 100) / 99.));
       const SurfaceSamples result = f.sample(maps, n);
       expectSound(result, f, n);
       ASSERT_FALSE(::testing::Test::HasFatalFailure())
@@ -162,7 +163,8 @@ TEST(SurfaceSampler, SameBytesForAnyNumberOfThreads)
 
 TEST(SurfaceSampler, DensityIsWhatTheMapSays)
 {
-  // Windows of equal mass over two charts and their seam: far more even than darts thrown at random.
+  // Windows of equal mass over two charts and their seam: far more even than darts thrown at
+  // random.
   Fixture f;
   bumpyGrid(f.builder, 2, 16);
   f.take();
@@ -230,8 +232,8 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
   const ControlMaps maps(f.surface(), 256, [](const Vec3& p) { return std::exp(2. * p.y()); });
   const SurfaceSamples result = f.sample(maps, 3000);
   const SamplingDomain& domain = f.sampler.domain();
-  // Along: arc lengths between neighbours over the wanted spacing. Beside: the wanted spacing is met if the
-  // samples within two spacings of a backbone are as many as wanted there.
+  // Along: arc lengths between neighbours over the wanted spacing. Beside: the wanted spacing is
+  // met if the samples within two spacings of a backbone are as many as wanted there.
   double along = 0;
   int intervals = 0;
   const std::vector<std::vector<int>> on = samplesByBackbone(domain.graph, result.samples);
@@ -251,10 +253,12 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
   double wanted = 0;
   int count = 0;
   const double scale = result.density.back() /
-    std::exp(2. * domain.surface.position(result.samples.back().face, result.samples.back().bary).y());
+    std::exp(
+      2. * domain.surface.position(result.samples.back().face, result.samples.back().bary).y());
   for (std::size_t c = 0; c < maps.images.size(); ++c)
   {
-    // Columns of pixels left and right of the seam x = 1/2, two to four hundredths away (a spacing is 0.02).
+    // Columns of pixels left and right of the seam x = 1/2, two to four hundredths away (a spacing
+    // is 0.02).
     const ControlImage& image = maps.images[c];
     for (int i = 0; i < image.numberOfPixels(); ++i)
     {
@@ -275,8 +279,8 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
 
 TEST(SurfaceSampler, FeaturesOfAllKinds)
 {
-  // A closed loop, a dart, two lines that run side by side, and a line from the outline to the outline that
-  // hugs it: at few samples each would cross something, or be cut off.
+  // A closed loop, a dart, two lines that run side by side, and a line from the outline to the
+  // outline that hugs it: at few samples each would cross something, or be cut off.
   const int n = 24;
   Fixture f;
   Builder& b = f.builder;
@@ -293,15 +297,16 @@ TEST(SurfaceSampler, FeaturesOfAllKinds)
   };
   b.addBackbone(BackboneType::Boundary, path({ { 0, 5 }, { 0, 0 }, { n, 0 }, { n, n - 1 } }));
   b.addBackbone(BackboneType::Boundary, path({ { n, n - 1 }, { n, n }, { 0, n }, { 0, 5 } }));
-  b.addBackbone(
-    BackboneType::Sharp, path({ { 0, 5 }, { 1, 5 }, { 1, 1 }, { n - 1, 1 }, { n - 1, n - 1 }, { n, n - 1 } }));
+  b.addBackbone(BackboneType::Sharp,
+    path({ { 0, 5 }, { 1, 5 }, { 1, 1 }, { n - 1, 1 }, { n - 1, n - 1 }, { n, n - 1 } }));
   std::vector<Vec3> loop = path({ { 10, 10 }, { 14, 10 }, { 14, 14 }, { 10, 14 }, { 10, 10 } });
   loop.pop_back();
   b.addBackbone(BackboneType::Sharp, loop, true);
   std::vector<Vec3> ring = path({ { 9, 9 }, { 15, 9 }, { 15, 15 }, { 9, 15 }, { 9, 9 } });
   ring.pop_back();
   b.addBackbone(BackboneType::Sharp, ring, true);
-  b.addBackbone(BackboneType::Sharp, path({ { 4, 4 }, { 4, 20 }, { 7, 20 }, { 7, 5 }, { 6, 5 }, { 6, 18 } }));
+  b.addBackbone(
+    BackboneType::Sharp, path({ { 4, 4 }, { 4, 20 }, { 7, 20 }, { 7, 5 }, { 6, 5 }, { 6, 18 } }));
   b.addBackbone(BackboneType::Sharp, path({ { 5, 19 }, { 5, 4 }, { 8, 4 }, { 8, 20 } }));
   b.addBackbone(BackboneType::Sharp, path({ { 17, 4 }, { 20, 4 } }));
   b.addBackbone(BackboneType::Sharp, path({ { 17, 4 }, { 17, 7 }, { 20, 7 }, { 20, 4 } }));
@@ -444,13 +449,15 @@ TEST(SurfaceSampler, ProgressAndAbort)
                   result)
                 .ok());
   EXPECT_GT(last, 0.9);
-  const Status status = f.sampler.sample(maps.images, 500, [](double) { return false; }, result);
+  const Status status = f.sampler.sample(
+    maps.images, 500, [](double) { return false; }, result);
   EXPECT_TRUE(status.isAbort());
 }
 
 TEST(SurfaceSampler, BackboneWithoutANodeIsRefused)
 {
-  // A backbone that lacks a node where it leaves the chart's border is refused, not refined for ever.
+  // A backbone that lacks a node where it leaves the chart's border is refused, not refined for
+  // ever.
   Builder b;
   const int n = 6;
   const auto at = [=](int i, int j) { return onSquare(n, i, j); };
