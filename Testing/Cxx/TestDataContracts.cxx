@@ -232,6 +232,7 @@ void checkImages(vtkPartitionedDataSetCollection* images, vtkPartitionedDataSetC
     {
       area += cellArea(chart, f);
     }
+    if (std::abs(sum / area - 1) >= 0.02) std::cerr << "chart " << c << " size " << size[0] << "x" << size[1] << " cells " << chart->GetNumberOfCells() << " sum/area " << sum / area << " area " << area << "\n";
     check(std::abs(sum / area - 1) < 0.02, "AreaDistortion integrates to the chart's area");
   }
 }
