@@ -326,7 +326,8 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
       moveVertex(static_cast<int>(v));
     }
   });
-  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter, at last all the way.
+  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
+  // at last all the way.
   std::vector<char> isSoundNow(faces);
   for (int round = 0; round < 12; ++round)
   {
@@ -380,12 +381,18 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
 
 bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>& accept)
 {
+  return this->moveOne(v, this->Place[v], step, accept);
+}
+
+bool OptimizedMesh::moveOne(
+  int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept)
+{
   if (this->Free[v] != Freedom::Surface)
   {
     return false;
   }
   const SurfacePlace old = this->Place[v];
-  this->placeVertex(v, this->Atlas->walk().walk(old, step));
+  this->placeVertex(v, this->Atlas->walk().walk(SurfacePlace(from), step));
   if (accept())
   {
     return true;

@@ -77,6 +77,8 @@ public:
   /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there.
   /// False, and nothing is changed, if `accept`, asked at the new position, says no.
   bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
+  /// The same, with the walk starting at another place.
+  bool moveOne(int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept);
   bool slideOne(int v, double step, const std::function<bool()>& accept);
 
   /// Backbone vertices in order, with both ends; empty for seams.
