@@ -138,17 +138,15 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   }
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
   std::vector<int> ring;
-  forEachFace(mesh, v,
-    [&](int f)
+  forEachFace(mesh, v, [&](int f) {
+    for (int u : corners(mesh, f))
     {
-      for (int u : corners(mesh, f))
+      if (u != v && mesh.freedom(u) == Freedom::Surface)
       {
-        if (u != v && mesh.freedom(u) == Freedom::Surface)
-        {
-          ring.push_back(u);
-        }
+        ring.push_back(u);
       }
-    });
+    }
+  });
   for (int u : ring)
   {
     mesh.moveOne(v, mesh.place(u), centre - mesh.position(u), accept);
@@ -183,7 +181,8 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
   {
     return cosine - 1.;
   }
-  // A vertex that has slipped out of its ring turns its back on some of its triangles, though these may agree on average.
+  // A vertex that has slipped out of its ring turns its back on some of its triangles, though these
+  // may agree on average.
   for (int v : { a, b, c })
   {
     const double own = mesh.freedom(v) == Freedom::Surface ? n.dot(mesh.normal(v)) : 0.;

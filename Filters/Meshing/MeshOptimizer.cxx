@@ -19,7 +19,8 @@ using Moves = OptimizerOptions::Moves;
 /// reach in 40 rounds what plain steps do not reach in 100.
 constexpr double OverRelaxation = 1.5;
 constexpr double Momentum = 0.7;
-/// Longest step over the mean length of the edges about a vertex: beyond, the one-ring says nothing.
+/// Longest step over the mean length of the edges about a vertex: beyond, the one-ring says
+/// nothing.
 constexpr double LongestStep = 0.5;
 /// Time step of the weighted Laplacian.
 constexpr double LaplacianStep = 0.3;
@@ -52,8 +53,8 @@ Vec3 nextStep(const OptimizedMesh& mesh, const OptimizerOptions& options, int v,
   if (options.moves == Moves::Lloyd)
   {
     const bool isDelaunay = options.swaps == Swaps::Regularity;
-    const Vec3 step = Momentum * last +
-      OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v, isDelaunay));
+    const Vec3 step =
+      Momentum * last + OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v, isDelaunay));
     const double length = step.norm();
     const double limit = LongestStep * meanEdgeLength(mesh, v);
     return length > limit ? Vec3(limit / length * step) : step;

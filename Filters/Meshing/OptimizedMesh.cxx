@@ -300,7 +300,7 @@ bool OptimizedMesh::swap(int edge)
   return true;
 }
 
-void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double>& arcLength)
+void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arcLength)
 {
   const int n = this->numberOfVertices();
   const int faces = this->numberOfFaces();
@@ -309,6 +309,13 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
   std::vector<Vec3> oldPosition = this->Position;
   std::vector<Vec3> oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
+  std::vector<int> drawnBack;
+  const auto forget = [&]() {
+    for (int v : drawnBack) // no momentum into what was refused
+    {
+      step[v] = Vec3::Zero();
+    }
+  };
   const auto moveVertex = [&](int v) {
     if (this->Free[v] == Freedom::Surface)
     {
@@ -361,6 +368,7 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
     this->Normal.swap(oldNormal);
     if (back.empty())
     {
+      forget();
       return;
     }
     std::sort(back.begin(), back.end());
@@ -369,8 +377,10 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
     {
       share[v] = round < 2 ? 0.5f * share[v] : 0.f;
       moveVertex(v);
+      drawnBack.push_back(v);
     }
   }
+  forget();
   // Drawing back spread on and on: take back the whole step.
   std::fill(share.begin(), share.end(), 0.f);
   for (int v = 0; v < n; ++v)

@@ -52,8 +52,9 @@ struct CellIntegral
   }
 };
 
-/// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off a tip is steep there:
-/// projected, a step across it would lead nowhere; turned, it leads up to the tip.
+/// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off
+/// a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to the
+/// tip.
 Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
 {
   constexpr double Least = 0.2; // a fold: no way of turning is better than another
@@ -95,7 +96,7 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
     const double flatArea = std::sqrt(square);
     // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
     // triangle cuts off would have no weight, and vertices would slide off them.
-    const double twiceArea = (getenv("NOAS")?1.:areaOfSurface(mesh, v, q, r, cross))*flatArea;
+    const double twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
     const double slopeA = mesh.density(q) * mesh.density(q) - here;
     const double slopeB = mesh.density(r) * mesh.density(r) - here;
     const Vec2 halfA(0.5, 0.);
@@ -160,7 +161,7 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a
   // neighbour|^2 over d in the tangent plane at v. Planes that are nearly parallel to it say
   // nothing about where a ridge is.
-  const double Inertia = getenv("IN") ? atof(getenv("IN")) : 20.;
+  constexpr double Inertia = 20.;
   constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
   const Vec3& x = mesh.position(v);
   const Vec3& normal = mesh.normal(v);
@@ -177,7 +178,7 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
       right += w * n * n.dot(mesh.position(q) - x);
     }
   });
-  if (!onRidge || getenv("NORI"))
+  if (!onRidge)
   {
     return step;
   }
