@@ -37,31 +37,42 @@ InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const 
 {
 }
 
-int InteriorSampler::upsampling(const ControlImage& image, double scale, double largestControl)
+int InteriorSampler::upsampling(
+  const ControlImage& image, double scale, const ControlMass& mass)
 {
   const double toWanted = scale * image.pixelArea();
-  const double needed = std::sqrt(2. * largestControl * toWanted);
-  if (needed <= 1.)
+  if (2. * mass.largest * toWanted <= 1.)
   {
     return 1;
   }
-  const int most = static_cast<int>(std::min(std::ceil(needed), 4096.));
-  // Mass by the factor that its pixel needs.
-  std::vector<double> mass(static_cast<std::size_t>(most) + 1, 0.);
-  double total = 0;
+  // Mass by the factor that its pixel needs to want no more than half, or no more than one.
+  constexpr int most = 4096;
+  std::vector<double> crowded(most + 1, 0.);
+  std::vector<double> overfull(most + 1, 0.);
+  const float limit = static_cast<float>(0.5 / toWanted);
   const int n = image.numberOfPixels();
   for (int i = 0; i < n; ++i)
   {
-    const double wanted = image.control[i] > 0 ? image.control[i] * toWanted : 0.;
-    const double factor = std::ceil(std::sqrt(2. * wanted));
-    mass[static_cast<std::size_t>(std::clamp(factor, 0., static_cast<double>(most)))] += wanted;
-    total += wanted;
+    if (image.control[i] > limit)
+    {
+      const double wanted = image.control[i] * toWanted;
+      const auto factor = [](double x) {
+        return static_cast<std::size_t>(std::min(std::ceil(std::sqrt(x)), static_cast<double>(most)));
+      };
+      crowded[factor(2. * wanted)] += wanted;
+      overfull[factor(wanted)] += wanted;
+    }
   }
-  double above = 0;
+  const double total = scale * mass.total;
+  double aboveHalf = 0;
+  double aboveOne = 0;
   int factor = most;
-  while (factor > 1 && above + mass[factor] <= crowdedShare * total)
+  while (factor > 1 && aboveHalf + crowded[factor] <= crowdedShare * total &&
+    aboveOne + overfull[factor] <= overfullShare * total)
   {
-    above += mass[factor--];
+    aboveHalf += crowded[factor];
+    aboveOne += overfull[factor];
+    --factor;
   }
   return factor;
 }
@@ -344,32 +355,30 @@ NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
 
 void InteriorSampler::add(std::vector<Vec2>& places, int count) const
 {
-  // Candidates: about sixteen a wanted sample, taken each time the running sum of what is wanted passes
-  // a sixteenth, so that they are as dense as the samples.
+  // Candidates are taken each time the running sum of what is wanted passes a step, so that they are as
+  // dense as the samples: six a sample, or a hundred for each sample to add if that is less.
   const InteriorRaster& r = this->Raster;
   NeighbourGrid grid = this->gridOf(places);
-  std::priority_queue<Ranked> holes;
-  const double step = std::min(1. / 16., r.left / (16. * count));
+  std::vector<Ranked> candidates;
+  const double step = r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
   double sum = 0;
-  if (r.left > 0)
+  for (int y = 0; y < r.height && r.left > 0; ++y)
   {
-    for (int y = 0; y < r.height; ++y)
+    const float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    const int first = y % 2 == 0 ? 0 : r.width - 1;
+    const int direction = y % 2 == 0 ? 1 : -1;
+    for (int i = 0, x = first; i < r.width; ++i, x += direction)
     {
-      for (int i = 0; i < r.width; ++i)
+      sum += row[x];
+      if (sum >= step)
       {
-        const int pixel = y * r.width + (y % 2 == 0 ? i : r.width - 1 - i);
-        sum += r.wanted[pixel];
-        if (sum >= step)
-        {
-          sum = std::fmod(sum, step);
-          if (r.wanted[pixel] > 0)
-          {
-            holes.push({ grid.nearest(this->centre(pixel)) * r.wanted[pixel], pixel });
-          }
-        }
+        sum = sum < 2. * step ? sum - step : 0.;
+        const int pixel = y * r.width + x;
+        candidates.push_back({ grid.nearest(this->centre(pixel)) * row[x], pixel });
       }
     }
   }
+  std::priority_queue<Ranked> holes({}, std::move(candidates));
   const double closest = 0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
   while (count > 0 && !holes.empty())
   {

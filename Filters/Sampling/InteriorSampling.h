@@ -23,9 +23,11 @@ struct InteriorRaster
 /// Limits of upsampling a control image that is too coarse for its samples.
 constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
 constexpr double largestRasterSize = 64. * 1024 * 1024; ///< pixels of one chart
-/// At most this share of a chart's samples may fall to pixels that want more than half a sample; error
-/// diffusion hands what those cannot take to the pixels beside them, and nothing is lost.
-constexpr double crowdedShare = 0.005;
+/// At most these shares of a chart's samples may fall to pixels that want more than half a sample, and more
+/// than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins to show; what a
+/// pixel cannot take, error diffusion hands to those beside it, and nothing is lost.
+constexpr double crowdedShare = 0.05;
+constexpr double overfullShare = 0.005;
 
 class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
@@ -35,8 +37,8 @@ public:
     const ChartGraph& graph, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample (but
-  /// for crowdedShare), which may be beyond the limits.
-  static int upsampling(const ControlImage& image, double scale, double largestControl);
+  /// for crowdedShare and overfullShare), which may be beyond the limits.
+  static int upsampling(const ControlImage& image, double scale, const ControlMass& mass);
   static bool withinLimits(const ControlImage& image, int factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every

@@ -233,9 +233,8 @@ private:
       const Vec2& q = s.first == o.first || s.second == o.first ? d : c;
       const Vec2 u = p - shared;
       const Vec2 v = q - shared;
-      const double reach = std::min(u.norm(), v.norm());
-      return u.dot(v) > 0 &&
-        std::abs(cross2(u, v)) * reach <= this->Tolerance * u.norm() * v.norm();
+      // An angle only: unlike a distance, it does not vanish as the segments get shorter.
+      return u.dot(v) > 0 && std::abs(cross2(u, v)) <= 1e-10 * u.norm() * v.norm();
     }
     const double t = this->Tolerance;
     if ((a.cwiseMax(b) - c.cwiseMin(d)).minCoeff() < -t ||
@@ -438,7 +437,7 @@ std::vector<BackboneInterval> invalidIntervals(
 
 Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlaces& valid)
 {
-  for (int round = 0; round < 64; ++round)
+  for (int round = 0; round < 24; ++round) // intervals halve: more rounds would be beyond any surface's detail
   {
     valid.samples = domain.samples(places);
     valid.graphs = buildChartGraphs(domain.surface, domain.graph, domain.traces, valid.samples);

@@ -182,7 +182,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     for (std::size_t c = 0; c < charts; ++c)
     {
       samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
-      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c].largest);
+      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c]);
       if (!InteriorSampler::withinLimits(images[c], factor[c]))
       {
         return Status::error("The control image of chart " + std::to_string(c) + " (" +
