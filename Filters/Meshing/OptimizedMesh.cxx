@@ -300,7 +300,7 @@ bool OptimizedMesh::swap(int edge)
   return true;
 }
 
-void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double>& arcLength)
+void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arcLength)
 {
   const int n = this->numberOfVertices();
   const int faces = this->numberOfFaces();
@@ -309,6 +309,13 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
   std::vector<Vec3> oldPosition = this->Position;
   std::vector<Vec3> oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
+  std::vector<int> drawnBack;
+  const auto forget = [&]() {
+    for (int v : drawnBack) // no momentum into what was refused
+    {
+      step[v] = Vec3::Zero();
+    }
+  };
   const auto moveVertex = [&](int v) {
     if (this->Free[v] == Freedom::Surface)
     {
@@ -326,7 +333,8 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
       moveVertex(static_cast<int>(v));
     }
   });
-  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter, at last all the way.
+  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
+  // at last all the way.
   std::vector<char> isSoundNow(faces);
   for (int round = 0; round < 12; ++round)
   {
@@ -360,6 +368,7 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
     this->Normal.swap(oldNormal);
     if (back.empty())
     {
+      forget();
       return;
     }
     std::sort(back.begin(), back.end());
@@ -368,8 +377,10 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
     {
       share[v] = round < 2 ? 0.5f * share[v] : 0.f;
       moveVertex(v);
+      drawnBack.push_back(v);
     }
   }
+  forget();
   // Drawing back spread on and on: take back the whole step.
   std::fill(share.begin(), share.end(), 0.f);
   for (int v = 0; v < n; ++v)
@@ -380,12 +391,18 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
 
 bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>& accept)
 {
+  return this->moveOne(v, this->Place[v], step, accept);
+}
+
+bool OptimizedMesh::moveOne(
+  int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept)
+{
   if (this->Free[v] != Freedom::Surface)
   {
     return false;
   }
   const SurfacePlace old = this->Place[v];
-  this->placeVertex(v, this->Atlas->walk().walk(old, step));
+  this->placeVertex(v, this->Atlas->walk().walk(SurfacePlace(from), step));
   if (accept())
   {
     return true;

@@ -73,10 +73,13 @@ public:
   /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all
   /// at once. Where that makes a triangle unsound, the steps of its vertices are halved, at last
   /// refused.
-  void move(const std::vector<Vec3>& step, const std::vector<double>& arcLength);
+  void move(std::vector<Vec3>& step, const std::vector<double>& arcLength);
   /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there.
   /// False, and nothing is changed, if `accept`, asked at the new position, says no.
   bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
+  /// The same, with the walk starting at another place.
+  bool moveOne(
+    int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept);
   bool slideOne(int v, double step, const std::function<bool()>& accept);
 
   /// Backbone vertices in order, with both ends; empty for seams.

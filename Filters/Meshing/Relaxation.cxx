@@ -52,6 +52,16 @@ struct CellIntegral
   }
 };
 
+/// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off
+/// a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to the
+/// tip.
+Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
+{
+  constexpr double Least = 0.2; // a fold: no way of turning is better than another
+  const double scale = 1. / std::max(Least, 1. + triangleNormal.dot(normal));
+  return vector - normal.dot(vector) * scale * (triangleNormal + normal);
+}
+
 /// Area of the surface under a triangle over the triangle's own, estimated from the normals at its
 /// vertices.
 double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
@@ -82,9 +92,11 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
     {
       return;
     }
+    const Vec3 cross = a.cross(b);
+    const double flatArea = std::sqrt(square);
     // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
     // triangle cuts off would have no weight, and vertices would slide off them.
-    const double twiceArea = std::sqrt(square) * areaOfSurface(mesh, v, q, r, a.cross(b));
+    const double twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
     const double slopeA = mesh.density(q) * mesh.density(q) - here;
     const double slopeB = mesh.density(r) * mesh.density(r) - here;
     const Vec2 halfA(0.5, 0.);
@@ -107,10 +119,10 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
       cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
       cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
     }
-    moment += cell.alongA * a + cell.alongB * b;
+    moment += turned(cell.alongA * a + cell.alongB * b, cross / flatArea, mesh.normal(v));
     mass += cell.mass;
     const double whole = 0.5 * twiceArea * (here + (slopeA + slopeB) / 3.);
-    ringMoment += whole / 3. * (a + b);
+    ringMoment += turned(whole / 3. * (a + b), cross / flatArea, mesh.normal(v));
     ringMass += whole;
   });
   // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own
@@ -149,7 +161,7 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a
   // neighbour|^2 over d in the tangent plane at v. Planes that are nearly parallel to it say
   // nothing about where a ridge is.
-  constexpr double Inertia = 6.;
+  constexpr double Inertia = 20.;
   constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
   const Vec3& x = mesh.position(v);
   const Vec3& normal = mesh.normal(v);
@@ -173,6 +185,17 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   matrix += Inertia * Eigen::Matrix3d::Identity() + 10. * normal * normal.transpose();
   right += Inertia * step;
   return matrix.ldlt().solve(right);
+}
+
+double meanEdgeLength(const OptimizedMesh& mesh, int v)
+{
+  double sum = 0;
+  int count = 0;
+  forEachTriangle(mesh, v, [&](int q, int, bool) {
+    sum += (mesh.position(q) - mesh.position(v)).norm();
+    ++count;
+  });
+  return sum / count;
 }
 
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)

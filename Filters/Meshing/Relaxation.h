@@ -25,6 +25,8 @@ STIPPLEFILTERSMESHING_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v
 STIPPLEFILTERSMESHING_EXPORT Vec3 laplacianStep(
   const OptimizedMesh& mesh, int v, bool weightedByDensity);
 
+STIPPLEFILTERSMESHING_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
+
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
 /// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
 /// neighbour.
