@@ -52,15 +52,14 @@ Setter text(std::string Options::*member)
 Setter integer(int Options::*member, int low, int high)
 {
   return [=](Options& o, const std::string& s) {
-    return parseInteger(s, low, high, o.*member)
-      ? std::string()
-      : "needs a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
-        ", not '" + s + "'";
+    return parseInteger(s, low, high, o.*member) ? std::string()
+                                                 : "needs a whole number from " +
+        std::to_string(low) + " to " + std::to_string(high) + ", not '" + s + "'";
   };
 }
 
-Setter number(double Options::*member, bool Options::*given, double low, double high,
-  const std::string& range)
+Setter number(
+  double Options::*member, bool Options::*given, double low, double high, const std::string& range)
 {
   return [=](Options& o, const std::string& s) {
     o.*given = true;
@@ -105,9 +104,9 @@ Setter notYet(const std::vector<std::string>& available, const std::vector<std::
 std::string setMapSize(Options& o, const std::string& s)
 {
   o.mapSize = 0;
-  return s == "auto" || parseInteger(s, 16, 8192, o.mapSize)
+  return s == "auto" || parseInteger(s, 16, 16384, o.mapSize)
     ? ""
-    : "needs auto or a whole number of pixels from 16 to 8192, not '" + s + "'";
+    : "needs auto or a whole number of pixels from 16 to 16384, not '" + s + "'";
 }
 
 std::string setTransfer(Options& o, const std::string& s)
@@ -136,24 +135,29 @@ const std::vector<Group>& groups()
   static const std::vector<Group> table = {
     { "Sampling",
       { { "--points", "N",
-          "exact number of output points, 1 to 10000000\n(default: as many as the input has after welding)",
+          "exact number of output points, 1 to 10000000\n(default: as many as the input has after "
+          "welding)",
           integer(&Options::points, 1, MaximumNumberOfPoints) },
         { "--importance", "KIND",
-          "what attracts samples: uniform, mean, gaussian, minimum,\nmaximum, total (curvatures), l2, "
+          "what attracts samples: uniform, mean, gaussian, minimum,\nmaximum, total (curvatures), "
+          "l2, "
           "image or array (default: uniform)",
           choice(&Options::importance,
-            { "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image", "array" }) },
-        { "--importance-image", "FILE", "the image for --importance image (PNG, JPEG, TIFF, VTI, ...)",
+            { "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image",
+              "array" }) },
+        { "--importance-image", "FILE",
+          "the image for --importance image (PNG, JPEG, TIFF, VTI, ...)",
           text(&Options::importanceImage) },
         { "--importance-array", "NAME", "the input's point or cell array for --importance array",
           text(&Options::importanceArray) },
-        { "--gamma", "G", "exponent on the importance, -10 to 10 (default: 1)",
-          number(&Options::gamma, &Options::hasGamma, -10, 10, "from -10 to 10") },
-        { "--transfer", "X0:Y0,X1:Y1,...", "piecewise linear curve on the importance; X ascending, X and Y 0 to 1",
-          setTransfer },
-        { "--gradation", "SIGMA", "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
+        { "--gamma", "G", "exponent on the importance, 0 (uniform) to 100 (default: 1)",
+          number(&Options::gamma, &Options::hasGamma, 0, 100, "from 0 to 100") },
+        { "--transfer", "X0:Y0,X1:Y1,...",
+          "piecewise linear curve on the importance; X ascending, X and Y 0 to 1", setTransfer },
+        { "--gradation", "SIGMA",
+          "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
           number(&Options::gradation, &Options::hasGradation, 0, 100, "from 0 to 100") },
-        { "--minimum-density", "D", "least density, 0 to 1 of the maximum",
+        { "--minimum-density", "D", "least density, 0 to 1 of the maximum (default: 0.02)",
           number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") } } },
     { "Features and charts",
       { { "--feature-angle", "DEG",
@@ -165,17 +169,17 @@ const std::vector<Group>& groups()
           text(&Options::constraints) },
         { "--charts", "K", "at least so many charts (default: 1)",
           integer(&Options::charts, 1, 100000) },
-        { "--map-size", "auto|S", "pixels along the longer side of a map, 16 to 8192\n(default: auto)",
-          setMapSize },
+        { "--map-size", "auto|S",
+          "pixels along the longer side of a map, 16 to 16384\n(default: auto)", setMapSize },
         { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
           choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
     { "Mesh",
-      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect",
+      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
           choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
-        { "--smoothing", "KIND", "none, area, density or lloyd",
+        { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
           choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
-        { "--iterations", "I", "rounds of optimisation, 0 to 1000",
-          integer(&Options::iterations, 0, 1000) },
+        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 40)",
+          integer(&Options::iterations, 0, 10000) },
         { "--pattern", "KIND", "triangles (default); quads and semiregular are not\navailable yet",
           notYet({ "triangles" }, { "quads", "semiregular" }) },
         { "--subdivisions", "L", "not available yet", notYet({}, {}) } } },
@@ -184,8 +188,8 @@ const std::vector<Group>& groups()
           text(&Options::report) },
         { "--picture", "FILE.png", "a sheet: before, charts, maps, samples, after",
           text(&Options::picture) },
-        { "--picture-panel", "NAME", "only one of it: before, charts, maps, samples or after\n(default: all)",
-          setPanel },
+        { "--picture-panel", "NAME",
+          "only one of it: before, charts, maps, samples or after\n(default: all)", setPanel },
         { "--save-charts", "FILE", "charts with their parameters (.vtpc, or .vtp in one piece)",
           text(&Options::saveCharts) },
         { "--save-maps", "DIR", "the maps of every chart: a PNG a map, one .vti of floats",
@@ -193,7 +197,8 @@ const std::vector<Group>& groups()
         { "--save-samples", "FILE", "samples before they are meshed (.vtp, .vtk or .ply)",
           text(&Options::saveSamples) } } },
     { "General",
-      { { "--threads", "T", "threads to use, 1 to 1024 (default: all); the output is\nthe same for any",
+      { { "--threads", "T",
+          "threads to use, 1 to 1024 (default: all); the output is\nthe same for any",
           integer(&Options::threads, 1, 1024) },
         { "--quiet", "", "no progress, no warnings", flag(&Options::quiet) },
         { "--verbose", "", "warnings, seconds and repairs, on stderr", flag(&Options::verbose) },
@@ -231,8 +236,8 @@ int editDistance(const std::string& a, const std::string& b)
         d[i][j] = static_cast<int>(i + j);
         continue;
       }
-      d[i][j] = std::min(
-        { d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]) });
+      d[i][j] =
+        std::min({ d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]) });
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
       {
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
@@ -297,12 +302,11 @@ std::string checkTogether(Options& o, bool importanceGiven)
     }
     return option + " '" + file + "' must end in " + list(extensions);
   };
-  for (const std::string& wrong :
-    { wrongExtension("the input", o.input, meshFileExtensions()),
-      wrongExtension("the output", o.output, meshFileExtensions()),
-      wrongExtension("--picture", o.picture, { ".png" }),
-      wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),
-      wrongExtension("--save-samples", o.saveSamples, { ".vtp", ".vtk", ".ply" }) })
+  for (const std::string& wrong : { wrongExtension("the input", o.input, meshFileExtensions()),
+         wrongExtension("the output", o.output, meshFileExtensions()),
+         wrongExtension("--picture", o.picture, { ".png" }),
+         wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),
+         wrongExtension("--save-samples", o.saveSamples, { ".vtp", ".vtk", ".ply" }) })
   {
     if (!wrong.empty())
     {
@@ -363,7 +367,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments)
       onlyFiles = true;
       continue;
     }
-    const std::size_t equals = argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
+    const std::size_t equals =
+      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
     const std::string name = argument.substr(0, equals);
     if (name == "--help" || name == "-h" || name == "--version")
     {
@@ -383,7 +388,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments)
     {
       if (equals == std::string::npos && i + 1 == arguments.size())
       {
-        problem = problem.empty() ? name + " needs " + (isOutput ? "FILE" : entry->argument) : problem;
+        problem =
+          problem.empty() ? name + " needs " + (isOutput ? "FILE" : entry->argument) : problem;
         break;
       }
       value = equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1);
@@ -438,8 +444,9 @@ std::string helpText()
       help += line + "\n";
     }
   }
-  help += "\nExit status: 0 written, 1 could not be done (one sentence on stderr, no output file),\n"
-          "2 wrong usage.\n";
+  help +=
+    "\nExit status: 0 written, 1 could not be done (one sentence on stderr, no output file),\n"
+    "2 wrong usage.\n";
   return help;
 }
 }

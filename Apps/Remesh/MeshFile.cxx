@@ -47,7 +47,8 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     return Status::error("'" + file + "' holds a " + output->GetClassName() +
       ", not a vtkPolyData: extract its surface first");
   }
-  return Status::error("cannot read '" + file + "'" + (errors.first().empty() ? "" : ": " + errors.first()));
+  return Status::error(
+    "cannot read '" + file + "'" + (errors.first().empty() ? "" : ": " + errors.first()));
 }
 
 Status readByExtension(const std::string& file, vtkPolyData* mesh)
@@ -100,7 +101,8 @@ Status readByExtension(const std::string& file, vtkPolyData* mesh)
 Status checkCells(const std::string& file, vtkPolyData* mesh)
 {
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  for (vtkCellArray* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
   {
     for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
     {
@@ -151,14 +153,16 @@ Status checkFaces(const std::string& file, vtkPolyData* mesh)
                                                      : "'" + file + "' holds an empty mesh");
 }
 
-/// VTK 9.1's writer rounds coordinates to float, which can fold small triangles: ours keeps doubles.
+/// VTK 9.1's writer rounds coordinates to float, which can fold small triangles: ours keeps
+/// doubles.
 Status writePly(vtkPolyData* mesh, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary);
   const std::uint16_t one = 1;
   const bool little = *reinterpret_cast<const unsigned char*>(&one) == 1;
-  stream << "ply\nformat binary_" << (little ? "little" : "big") << "_endian 1.0\ncomment Stipple\nelement vertex "
-         << mesh->GetNumberOfPoints() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+  stream << "ply\nformat binary_" << (little ? "little" : "big")
+         << "_endian 1.0\ncomment Stipple\nelement vertex " << mesh->GetNumberOfPoints()
+         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
          << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
@@ -191,7 +195,8 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
   {
     double x[3];
     mesh->GetPoint(p, x);
-    stream << "v " << shortestText(x[0]) << ' ' << shortestText(x[1]) << ' ' << shortestText(x[2]) << '\n';
+    stream << "v " << shortestText(x[0]) << ' ' << shortestText(x[1]) << ' ' << shortestText(x[2])
+           << '\n';
   }
   for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
   {
@@ -223,7 +228,8 @@ Status writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
 
 const std::vector<std::string>& meshFileExtensions()
 {
-  static const std::vector<std::string> extensions = { ".ply", ".obj", ".stl", ".off", ".vtp", ".vtk" };
+  static const std::vector<std::string> extensions = { ".ply", ".obj", ".stl", ".off", ".vtp",
+    ".vtk" };
   return extensions;
 }
 

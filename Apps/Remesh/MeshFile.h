@@ -21,12 +21,12 @@ namespace stipple
 /// In lower case with its dot; empty if there is none.
 [[nodiscard]] std::string fileExtension(const std::string& file);
 
-/// Reads a surface and checks what no filter could repair: unreadable, empty, no faces, a coordinate that is
-/// not finite, a face that names a point which does not exist.
+/// Reads a surface and checks what no filter could repair: unreadable, empty, no faces, a
+/// coordinate that is not finite, a face that names a point which does not exist.
 [[nodiscard]] Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh);
 
-/// Writes binary where the format has it, in full precision where the format has it (all but STL). .vtp and
-/// .vtk keep all arrays. The format is that of `extension`.
+/// Writes binary where the format has it, in full precision where the format has it (all but STL).
+/// .vtp and .vtk keep all arrays. The format is that of `extension`.
 [[nodiscard]] Status writeMesh(
   vtkPolyData* mesh, const std::string& file, const std::string& extension);
 }

@@ -48,7 +48,8 @@ public:
       end = std::min(end, this->Text.size());
       this->Line = std::string_view(this->Text).substr(this->Next, end - this->Next);
       this->Line = this->Line.substr(0, this->Line.find('#'));
-      const bool windows = end + 1 < this->Text.size() && this->Text[end] == '\r' && this->Text[end + 1] == '\n';
+      const bool windows =
+        end + 1 < this->Text.size() && this->Text[end] == '\r' && this->Text[end + 1] == '\n';
       this->Next = end + 1 + windows;
       ++this->Number;
       if (!this->atLineEnd())
@@ -60,7 +61,10 @@ public:
     return false;
   }
   /// Next word, wherever it is; empty at the end of the text.
-  std::string_view anyWord() { return this->atLineEnd() && !this->nextLine() ? std::string_view() : this->word(); }
+  std::string_view anyWord()
+  {
+    return this->atLineEnd() && !this->nextLine() ? std::string_view() : this->word();
+  }
   void dropLine() { this->Line = {}; }
   int number() const { return this->Number; }
   std::size_t size() const { return this->Text.size(); }
@@ -132,10 +136,11 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
   }
   long long numberOfPoints = 0;
   long long numberOfFaces = 0;
-  if (!parse(word, numberOfPoints) || !parse(reader.anyWord(), numberOfFaces) || numberOfPoints < 0 ||
-    numberOfFaces < 0)
+  if (!parse(word, numberOfPoints) || !parse(reader.anyWord(), numberOfFaces) ||
+    numberOfPoints < 0 || numberOfFaces < 0)
   {
-    return error("this is no OFF file: after the word OFF, the numbers of points, faces and edges are missing");
+    return error("this is no OFF file: after the word OFF, the numbers of points, faces and edges "
+                 "are missing");
   }
   reader.dropLine(); // the number of edges, which nothing needs and some writers leave out
   if (2 * (numberOfPoints + numberOfFaces) > static_cast<long long>(reader.size()))
@@ -154,7 +159,8 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
       word = reader.anyWord();
       if (word.empty())
       {
-        return error("the file ends before point " + std::to_string(p) + " of " + std::to_string(numberOfPoints));
+        return error("the file ends before point " + std::to_string(p) + " of " +
+          std::to_string(numberOfPoints));
       }
       if (!parse(word, coordinate))
       {
@@ -174,11 +180,13 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
     word = reader.anyWord();
     if (word.empty())
     {
-      return error("the file ends before face " + std::to_string(f) + " of " + std::to_string(numberOfFaces));
+      return error(
+        "the file ends before face " + std::to_string(f) + " of " + std::to_string(numberOfFaces));
     }
     if (!parse(word, size) || size < 0)
     {
-      return error("'" + std::string(word) + "' is no number of corners of face " + std::to_string(f));
+      return error(
+        "'" + std::string(word) + "' is no number of corners of face " + std::to_string(f));
     }
     ids.clear();
     for (long long k = 0; k < size; ++k)
@@ -187,8 +195,8 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
       word = reader.anyWord();
       if (!parse(word, id) || id < 0 || id >= numberOfPoints)
       {
-        return error("face " + std::to_string(f) + " names point '" + std::string(word) + "', but there are " +
-          std::to_string(numberOfPoints) + " points, from 0");
+        return error("face " + std::to_string(f) + " names point '" + std::string(word) +
+          "', but there are " + std::to_string(numberOfPoints) + " points, from 0");
       }
       ids.push_back(id);
     }

@@ -12,8 +12,9 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// Text only. Prefixes (COFF, NOFF, STOFF, ...), comments, a missing edge count, colours and normals behind the
-/// coordinates, and polygons of any size are understood; colours, normals and texture are left out.
+/// Text only. Prefixes (COFF, NOFF, STOFF, ...), comments, a missing edge count, colours and
+/// normals behind the coordinates, and polygons of any size are understood; colours, normals and
+/// texture are left out.
 [[nodiscard]] Status readOff(const std::string& file, vtkPolyData* mesh);
 
 [[nodiscard]] Status writeOff(vtkPolyData* mesh, const std::string& file);

@@ -23,13 +23,15 @@ std::string besideName(const fs::path& target)
 {
   const fs::path normal = fs::absolute(target).lexically_normal();
   const fs::path name = normal.has_filename() ? normal.filename() : normal.parent_path().filename();
-  return (parentOf(target) / ("." + name.string() + "." + std::to_string(getpid()) + ".part")).string();
+  return (parentOf(target) / ("." + name.string() + "." + std::to_string(getpid()) + ".part"))
+    .string();
 }
 
 bool isSpecial(const fs::path& target)
 {
   std::error_code code;
-  return fs::exists(target, code) && !fs::is_regular_file(target, code) && !fs::is_directory(target, code);
+  return fs::exists(target, code) && !fs::is_regular_file(target, code) &&
+    !fs::is_directory(target, code);
 }
 
 Status cannotWrite(const std::string& target, const std::error_code& code)
@@ -56,7 +58,8 @@ Status OutputFiles::check(const std::string& target, bool isFolder)
   const fs::path parent = parentOf(target);
   if (!fs::is_directory(parent, code))
   {
-    return Status::error("cannot write '" + target + "': there is no folder '" + parent.string() + "'");
+    return Status::error(
+      "cannot write '" + target + "': there is no folder '" + parent.string() + "'");
   }
   const bool exists = fs::exists(target, code);
   if (exists && fs::is_directory(target, code) != isFolder)
@@ -81,8 +84,10 @@ std::string OutputFiles::aside(const std::string& target)
 
 Status OutputFiles::asideFolder(const std::string& target, std::string& folder)
 {
-  folder = besideName(target);
   std::error_code code;
+  const bool exists = fs::is_directory(target, code);
+  folder = exists ? (fs::path(target) / (".stipple." + std::to_string(getpid()) + ".part")).string()
+                  : besideName(target);
   fs::create_directory(folder, code);
   if (code)
   {

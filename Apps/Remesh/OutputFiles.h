@@ -22,10 +22,12 @@ public:
   /// Whether a file (or a folder of files) can be written there; asked before any work is done.
   [[nodiscard]] static Status check(const std::string& target, bool isFolder = false);
 
-  /// Where to write a file for now: beside its target, or the target itself if that is a device or a pipe.
+  /// Where to write a file for now: beside its target, or the target itself if that is a device or
+  /// a pipe.
   [[nodiscard]] std::string aside(const std::string& target);
 
-  /// A new folder to write into for now; its files move into the target folder, which may have others.
+  /// A new folder to write into for now; its files move into the target folder, which may have
+  /// others.
   [[nodiscard]] Status asideFolder(const std::string& target, std::string& folder);
 
   /// Puts everything in its place.

@@ -21,11 +21,15 @@ public:
   }
   void add(const std::string& name, const std::string& json)
   {
-    this->Members += (this->Members.empty() ? "\n  " : ",\n  ") + this->Indent + '"' + name + "\": " + json;
+    this->Members +=
+      (this->Members.empty() ? "\n  " : ",\n  ") + this->Indent + '"' + name + "\": " + json;
   }
   void add(const std::string& name, long long value) { this->add(name, std::to_string(value)); }
   void add(const std::string& name, int value) { this->add(name, std::to_string(value)); }
-  void add(const std::string& name, bool value) { this->add(name, std::string(value ? "true" : "false")); }
+  void add(const std::string& name, bool value)
+  {
+    this->add(name, std::string(value ? "true" : "false"));
+  }
   void add(const std::string& name, double value)
   {
     this->add(name, std::isfinite(value) ? shortestText(value) : std::string("null"));
@@ -103,10 +107,10 @@ std::string toJson(const Report& report)
   double total = 0;
   for (const auto& stage : report.seconds)
   {
-    seconds.add(stage.first, std::round(stage.second * 1e4) * 1e-4);
+    seconds.add(stage.first, std::round(stage.second * 1e4) / 1e4);
     total += stage.second;
   }
-  seconds.add("total", std::round(total * 1e4) * 1e-4);
+  seconds.add("total", std::round(total * 1e4) / 1e4);
   JsonObject repairs(1);
   for (const auto& repair : report.repairs)
   {

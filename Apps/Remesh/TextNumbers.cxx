@@ -113,8 +113,8 @@ Status readPositions(const std::string& file, std::vector<Vec3>& positions)
   });
 }
 
-Status readEdges(const std::string& file, long long numberOfPoints,
-  std::vector<std::array<long long, 2>>& edges)
+Status readEdges(
+  const std::string& file, long long numberOfPoints, std::vector<std::array<long long, 2>>& edges)
 {
   edges.clear();
   return readWords(file, [&](const std::vector<std::string>& words) -> std::string {

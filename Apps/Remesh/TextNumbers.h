@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in text, independent of the locale: on the command line, and in small files of the user's.
+// Numbers in text, independent of the locale: on the command line, and in small files of the
+// user's.
 #ifndef stipple_TextNumbers_h
 #define stipple_TextNumbers_h
 
@@ -31,8 +32,8 @@ namespace stipple
 [[nodiscard]] Status readPositions(const std::string& file, std::vector<Vec3>& positions);
 
 /// Pairs of point ids below numberOfPoints, two a line. Errors name file and line.
-[[nodiscard]] Status readEdges(const std::string& file, long long numberOfPoints,
-  std::vector<std::array<long long, 2>>& edges);
+[[nodiscard]] Status readEdges(
+  const std::string& file, long long numberOfPoints, std::vector<std::array<long long, 2>>& edges);
 }
 
 #endif

@@ -202,8 +202,7 @@ void measureShape(const TriangleSurface& mesh, MeshQuality& q)
     const double area = mesh.faceArea(f);
     const double longest = std::max({ length[0], length[1], length[2] });
     const double halfPerimeter = 0.5 * (length[0] + length[1] + length[2]);
-    const double shape =
-      longest > 0 ? 6. / std::sqrt(3.) * area / (halfPerimeter * longest) : 0.;
+    const double shape = longest > 0 ? 6. / std::sqrt(3.) * area / (halfPerimeter * longest) : 0.;
     double smallest = 180.;
     double largest = 0.;
     for (int k = 0; k < 3; ++k)
@@ -235,8 +234,8 @@ void measureShape(const TriangleSurface& mesh, MeshQuality& q)
   q.area = areas.sum;
 }
 
-/// Points spread by area (one in each of equal shares, so that the mean hardly depends on chance), and all
-/// vertices that triangles use.
+/// Points spread by area (one in each of equal shares, so that the mean hardly depends on chance),
+/// and all vertices that triangles use.
 std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples)
 {
   std::vector<Vec3> samples;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures that say how good a mesh is: counts, topology, shape of triangles, valences, distance to a reference.
+// Figures that say how good a mesh is: counts, topology, shape of triangles, valences, distance to
+// a reference.
 #ifndef stipple_MeshQuality_h
 #define stipple_MeshQuality_h
 
@@ -8,7 +9,8 @@
 
 namespace stipple
 {
-/// Any triangle soup can be measured; it need not be manifold. Averages are over triangles unless said otherwise.
+/// Any triangle soup can be measured; it need not be manifold. Averages are over triangles unless
+/// said otherwise.
 struct MeshQuality
 {
   int numberOfPoints = 0;
@@ -21,9 +23,9 @@ struct MeshQuality
   int components = 0;          ///< joined by edges
   int boundaryLoops = 0;       ///< connected sets of boundary edges
   int euler = 0;               ///< V - E + F over the points that triangles use
-  double genus = 0;            ///< (2 components - boundary loops - euler) / 2: of all components together
-  int degenerate = 0;          ///< triangles of area <= 1e-12 of their longest edge squared
-  double minimumQ = 0;         ///< Q = 6 / sqrt 3 area / (half perimeter, longest edge): 1 if equilateral
+  double genus = 0;    ///< (2 components - boundary loops - euler) / 2: of all components together
+  int degenerate = 0;  ///< triangles of area <= 1e-12 of their longest edge squared
+  double minimumQ = 0; ///< Q = 6 / sqrt 3 area / (half perimeter, longest edge): 1 if equilateral
   double averageQ = 0;
   double minimumAngle = 0;        ///< degrees
   double averageMinimumAngle = 0; ///< degrees
@@ -37,7 +39,8 @@ struct MeshQuality
   double area = 0;                ///< of the surface, in the square of its unit of length
 };
 
-/// A mesh against the surface that it stands for; distances in percent of the reference's bounding-box diagonal.
+/// A mesh against the surface that it stands for; distances in percent of the reference's
+/// bounding-box diagonal.
 struct MeshDistance
 {
   double rmsPercent = 0;       ///< root mean square distance, the larger of the two directions
@@ -48,8 +51,8 @@ struct MeshDistance
 
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshQuality measureQuality(const TriangleSurface& mesh);
 
-/// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and measures
-/// to the other; the same for any number of threads.
+/// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and
+/// measures to the other; the same for any number of threads.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshDistance measureDistance(
   const TriangleSurface& mesh, const TriangleSurface& reference, int numberOfSamples = 20000);
 }

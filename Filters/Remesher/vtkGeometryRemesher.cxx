@@ -38,10 +38,11 @@ namespace
 constexpr int NumberOfStages = 6;
 
 /// Where each stage's progress begins in the whole: about the shares of time it takes, and the end.
-constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7, 1. } };
+constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
+  1. } };
 
-constexpr const char* StageNames[NumberOfStages] = { "atlas", "map renderer", "control map", "sampler",
-  "mesher", "optimizer" };
+constexpr const char* StageNames[NumberOfStages] = { "atlas", "map renderer", "control map",
+  "sampler", "mesher", "optimizer" };
 }
 
 struct vtkGeometryRemesher::Internals
@@ -71,8 +72,8 @@ struct vtkGeometryRemesher::Internals
   explicit Internals(vtkGeometryRemesher* self)
     : Self(self)
   {
-    this->InOrder = { { this->Atlas, this->MapRenderer, this->ControlMap, this->Sampler, this->Mesher,
-      this->Optimizer } };
+    this->InOrder = { { this->Atlas, this->MapRenderer, this->ControlMap, this->Sampler,
+      this->Mesher, this->Optimizer } };
     vtkAlgorithmOutput* charts = this->Atlas->GetOutputPort(0);
     vtkAlgorithmOutput* graph = this->Atlas->GetOutputPort(1);
     this->MapRenderer->SetInputConnection(0, charts);
@@ -177,7 +178,8 @@ vtkGeometryRemesher::~vtkGeometryRemesher() = default;
 int vtkGeometryRemesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const bool collection = port == 2 || port == 4 || port == 6;
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), collection ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    collection ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
   return 1;
 }
 
@@ -190,7 +192,8 @@ vtkMTimeType vtkGeometryRemesher::GetMTime()
   }
   if (this->Stages->Stopped)
   {
-    this->Stages->StoppedTime.Modified(); // newer than the outputs that the stopped execution left empty
+    this->Stages->StoppedTime.Modified(); // newer than the outputs that the stopped execution left
+                                          // empty
   }
   return std::max(time, this->Stages->StoppedTime.GetMTime());
 }
@@ -215,8 +218,9 @@ bool vtkGeometryRemesher::RunStage(int stage)
     s.InOrder[stage]->Modified();
     const std::string sentence = !s.StageError.empty()
       ? s.StageError
-      : (!s.ExecutiveError.empty() ? s.ExecutiveError
-                                   : "The " + std::string(StageNames[stage]) + " failed without saying why.");
+      : (!s.ExecutiveError.empty()
+            ? s.ExecutiveError
+            : "The " + std::string(StageNames[stage]) + " failed without saying why.");
     s.Failed = true;
     vtkErrorMacro(<< sentence);
     return false;
@@ -265,9 +269,9 @@ int vtkGeometryRemesher::RequestData(
   if (done)
   {
     const std::array<vtkDataObject*, 7> results = { { s.Optimizer->GetOutputDataObject(0),
-      s.Optimizer->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0), s.Atlas->GetOutputDataObject(1),
-      s.ControlMap->GetOutputDataObject(0), s.Sampler->GetOutputDataObject(0),
-      s.Sampler->GetOutputDataObject(1) } };
+      s.Optimizer->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0),
+      s.Atlas->GetOutputDataObject(1), s.ControlMap->GetOutputDataObject(0),
+      s.Sampler->GetOutputDataObject(0), s.Sampler->GetOutputDataObject(1) } };
     for (int port = 0; port < 7; ++port)
     {
       vtkDataObject::GetData(outputVector, port)->ShallowCopy(results[port]);
@@ -285,16 +289,25 @@ double vtkGeometryRemesher::GetStageSeconds(int stage)
 
 // Parameters that live in the stages.
 #define stippleGetFrom(stage, name, type)                                                          \
-  type vtkGeometryRemesher::Get##name() { return this->Stages->stage->Get##name(); }
+  type vtkGeometryRemesher::Get##name()                                                            \
+  {                                                                                                \
+    return this->Stages->stage->Get##name();                                                       \
+  }
 #define stippleForward(stage, name, type)                                                          \
   stippleGetFrom(stage, name, type);                                                               \
-  void vtkGeometryRemesher::Set##name(type value) { this->Stages->stage->Set##name(value); }
+  void vtkGeometryRemesher::Set##name(type value)                                                  \
+  {                                                                                                \
+    this->Stages->stage->Set##name(value);                                                         \
+  }
 #define stippleForwardClamped(stage, name, type)                                                   \
   stippleForward(stage, name, type);                                                               \
   stippleGetFrom(stage, name##MinValue, type);                                                     \
   stippleGetFrom(stage, name##MaxValue, type)
 #define stippleForwardChoice(stage, name, choice)                                                  \
-  void vtkGeometryRemesher::Set##name##To##choice() { this->Stages->stage->Set##name##To##choice(); }
+  void vtkGeometryRemesher::Set##name##To##choice()                                                \
+  {                                                                                                \
+    this->Stages->stage->Set##name##To##choice();                                                  \
+  }
 
 stippleForwardClamped(Atlas, FeatureAngle, double);
 stippleForward(Atlas, FeatureEdges, vtkIdTypeArray*);

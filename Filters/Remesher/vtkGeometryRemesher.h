@@ -4,32 +4,36 @@
  * @class   vtkGeometryRemesher
  * @brief   remesh a triangle surface with exactly the number of points asked for
  *
- * vtkGeometryRemesher runs the whole of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH 2002:
- * vtkConformalAtlas, vtkGeometryMapRenderer, vtkControlMap, vtkErrorDiffusionSampler, vtkCDTRemesh and
- * vtkRemeshOptimizer, one behind the other. It takes any vtkPolyData with polygons or strips; the atlas repairs
- * what needs to be. Parameters are those of the stages, which can also be reached directly, and a stage
- * executes again only if its own parameters or what flows into it changed: a new Gamma or Importance
- * re-executes from the control map on, and so does a new NumberOfPoints unless the maps must grow.
+ * vtkGeometryRemesher runs the whole of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing",
+ * SIGGRAPH 2002: vtkConformalAtlas, vtkGeometryMapRenderer, vtkControlMap,
+ * vtkErrorDiffusionSampler, vtkCDTRemesh and vtkRemeshOptimizer, one behind the other. It takes any
+ * vtkPolyData with polygons or strips; the atlas repairs what needs to be. Parameters are those of
+ * the stages, which can also be reached directly, and a stage executes again only if its own
+ * parameters or what flows into it changed: a new Gamma or Importance re-executes from the control
+ * map on, and so does a new NumberOfPoints unless the maps must grow.
  *
  * Output ports:
- * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`, `ChartCellId`,
- *   `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`, `ArcLength`) say where on the
- *   input each point lies
- * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points, with the cell arrays
- *   `BackboneType`, `Closed` and `BackboneId`
+ * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`,
+ * `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`,
+ * `ArcLength`) say where on the input each point lies
+ * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points,
+ * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
  * - 3: the feature graph, a vtkPolyData (vtkConformalAtlas)
  * - 4: the maps with `Control`, a vtkPartitionedDataSetCollection of images (vtkControlMap)
  * - 5: the samples, a vtkPolyData of vertices (vtkErrorDiffusionSampler)
  * - 6: the halftones, a vtkPartitionedDataSetCollection of images (vtkErrorDiffusionSampler)
  *
- * The outputs share their arrays with the stages' outputs. Input without faces makes empty outputs. If a stage fails,
- * its sentence is this filter's one error, and all outputs are empty. A run that was stopped by
- * SetAbortExecute(1), from an observer of progress, leaves empty outputs and is done again by the next update.
+ * The outputs share their arrays with the stages' outputs. Input without faces makes empty outputs.
+ * If a stage fails, its sentence is this filter's one error, and all outputs are empty. A run that
+ * was stopped by SetAbortExecute(1), from an observer of progress, leaves empty outputs and is done
+ * again by the next update.
  *
- * @warning Fewer points than the features and the topology need are an error that names the least number that works.
+ * @warning Fewer points than the features and the topology need are an error that names the least
+ * number that works.
  *
- * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh vtkRemeshOptimizer
+ * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh
+ * vtkRemeshOptimizer
  */
 #ifndef vtkGeometryRemesher_h
 #define vtkGeometryRemesher_h
@@ -60,15 +64,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The exact number of points of the mesh, 0 to 10 million; 0 is as many as the input has after repairs. The default
-  /// is 0.
+  /// The exact number of points of the mesh, 0 to 10 million; 0 is as many as the input has after
+  /// repairs. The default is 0.
   vtkSetClampMacro(NumberOfPoints, int, 0, 10000000);
   vtkGetMacro(NumberOfPoints, int);
   ///@}
 
   ///@{
-  /// Angle in degrees between the normals beside an edge, 0 to 180, at which the edge is sharp; 180 finds none. The
-  /// default is 40. See vtkConformalAtlas.
+  /// Angle in degrees between the normals beside an edge, 0 to 180, at which the edge is sharp; 180
+  /// finds none. The default is 40. See vtkConformalAtlas.
   void SetFeatureAngle(double degrees);
   double GetFeatureAngle();
   double GetFeatureAngleMinValue();
@@ -76,16 +80,19 @@ public:
   ///@}
 
   ///@{
-  /// Edges to keep as features besides the sharp ones: two components, the input's point ids. The default is none.
+  /// Edges to keep as features besides the sharp ones: two components, the input's point ids. The
+  /// default is none.
   void SetFeatureEdges(vtkIdTypeArray* edges);
   vtkIdTypeArray* GetFeatureEdges();
-  /// Positions that must become vertices; each is moved to the nearest place on the surface. The default is none.
+  /// Positions that must become vertices; each is moved to the nearest place on the surface. The
+  /// default is none.
   void SetConstraints(vtkPoints* positions);
   vtkPoints* GetConstraints();
   ///@}
 
   ///@{
-  /// Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The default is 1.
+  /// Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The
+  /// default is 1.
   void SetNumberOfCharts(int charts);
   int GetNumberOfCharts();
   int GetNumberOfChartsMinValue();
@@ -93,13 +100,15 @@ public:
   ///@}
 
   ///@{
-  /// Bound on a chart's density ratio, without unit, 2 or more. The default is 100. See vtkConformalAtlas.
+  /// Bound on a chart's density ratio, without unit, 2 or more. The default is 100. See
+  /// vtkConformalAtlas.
   void SetMaximumDensityRatio(double ratio);
   double GetMaximumDensityRatio();
   ///@}
 
   ///@{
-  /// Pixels along the longer side of every chart's maps, 0 to 16384; 0 is what NumberOfPoints needs. The default is 0.
+  /// Pixels along the longer side of every chart's maps, 0 to 16384; 0 is what NumberOfPoints
+  /// needs. The default is 0.
   void SetMapSize(int pixels);
   int GetMapSize();
   int GetMapSizeMinValue();
@@ -113,7 +122,8 @@ public:
   void SetBackendToAuto();
   void SetBackendToOpenGL();
   void SetBackendToCPU();
-  /// An OpenGL render window whose context may draw the maps; the caller keeps it alive. The default is none.
+  /// An OpenGL render window whose context may draw the maps; the caller keeps it alive. The
+  /// default is none.
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
@@ -131,7 +141,8 @@ public:
   void SetImportanceToL2();
   void SetImportanceToImage();
   void SetImportanceToArray();
-  /// The input's point or cell array for the importance ARRAY; it becomes a map. The default is nullptr.
+  /// The input's point or cell array for the importance ARRAY; it becomes a map. The default is
+  /// nullptr.
   void SetImportanceArrayName(const char* name);
   const char* GetImportanceArrayName();
   /// The picture for the importance IMAGE; bright means many points. The default is nullptr.
@@ -140,7 +151,8 @@ public:
   ///@}
 
   ///@{
-  /// The power that the importance is raised to, without unit, 0 (uniform) or more. The default is 1.
+  /// The power that the importance is raised to, without unit, 0 (uniform) or more. The default
+  /// is 1.
   void SetGamma(double gamma);
   double GetGamma();
   double GetGammaMinValue();
@@ -154,7 +166,8 @@ public:
   ///@}
 
   ///@{
-  /// Standard deviation of the density's low-pass, in percent of the bounding box's diagonal, 0 to 100. The default is 0.
+  /// Standard deviation of the density's low-pass, in percent of the bounding box's diagonal, 0 to
+  /// 100. The default is 0.
   void SetGradation(double percent);
   double GetGradation();
   double GetGradationMinValue();
@@ -170,7 +183,8 @@ public:
   ///@}
 
   ///@{
-  /// What edge swaps are for, a member of vtkRemeshOptimizer::ConnectivityType. The default is vtkRemeshOptimizer's.
+  /// What edge swaps are for, a member of vtkRemeshOptimizer::ConnectivityType. The default is
+  /// vtkRemeshOptimizer's.
   void SetConnectivity(int connectivity);
   int GetConnectivity();
   void SetConnectivityToNone();
@@ -179,7 +193,8 @@ public:
   ///@}
 
   ///@{
-  /// How vertices move, a member of vtkRemeshOptimizer::SmoothingType. The default is vtkRemeshOptimizer's.
+  /// How vertices move, a member of vtkRemeshOptimizer::SmoothingType. The default is
+  /// vtkRemeshOptimizer's.
   void SetSmoothing(int smoothing);
   int GetSmoothing();
   void SetSmoothingToNone();
@@ -197,7 +212,8 @@ public:
   ///@}
 
   ///@{
-  /// The stages, for parameters that are not here and for their getters after an update. Do not change their inputs.
+  /// The stages, for parameters that are not here and for their getters after an update. Do not
+  /// change their inputs.
   vtkConformalAtlas* GetAtlas();
   vtkGeometryMapRenderer* GetMapRenderer();
   vtkControlMap* GetControlMap();

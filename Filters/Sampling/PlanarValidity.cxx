@@ -12,10 +12,15 @@ namespace stipple
 {
 namespace
 {
-double distanceToLine(const Vec2& a, const Vec2& b, const Vec2& p)
+/// Angles below this are nothing. Unlike a distance, an angle does not vanish as segments get
+/// shorter.
+constexpr double leastAngle = 1e-10;
+
+/// Sine of the angle by which p lies to the left of the segment (a, b), seen from its nearer end.
+double angleFrom(const Vec2& a, const Vec2& b, const Vec2& p)
 {
-  const double length = (b - a).norm();
-  return length > 0 ? orient2(a, b, p) / length : 0.;
+  const double reach = std::min((p - a).norm(), (p - b).norm()) * (b - a).norm();
+  return reach > 0 ? orient2(a, b, p) / reach : 0.;
 }
 
 /// Buckets of items by the cells that their boxes touch.
@@ -186,7 +191,7 @@ private:
     const Vec2& b = this->uv(along ? s.second : s.first);
     for (const Vec2& p : this->Inner)
     {
-      if (distanceToLine(a, b, p) <= this->Tolerance)
+      if (angleFrom(a, b, p) <= leastAngle)
       {
         this->refine(s);
         return;
@@ -283,9 +288,9 @@ private:
   {
     const Vec2& a = loop.front();
     const Vec2& b = loop.back();
-    const double squared = (b - a).squaredNorm();
-    const double t = squared > 0 ? std::clamp((p - a).dot(b - a) / squared, 0., 1.) : 0.;
-    if ((a + t * (b - a) - p).norm() <= this->Tolerance)
+    // On the segment: within its length, and at no angle.
+    if ((p - a).dot(b - a) >= 0 && (p - b).dot(a - b) >= 0 &&
+      std::abs(angleFrom(a, b, p)) <= leastAngle)
     {
       return true;
     }
@@ -380,7 +385,7 @@ std::vector<BackboneInterval> invalidIntervals(
 
 Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlaces& valid)
 {
-  for (int round = 0; round < 64; ++round)
+  for (int round = 0; round < 24; ++round) // intervals halve: finer than any surface's detail
   {
     valid.samples = domain.samples(places);
     valid.graphs = buildChartGraphs(domain.surface, domain.graph, domain.traces, valid.samples);
@@ -399,6 +404,10 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
           : 0;
       }
       return Status::success();
+    }
+    if (bad.size() > 1000000)
+    {
+      break;
     }
     BackbonePlaces refined = places;
     for (const BackboneInterval& i : bad)

@@ -99,15 +99,16 @@ TEST(MeshQuality, CountsWhatIsWrong)
   EXPECT_EQ(q.euler, 3);
 
   // A fin of three triangles; the third runs along edge (0, 1) like the first.
-  q = measureQuality(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
-    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
+  q =
+    measureQuality(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
   EXPECT_EQ(q.nonManifoldEdges, 1);
   EXPECT_EQ(q.misorientedEdges, 1);
   EXPECT_EQ(q.nonManifoldVertices, 0);
 
   // A sliver without area: its three points lie on a line.
-  q = measureQuality(makeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 } },
-    { { 0, 1, 2 }, { 0, 1, 3 } }));
+  q = measureQuality(makeSurface(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 1, 3 } }));
   EXPECT_EQ(q.degenerate, 1);
   EXPECT_NEAR(q.minimumQ, 0., 1e-12);
   EXPECT_EQ(q.percentBelow30, 50.);
@@ -137,7 +138,8 @@ TEST(MeshDistance, SeesWhatIsMissingOnEitherSide)
   half.triangles.resize(100); // the rows below y = 0.5
   const MeshDistance d = measureDistance(half, makeGrid(10), 2000);
   EXPECT_NEAR(d.hausdorffPercent, 50. / std::sqrt(2.), 1e-9);
-  EXPECT_NEAR(measureDistance(makeGrid(10), half, 2000).hausdorffPercent, 50. / std::sqrt(1.25), 1e-9);
+  EXPECT_NEAR(
+    measureDistance(makeGrid(10), half, 2000).hausdorffPercent, 50. / std::sqrt(1.25), 1e-9);
   EXPECT_NEAR(d.areaRatio, 0.5, 1e-12);
   EXPECT_TRUE(d.sameTopology);
   half.triangles.erase(half.triangles.begin() + 33);

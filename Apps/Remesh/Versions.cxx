@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Versions.h"
+
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkNew.h"
+#include "vtkVersion.h"
+
+#include <CGAL/version.h>
+
+#define STIPPLE_STRING(x) #x
+#define STIPPLE_STRING_OF(x) STIPPLE_STRING(x)
+
+namespace stipple
+{
+std::string versionText()
+{
+  vtkNew<vtkHeadlessRenderWindow> window;
+  window->SetSize(16, 16);
+  const std::string renderer = window->GetRendererName();
+  return "stipple " STIPPLE_VERSION "\nVTK " + std::string(vtkVersion::GetVTKVersion()) +
+    "\nCGAL " STIPPLE_STRING_OF(CGAL_VERSION) "\nOpenGL renderer: " +
+    (renderer.empty() ? "none" : renderer + " (" + window->GetPlatformName() + ")") + "\n";
+}
+}
