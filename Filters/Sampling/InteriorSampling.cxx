@@ -141,6 +141,11 @@ void InteriorSampler::prepare(int factor)
   this->sumLeft();
 }
 
+void InteriorSampler::release()
+{
+  std::vector<float>().swap(this->Raster.wanted);
+}
+
 void InteriorSampler::maskOutside()
 {
   InteriorRaster& r = this->Raster;

@@ -23,7 +23,9 @@ struct InteriorRaster
 
 /// Limits of upsampling a control image that is too coarse for its samples.
 constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
-constexpr double largestRasterSize = 64. * 1024 * 1024; ///< pixels of one chart
+constexpr double largestRasterSize = 32. * 1024 * 1024; ///< pixels of one chart
+/// Rasters of all charts together beyond which they are drawn twice rather than kept.
+constexpr double mostKeptPixels = 32. * 1024 * 1024;
 /// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
 /// and more than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins
 /// to show; what a pixel cannot take, error diffusion hands to those beside it, and nothing is
@@ -49,6 +51,8 @@ public:
   /// is just what the samples on the segment stand for. Distances are measured on the surface.
   void prepare(int factor);
   double left() const { return this->Raster.left; }
+  /// Gives the raster's memory back; sample() needs another prepare().
+  void release();
 
   /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
   /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.

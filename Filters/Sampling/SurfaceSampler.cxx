@@ -158,6 +158,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   std::vector<int> factor(charts, 1);
   double scale = 0;
   int interior = 0;
+  bool keep = true;
   for (int round = 0; round < 3; ++round)
   {
     scale = largestScale(prediction, numberOfSamples, most);
@@ -196,11 +197,21 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
           std::to_string(factor[c] * std::max(images[c].width, images[c].height)) + ".");
       }
     }
+    double pixels = 0;
+    for (std::size_t c = 0; c < charts; ++c)
+    {
+      pixels += static_cast<double>(images[c].numberOfPixels()) * factor[c] * factor[c];
+    }
+    keep = pixels <= mostKeptPixels;
     const double from = 0.1 + 0.2 * round;
     if (Status status = forEachChart(images, factor, progress, from, from + 0.2,
           [&](std::size_t c) {
             samplers[c].prepare(factor[c]);
             left[c] = samplers[c].left();
+            if (!keep)
+            {
+              samplers[c].release();
+            }
           });
         !status.ok())
     {
@@ -218,7 +229,12 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   result.interior.resize(charts);
   std::vector<std::vector<Sample>> inside(charts);
   Status status = forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
+    if (!keep)
+    {
+      samplers[c].prepare(factor[c]);
+    }
     result.interior[c] = samplers[c].sample(share[c]);
+    samplers[c].release();
     for (const Vec2& uv : result.interior[c])
     {
       Sample sample;
