@@ -16,12 +16,11 @@ stipple_install $stipple_packages
 stipple_build Apps/all Wrapping/Python/all
 
 models=build/models
-if [ ! -f "$models/fandisk.off" ] || [ ! -f "$models/bunny00.off" ]; then
-  stipple_say "fetching models (from Debian's libcgal-demo)"
-  stipple_quietly build/logs/models.log sh Testing/Data/fetch-models.sh "$models"
-fi
+stipple_say "models from Debian's libcgal-demo, in $models"
+stipple_quietly build/logs/models.log sh Testing/Data/fetch-models.sh "$models"
 
-# remesh NAME MODEL OPTION...: writes out/NAME.ply, the report out/NAME.json and the pictures out/NAME-*.png.
+# remesh NAME MODEL OPTION...: writes out/NAME.ply, the report out/NAME.json and the picture out/NAME.png, a sheet of
+# before, charts, maps, samples and after.
 remesh()
 {
   name=$1
@@ -29,12 +28,8 @@ remesh()
   shift 2
   start=$(date +%s)
   build/bin/stipple "$models/$model.off" -o "out/$name.ply" --quiet \
-    --report "out/$name.json" --picture "out/$name.png" --picture-panel all "$@"
-  for panel in before charts maps samples after; do
-    build/bin/stipple "$models/$model.off" -o "out/$name.ply" --quiet \
-      --picture "out/$name-$panel.png" --picture-panel "$panel" "$@"
-  done
-  stipple_say "$model -> out/$name.ply, out/$name*.png: $* ($(stipple_seconds "$start"))"
+    --report "out/$name.json" --picture "out/$name.png" "$@"
+  stipple_say "$model.off $* -> out/$name.ply, out/$name.png ($(stipple_seconds "$start"))"
 }
 
 mkdir -p out
@@ -42,7 +37,7 @@ remesh fandisk fandisk --points 5000
 remesh bunny bunny00 --points 5000
 remesh bunny-curvature bunny00 --points 5000 --importance total --gamma 0.5
 
-stipple_say "done in $(stipple_seconds "$begin"); look at out/fandisk.png, out/bunny.png and out/bunny-curvature.png"
+stipple_say "done in $(stipple_seconds "$begin"); look at the pictures in out/"
 stipple_say "the program: build/bin/stipple --help"
 python_folder=$(echo build/lib/python3*/dist-packages)
 stipple_say "the Python package: PYTHONPATH=$python_folder /usr/bin/python3 -c 'import stipple; help(stipple)'"

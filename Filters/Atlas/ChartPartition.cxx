@@ -77,7 +77,53 @@ public:
 
   int owner(int face) const { return this->Owner[face]; }
 
+  /// Gives triangles that hang on their region by one edge only to the region that surrounds them: on a straight
+  /// boundary they would have next to no area in the plane. Every step shortens the regions' boundaries.
+  void removeSpikes(const Faces& faces)
+  {
+    bool changed = true;
+    while (changed)
+    {
+      changed = false;
+      for (int f : faces)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          changed = this->removeSpike(3 * f + k) || changed;
+        }
+      }
+    }
+  }
+
 private:
+  /// Neighbour's owner across a halfedge, -1 where the surface is cut.
+  int ownerAcross(int h) const
+  {
+    return this->Surface.cut[h] ? -1 : this->Owner[this->Surface.twin[h] / 3];
+  }
+
+  /// The triangle of h goes to the other region if it is held by the edge opposite h's tail alone, and if that
+  /// region has the whole fan around the tail (else its boundary would touch itself there).
+  bool removeSpike(int h)
+  {
+    const int other = this->ownerAcross(h);
+    const int own = this->Owner[h / 3];
+    if (other < 0 || other == own || this->ownerAcross(previousHalfedge(h)) != other ||
+      this->ownerAcross(nextHalfedge(h)) != own)
+    {
+      return false;
+    }
+    for (int g = this->Surface.twin[previousHalfedge(h)]; g != h; g = this->Surface.twin[previousHalfedge(g)])
+    {
+      if (this->Surface.cut[previousHalfedge(g)] || this->Owner[g / 3] != other)
+      {
+        return false;
+      }
+    }
+    this->Owner[h / 3] = other;
+    return true;
+  }
+
   Vec3 center(int f) const
   {
     return (this->Surface.point(f, 0) + this->Surface.point(f, 1) + this->Surface.point(f, 2)) / 3.;
@@ -146,6 +192,7 @@ std::vector<Faces> bisect(CutSurface& surface, const Faces& faces, int first)
   }
   regions.addSeed(first, 0);
   regions.addSeed(regions.farthest(faces), 1);
+  regions.removeSpikes(faces);
   return cutBetweenOwners(surface, regions, faces, 2);
 }
 
@@ -292,6 +339,7 @@ void startWithVoronoi(CutSurface& surface, int numberOfCharts)
   {
     regions.addSeed(regions.farthest(all), owners++);
   }
+  regions.removeSpikes(all);
   cutBetweenOwners(surface, regions, all, owners);
 }
 

@@ -112,10 +112,12 @@ public:
         angle += l * this->Dihedral[this->Edges[e].halfedge];
       }
       roughness /= length;
+      const bool closed = chain.size() > 2 && this->areNeighbours(chain.front(), chain.back());
       // A right angle is no noise, also on a coarse mesh whose other edges are not flat.
       const double steep = std::clamp((angle / length * 180 / Pi - 60) / 30, 0., 1.);
       const bool isLong = length >= this->Options.longLength * this->Diagonal;
-      const double bound = isLong ? this->Options.longRoughness : this->Options.maximumRoughness;
+      const double bound = isLong ? (closed ? this->Options.steepRoughness : this->Options.longRoughness)
+                                  : this->Options.maximumRoughness;
       if (roughness > bound + steep * std::max(0., this->Options.steepRoughness - bound))
       {
         dropped = true;
@@ -220,7 +222,14 @@ private:
     return count > 0 ? sum / count / this->Dihedral[h] : 0.;
   }
 
-  /// Maximal paths of accepted edges between points where they end, branch or turn sharply.
+  bool areNeighbours(int e, int f) const
+  {
+    const Edge& x = this->Edges[e];
+    const Edge& y = this->Edges[f];
+    return x.a == y.a || x.a == y.b || x.b == y.a || x.b == y.b;
+  }
+
+  /// Maximal paths of accepted edges, in order, between points where they end, branch or turn sharply.
   std::vector<std::vector<int>> chains() const
   {
     std::vector<std::vector<int>> result;
@@ -250,6 +259,7 @@ private:
       used[start] = 1;
       for (int p : { this->Edges[start].a, this->Edges[start].b })
       {
+        std::reverse(chain.begin(), chain.end()); // the start is the last edge: grow from there
         int at = p;
         for (int e = nextEdge(static_cast<int>(start), p); e >= 0 && !used[e]; e = nextEdge(e, at))
         {

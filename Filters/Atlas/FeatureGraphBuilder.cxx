@@ -15,6 +15,7 @@ struct GraphEdge
   int a;
   int b;
   BackboneType type;
+  bool cut; ///< charts end here, also along a sharp edge
   int other(int p) const { return this->a == p ? this->b : this->a; }
 };
 
@@ -30,15 +31,15 @@ std::vector<GraphEdge> graphEdges(const CutSurface& surface)
     }
     if (t < 0)
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Boundary });
+      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Boundary, true });
     }
     else if (surface.sharp[h])
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Sharp });
+      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0 });
     }
     else if (surface.cut[h])
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Seam });
+      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Seam, true });
     }
   }
   return edges;
@@ -80,8 +81,10 @@ FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
     {
       graph.isCorner[p] = !feature.empty();
     }
+    // Also where a cut that runs along a sharp line ends: beyond it the line lies inside a chart.
     isNode[p] = graph.isCorner[p] || (!at[p].empty() && at[p].size() != 2) ||
-      (at[p].size() == 2 && edges[at[p][0]].type != edges[at[p][1]].type);
+      (at[p].size() == 2 &&
+        (edges[at[p][0]].type != edges[at[p][1]].type || edges[at[p][0]].cut != edges[at[p][1]].cut));
   }
 
   std::vector<char> used(edges.size(), 0);

@@ -30,7 +30,9 @@ std::vector<vtkAbstractArray*> inAllCharts(
   for (vtkPolyData* chart : surface.charts)
   {
     vtkAbstractArray* array = data(chart)->GetAbstractArray(name);
-    if (!array || (!arrays.empty() && (array->GetDataType() != arrays[0]->GetDataType() ||
+    if (!array ||
+      (!arrays.empty() &&
+        (array->GetDataType() != arrays[0]->GetDataType() ||
           array->GetNumberOfComponents() != arrays[0]->GetNumberOfComponents())))
     {
       return {};
@@ -67,7 +69,8 @@ vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* source, vtkIdType 
 
 void makeUnit(vtkDataArray* normals)
 {
-  for (vtkIdType i = 0; normals->GetNumberOfComponents() == 3 && i < normals->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; normals->GetNumberOfComponents() == 3 && i < normals->GetNumberOfTuples();
+       ++i)
   {
     Vec3 n;
     normals->GetTuple(i, n.data());
@@ -97,9 +100,10 @@ void handOver(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAtt
   }
 }
 
-/// Among the faces that meet at a place, the one that lies best under a triangle with that normal and centroid.
-SurfacePlace startUnder(const TriangleSurface& surface, const SurfaceWalk& walk, const SurfacePlace& place,
-  const Vec3& normal, const Vec3& towards)
+/// Among the faces that meet at a place, the one that lies best under a triangle with that normal
+/// and centroid.
+SurfacePlace startUnder(const TriangleSurface& surface, const SurfaceWalk& walk,
+  const SurfacePlace& place, const Vec3& normal, const Vec3& towards)
 {
   constexpr double OnEdge = 1e-9;
   const auto rate = [&](const SurfacePlace& p) {
@@ -177,7 +181,8 @@ std::vector<int> facesUnderTriangles(const TriangleSurface& surface, const Surfa
 }
 
 void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
-  const std::vector<SurfacePlace>& places, const std::vector<Triangle>& triangles, vtkPolyData* mesh)
+  const std::vector<SurfacePlace>& places, const std::vector<Triangle>& triangles,
+  vtkPolyData* mesh)
 {
   if (surface.charts.empty())
   {
@@ -229,8 +234,8 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
   for (int a = 0; a < first->GetCellData()->GetNumberOfArrays(); ++a)
   {
     const char* name = first->GetCellData()->GetArrayName(a);
-    const auto sources =
-      name && !isInternal(name) ? inAllCharts(surface, name, cellData) : std::vector<vtkAbstractArray*>();
+    const auto sources = name && !isInternal(name) ? inAllCharts(surface, name, cellData)
+                                                   : std::vector<vtkAbstractArray*>();
     if (sources.empty())
     {
       continue;
@@ -243,7 +248,8 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
       const int chart = surface.faceChart[under[t]];
-      array->SetTuple(static_cast<vtkIdType>(t), under[t] - surface.chartBegin[chart], sources[chart]);
+      array->SetTuple(
+        static_cast<vtkIdType>(t), under[t] - surface.chartBegin[chart], sources[chart]);
     }
     handOver(first->GetCellData(), array, mesh->GetCellData());
   }

@@ -10,15 +10,18 @@
 
 namespace stipple
 {
-/// Gives the mesh every point and cell array that all charts carry, but for those by which charts are described (UV,
-/// SurfacePointId, SourceCellId, AreaDistortion). Floating-point arrays are interpolated at the places of the points, all
-/// others are taken from the nearest corner; cell arrays come from the face under a triangle's centroid.
-STIPPLEFILTERSMESHING_EXPORT void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
-  const std::vector<SurfacePlace>& places, const std::vector<Triangle>& triangles, vtkPolyData* mesh);
+/// Gives the mesh every point and cell array that all charts carry, but for those by which charts
+/// are described (UV, SurfacePointId, SourceCellId, AreaDistortion). Floating-point arrays are
+/// interpolated at the places of the points, all others are taken from the nearest corner; cell
+/// arrays come from the face under a triangle's centroid.
+STIPPLEFILTERSMESHING_EXPORT void transferAttributes(const AtlasSurface& surface,
+  const SurfaceWalk& walk, const std::vector<SurfacePlace>& places,
+  const std::vector<Triangle>& triangles, vtkPolyData* mesh);
 
 /// The face under the centroid of every triangle, up to what the surface curves away from it.
 STIPPLEFILTERSMESHING_EXPORT std::vector<int> facesUnderTriangles(const TriangleSurface& surface,
-  const SurfaceWalk& walk, const std::vector<SurfacePlace>& places, const std::vector<Triangle>& triangles);
+  const SurfaceWalk& walk, const std::vector<SurfacePlace>& places,
+  const std::vector<Triangle>& triangles);
 }
 
 #endif

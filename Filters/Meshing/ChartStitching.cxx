@@ -18,7 +18,8 @@ class Stitcher
 {
 public:
   /// isSeam by label.
-  Stitcher(const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam);
+  Stitcher(
+    const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam);
   std::vector<char> labelsWithEdge();
   bool resolveRepeatedEdges();
   void resolveDegenerateTriangles();
@@ -29,7 +30,8 @@ public:
 private:
   static std::uint64_t key(int a, int b)
   {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<unsigned int>(std::max(a, b));
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
+      static_cast<unsigned int>(std::max(a, b));
   }
   std::uint64_t edgeKey(int h) const
   {
@@ -104,7 +106,8 @@ Stitcher::Stitcher(
       this->Root[keepA ? b : a] = keepA ? a : b;
     }
   }
-  std::unordered_map<int, int> waiting; // by label, the boundary halfedge whose other side is still to come
+  std::unordered_map<int, int> waiting; // by label, the boundary halfedge whose other side is still
+                                        // to come
   for (std::size_t c = 0; c < charts.size(); ++c)
   {
     const TriangleComplex& chart = charts[c].complex;
@@ -117,7 +120,8 @@ Stitcher::Stitcher(
     }
     for (const Triangle& t : chart.triangles)
     {
-      this->Mesh.triangles.push_back({ t[0] + firstVertex, t[1] + firstVertex, t[2] + firstVertex });
+      this->Mesh.triangles.push_back(
+        { t[0] + firstVertex, t[1] + firstVertex, t[2] + firstVertex });
       this->FaceChart.push_back(static_cast<int>(c));
     }
     for (int h = 0; h < chart.numberOfHalfedges(); ++h)
@@ -169,7 +173,8 @@ double Stitcher::worstHeight(int h) const
 {
   const TriangleComplex& m = this->Mesh;
   const int g = m.twin[h];
-  return std::min(this->height(m.tail(h), m.head(h), m.apex(h)), this->height(m.tail(g), m.head(g), m.apex(g)));
+  return std::min(
+    this->height(m.tail(h), m.head(h), m.apex(h)), this->height(m.tail(g), m.head(g), m.apex(g)));
 }
 
 double Stitcher::worstHeightAfter(int h) const
@@ -206,7 +211,8 @@ bool Stitcher::tryBadEdge(int h, bool onlyConvex)
         this->flip(h);
         return true;
       }
-      for (int back = 0; back < 3; ++back) // a flip turns the diagonal by a quarter: three more undo it
+      for (int back = 0; back < 3; ++back) // a flip turns the diagonal by a quarter: three more
+                                           // undo it
       {
         this->flip(e);
       }
@@ -217,7 +223,8 @@ bool Stitcher::tryBadEdge(int h, bool onlyConvex)
 
 bool Stitcher::resolveRepeatedEdges()
 {
-  // First swaps that keep the parameter plane unfolded; where these do not do, any that keep the topology; then of seams too.
+  // First swaps that keep the parameter plane unfolded; where these do not do, any that keep the
+  // topology; then of seams too.
   for (int stage = 0; stage < 3; ++stage)
   {
     const bool onlyConvex = stage == 0;
@@ -275,7 +282,8 @@ std::vector<char> Stitcher::labelsWithEdge()
 
 void Stitcher::resolveDegenerateTriangles()
 {
-  // Corners of the rectangle that lie on straight lines of the surface leave triangles without area.
+  // Corners of the rectangle that lie on straight lines of the surface leave triangles without
+  // area.
   for (int round = 0; round < 10; ++round)
   {
     bool changed = false;
@@ -332,7 +340,8 @@ Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
   if (!stitcher.resolveRepeatedEdges())
   {
     return Status::error("Chart " + std::to_string(stitcher.chartOfUnresolvedEdge()) +
-      " is too small for its share of the samples: two of them would be joined by two edges; use more points.");
+      " is too small for its share of the samples: two of them would be joined by two edges; use "
+      "more points.");
   }
   stitcher.resolveDegenerateTriangles();
   hasEdge = stitcher.labelsWithEdge();
@@ -340,7 +349,8 @@ Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
   {
     if (!hasEdge[l] && !isSeam[l])
     {
-      return Status::error("Two neighbouring samples of backbone " + std::to_string(intervals.backbone(l)) +
+      return Status::error("Two neighbouring samples of backbone " +
+        std::to_string(intervals.backbone(l)) +
         " could not be joined by an edge; use more points.");
     }
   }

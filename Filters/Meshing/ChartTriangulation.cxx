@@ -54,14 +54,15 @@ Piece pieceOf(const BackboneTrace& trace, bool closed, const std::vector<int>& o
   const auto s = [&](int i) { return samples[onBackbone[i]].arcLength; };
   if (closed)
   {
-    return interval == 0 ? Piece{ s(n - 1), s(0) + trace.length() } : Piece{ s(interval - 1), s(interval) };
+    return interval == 0 ? Piece{ s(n - 1), s(0) + trace.length() }
+                         : Piece{ s(interval - 1), s(interval) };
   }
   return { interval == 0 ? 0. : s(interval - 1), interval == n ? trace.length() : s(interval) };
 }
 
 /// Backbone vertices strictly inside a piece, where the curve bends in the parameter plane.
-std::vector<int> bendsOf(const AtlasSurface& surface, const BackboneTrace& trace, bool closed, int side,
-  const Piece& piece)
+std::vector<int> bendsOf(const AtlasSurface& surface, const BackboneTrace& trace, bool closed,
+  int side, const Piece& piece)
 {
   std::vector<int> bends;
   const int segments = static_cast<int>(trace.arcLength.size()) - 1;
@@ -81,7 +82,8 @@ std::vector<int> bendsOf(const AtlasSurface& surface, const BackboneTrace& trace
       {
         break;
       }
-      if (j == segments || (j == 0 && turn == 0)) // the closing point of a cycle comes as point 0 of the next turn
+      if (j == segments || (j == 0 && turn == 0)) // the closing point of a cycle comes as point 0
+                                                  // of the next turn
       {
         continue;
       }
@@ -114,8 +116,8 @@ public:
   {
   }
   void build(const ChartGraph& chartGraph, int c, const std::vector<BackboneTrace>& traces,
-    const FeatureGraph& graph, const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-    const std::vector<int>& interior);
+    const FeatureGraph& graph, const BackboneIntervals& intervals,
+    const std::vector<Sample>& samples, const std::vector<int>& interior);
   Status triangulate(int c, ChartMesh& mesh);
 
 private:
@@ -138,8 +140,9 @@ private:
   int InteriorBegin = 0; // bends and samples on backbones come first
 };
 
-void ChartProblem::build(const ChartGraph& chartGraph, int c, const std::vector<BackboneTrace>& traces,
-  const FeatureGraph& graph, const BackboneIntervals& intervals, const std::vector<stipple::Sample>& samples,
+void ChartProblem::build(const ChartGraph& chartGraph, int c,
+  const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
+  const BackboneIntervals& intervals, const std::vector<stipple::Sample>& samples,
   const std::vector<int>& interior)
 {
   std::vector<char> onSide(chartGraph.vertices.size(), 0);
@@ -168,11 +171,11 @@ void ChartProblem::build(const ChartGraph& chartGraph, int c, const std::vector<
       if (trace.hasSide(s) && trace.chart[s] == c)
       {
         const double to = piece.to > trace.length() ? piece.to - trace.length() : piece.to;
-        const double distance =
-          (trace.parameter(this->Surface, trace.locate(piece.from), s) -
-            chartGraph.vertices[segment.first].uv)
-            .norm() +
-          (trace.parameter(this->Surface, trace.locate(to), s) - chartGraph.vertices[segment.second].uv)
+        const double distance = (trace.parameter(this->Surface, trace.locate(piece.from), s) -
+                                  chartGraph.vertices[segment.first].uv)
+                                  .norm() +
+          (trace.parameter(this->Surface, trace.locate(to), s) -
+            chartGraph.vertices[segment.second].uv)
             .norm();
         if (distance < nearest)
         {
@@ -213,7 +216,8 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
   const int attempts = 100 + static_cast<int>(this->Sample.size());
   for (int attempt = 0;; ++attempt)
   {
-    const DelaunayConflict conflict = constrainedDelaunay(this->Parameter, this->Segments, triangles);
+    const DelaunayConflict conflict =
+      constrainedDelaunay(this->Parameter, this->Segments, triangles);
     if (conflict.kind == Kind::None)
     {
       break;
@@ -223,7 +227,8 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
     if (!canMove || attempt == attempts)
     {
       return Status::error(chart +
-        " cannot be triangulated: its backbones carry too few samples, or samples that coincide; use "
+        " cannot be triangulated: its backbones carry too few samples, or samples that coincide; "
+        "use "
         "more points.");
     }
     // The place on the surface stays; only the triangulation sees the sample a hair's breadth away.
@@ -241,7 +246,8 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
   complex.twin = halfedgeTwins(complex.triangles);
   complex.label.assign(complex.twin.size(), -1);
   const auto key = [](int a, int b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<unsigned int>(std::max(a, b));
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
+      static_cast<unsigned int>(std::max(a, b));
   };
   std::unordered_map<std::uint64_t, int> labelOf;
   for (std::size_t s = 0; s < this->Segments.size(); ++s)
@@ -308,7 +314,8 @@ void ChartProblem::removeBends(ChartMesh& mesh) const
       return -20.;
     }
     const double plane = orient2(this->Parameter[a], this->Parameter[b], this->Parameter[c]);
-    return shapeInSpace(this->Position[a], this->Position[b], this->Position[c]) - (plane > 0 ? 0. : 2.);
+    return shapeInSpace(this->Position[a], this->Position[b], this->Position[c]) -
+      (plane > 0 ? 0. : 2.);
   };
   for (int h = 0; h < complex.numberOfHalfedges(); ++h)
   {
@@ -340,14 +347,15 @@ BackboneIntervals::BackboneIntervals(
 
 int BackboneIntervals::backbone(int label) const
 {
-  return static_cast<int>(std::upper_bound(this->begin.begin(), this->begin.end(), label) -
-           this->begin.begin()) -
+  return static_cast<int>(
+           std::upper_bound(this->begin.begin(), this->begin.end(), label) - this->begin.begin()) -
     1;
 }
 
 Status triangulateChart(const AtlasSurface& surface, int c, const ChartGraph& chartGraph,
-  const std::vector<BackboneTrace>& traces, const FeatureGraph& graph, const BackboneIntervals& intervals,
-  const std::vector<Sample>& samples, const std::vector<int>& interior, ChartMesh& mesh)
+  const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
+  const BackboneIntervals& intervals, const std::vector<Sample>& samples,
+  const std::vector<int>& interior, ChartMesh& mesh)
 {
   ChartProblem problem(surface, c);
   problem.build(chartGraph, c, traces, graph, intervals, samples, interior);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// One chart: its samples triangulated in the parameter plane, with the backbones as constraints (paper 4.1).
+// One chart: its samples triangulated in the parameter plane, with the backbones as constraints
+// (paper 4.1).
 #ifndef stipple_ChartTriangulation_h
 #define stipple_ChartTriangulation_h
 
@@ -9,11 +10,13 @@
 
 namespace stipple
 {
-/// Numbers the pieces of all backbones between neighbouring samples: the labels of constrained halfedges.
+/// Numbers the pieces of all backbones between neighbouring samples: the labels of constrained
+/// halfedges.
 struct STIPPLEFILTERSMESHING_EXPORT BackboneIntervals
 {
-  std::vector<int> begin; ///< by backbone, and the number of intervals
-  std::vector<std::vector<int>> samples; ///< by backbone, ascending by arc length, without its end nodes
+  std::vector<int> begin;                ///< by backbone, and the number of intervals
+  std::vector<std::vector<int>> samples; ///< by backbone, ascending by arc length, without its end
+                                         ///< nodes
 
   BackboneIntervals(const FeatureGraph& graph, std::vector<std::vector<int>> samplesByBackbone);
   int label(int backbone, int interval) const { return this->begin[backbone] + interval; }
@@ -23,14 +26,17 @@ struct STIPPLEFILTERSMESHING_EXPORT BackboneIntervals
 
 struct ChartMesh
 {
-  TriangleComplex complex;     ///< over the chart's own vertices
-  std::vector<int> sample;     ///< by vertex; two vertices may be the same sample where a cut enters the chart
-  std::vector<Vec2> parameter; ///< by vertex
-  std::vector<std::array<int, 2>> merged; ///< labels of intervals between which no triangle is left: one edge
+  TriangleComplex complex; ///< over the chart's own vertices
+  std::vector<int> sample; ///< by vertex; two vertices may be the same sample where a cut enters
+                           ///< the chart
+  std::vector<Vec2> parameter;            ///< by vertex
+  std::vector<std::array<int, 2>> merged; ///< labels of intervals between which no triangle is
+                                          ///< left: one edge
 };
 
-/// Triangulates chart c. Constraints follow the backbones exactly, so that every sample comes out on its side of them,
-/// also where the chord between two samples would cut it off; what that needs besides the samples is taken out again.
+/// Triangulates chart c. Constraints follow the backbones exactly, so that every sample comes out
+/// on its side of them, also where the chord between two samples would cut it off; what that needs
+/// besides the samples is taken out again.
 STIPPLEFILTERSMESHING_EXPORT Status triangulateChart(const AtlasSurface& surface, int c,
   const ChartGraph& chartGraph, const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,

@@ -26,12 +26,14 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
   CGAL::No_constraint_intersection_tag>;
 
-/// Walks the faces that the open segment from a to b passes: the first point on it, or constraint across it.
+/// Walks the faces that the open segment from a to b passes: the first point on it, or constraint
+/// across it.
 bool findObstacle(const Delaunay& cdt, Delaunay::Vertex_handle a, Delaunay::Vertex_handle b,
   Delaunay::Vertex_handle& on, Delaunay::Edge& across)
 {
   auto walk = cdt.line_walk(a->point(), b->point(), Delaunay::Face_handle());
-  // Only faces that touch the open segment matter; a line walk starts and stops at its end points' faces.
+  // Only faces that touch the open segment matter; a line walk starts and stops at its end points'
+  // faces.
   const Kernel::Segment_2 segment(a->point(), b->point());
   const auto start = walk;
   if (start == nullptr)
@@ -90,8 +92,8 @@ DelaunayConflict constrainedDelaunay(const std::vector<Vec2>& points,
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   const auto map = CGAL::make_property_map(position);
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
+  CGAL::spatial_sort(
+    order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
 
   Delaunay cdt;
   std::vector<Delaunay::Vertex_handle> vertex(n);
@@ -169,8 +171,7 @@ DelaunayConflict constrainedDelaunay(const std::vector<Vec2>& points,
   {
     if (!f->info())
     {
-      triangles.push_back(
-        { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() });
+      triangles.push_back({ f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() });
     }
   }
   return {};

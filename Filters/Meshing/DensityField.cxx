@@ -15,7 +15,8 @@ namespace stipple
 {
 namespace
 {
-/// Densities below this share of the largest are raised to it: spacing then varies by a factor of 1000 at most.
+/// Densities below this share of the largest are raised to it: spacing then varies by a factor of
+/// 1000 at most.
 constexpr double SmallestDensity = 1e-6;
 }
 
@@ -30,7 +31,8 @@ Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSu
   if (static_cast<int>(n) != surface.numberOfCharts())
   {
     return Status::error("There are " + std::to_string(n) + " control images for " +
-      std::to_string(surface.numberOfCharts()) + " charts: pass the output of vtkControlMap for these charts.");
+      std::to_string(surface.numberOfCharts()) +
+      " charts: pass the output of vtkControlMap for these charts.");
   }
   float largest = 0;
   float smallest = VTK_FLOAT_MAX;

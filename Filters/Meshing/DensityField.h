@@ -14,7 +14,8 @@ namespace stipple
 class STIPPLEFILTERSMESHING_EXPORT DensityField
 {
 public:
-  /// Reads one image a chart with the point array Control, and AreaDistortion if it is there (else that of the faces).
+  /// Reads one image a chart with the point array Control, and AreaDistortion if it is there (else
+  /// that of the faces).
   Status read(vtkPartitionedDataSetCollection* images, const AtlasSurface& surface);
 
   /// No images were read, or their density is the same everywhere.

@@ -13,6 +13,9 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
+/// A vertex and a triangle whose normals' cosine is below this face away from each other.
+constexpr double WorstCosine = -0.3;
+
 std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
 {
   const auto& graph = mesh.graph();
@@ -44,7 +47,8 @@ void forEachFace(const OptimizedMesh& mesh, int v, const Visit& visit)
   } while (h != first);
 }
 
-/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of what is folded.
+/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of
+/// what is folded.
 double starQuality(const OptimizedMesh& mesh, int v)
 {
   double worst = 10;
@@ -132,6 +136,21 @@ bool improveByMove(OptimizedMesh& mesh, int v)
     mesh.moveOne(v, share * (centre - mesh.position(v)), accept);
     mesh.moveOne(v, share * lloydStep(mesh, v), accept);
   }
+  // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
+  std::vector<int> ring;
+  forEachFace(mesh, v, [&](int f) {
+    for (int u : corners(mesh, f))
+    {
+      if (u != v && mesh.freedom(u) == Freedom::Surface)
+      {
+        ring.push_back(u);
+      }
+    }
+  });
+  for (int u : ring)
+  {
+    mesh.moveOne(v, mesh.place(u), centre - mesh.position(u), accept);
+  }
   for (double size = 0.2; size > 0.01; size *= 0.5)
   {
     const Vec3& n = mesh.normal(v);
@@ -161,6 +180,16 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
   if (cosine < OptimizedMesh::minimumAgreement())
   {
     return cosine - 1.;
+  }
+  // A vertex that has slipped out of its ring turns its back on some of its triangles, though these
+  // may agree on average.
+  for (int v : { a, b, c })
+  {
+    const double own = mesh.freedom(v) == Freedom::Surface ? n.dot(mesh.normal(v)) : 0.;
+    if (own < WorstCosine * area)
+    {
+      return own / area;
+    }
   }
   const auto angle = [area](const Vec3& s, const Vec3& t) { return std::atan2(area, -s.dot(t)); };
   return std::min({ angle(u, z), angle(u, w), angle(w, z) });

@@ -39,7 +39,8 @@ Status checkSamples(const FeatureGraph& graph, const std::vector<Sample>& sample
     {
       return Status::error("Sample " + std::to_string(i) + " lies on backbone " +
         std::to_string(s.backbone) +
-        ", which the feature graph does not have: pass charts and feature graph that the samples were made from.");
+        ", which the feature graph does not have: pass charts and feature graph that the samples "
+        "were made from.");
     }
   }
   return Status::success();
@@ -59,7 +60,8 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
     {
       return Status::error("Chart " + std::to_string(c) + " has " +
         countOf(static_cast<int>(charts[c].boundary.size()), "samples") +
-        " in a row on its outline, where a closed chain of at least three is needed; use more points.");
+        " in a row on its outline, where a closed chain of at least three is needed; use more "
+        "points.");
     }
   }
   return Status::success();
@@ -103,8 +105,8 @@ Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
   vtkSMPTools::For(0, numberOfCharts, 1, [&](vtkIdType begin, vtkIdType end) {
     for (int c = static_cast<int>(begin); c < end; ++c)
     {
-      outcome[c] = triangulateChart(
-        surface, c, chartGraphs[c], atlas.traces(), graph, intervals, samples, interior[c], meshes[c]);
+      outcome[c] = triangulateChart(surface, c, chartGraphs[c], atlas.traces(), graph, intervals,
+        samples, interior[c], meshes[c]);
     }
   });
   for (const auto& result : outcome)
@@ -139,22 +141,34 @@ Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
     if (!used[i])
     {
       return Status::error("Sample " + std::to_string(i) +
-        " is in no triangle: a node or a backbone of it bounds no chart; pass charts, feature graph and "
+        " is in no triangle: a node or a backbone of it bounds no chart; pass charts, feature "
+        "graph and "
         "samples of one pipeline.");
+    }
+  }
+  for (int h = 0; h < static_cast<int>(mesh.twin.size()); ++h)
+  {
+    const int g = mesh.twin[h];
+    if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
+    {
+      return Status::error("The samples " + std::to_string(mesh.tail(h)) + ", " +
+        std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
+        " would carry two triangles back to back; use more points.");
     }
   }
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == atlas.topology()))
   {
     return Status::error("The samples do not carry the surface's topology (Euler characteristic " +
-      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) + ", " +
-      countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
+      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) +
+      ", " + countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
       std::to_string(atlas.topology().boundaryLoops) + "); use more points.");
   }
   return report(progress, 0.8) ? Status::success() : Status::aborted();
 }
 
-std::vector<std::vector<int>> backboneChains(const FeatureGraph& graph, const std::vector<Sample>& samples)
+std::vector<std::vector<int>> backboneChains(
+  const FeatureGraph& graph, const std::vector<Sample>& samples)
 {
   std::vector<std::vector<int>> chains = samplesByBackbone(graph, samples);
   std::unordered_map<int, int> nodeSample;
@@ -191,8 +205,8 @@ std::vector<std::vector<int>> backboneChains(const FeatureGraph& graph, const st
   return chains;
 }
 
-vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas, const std::vector<Sample>& samples,
-  const std::vector<Triangle>& triangles)
+vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas,
+  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
 {
   const AtlasSurface& surface = atlas.surface();
   auto mesh = toPolyData(samples, surface); // points, provenance and the arrays of samples
@@ -220,7 +234,8 @@ vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
   id->SetName("BackboneId");
   std::unordered_set<std::uint64_t> edges;
   const auto key = [](vtkIdType a, vtkIdType b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
+      static_cast<std::uint64_t>(std::max(a, b));
   };
   vtkIdType size;
   const vtkIdType* corner;

@@ -11,12 +11,13 @@
 
 namespace stipple
 {
-/// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all edges of the backbones, and
-/// the topology of the surface.
+/// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all
+/// edges of the backbones, and the topology of the surface.
 STIPPLEFILTERSMESHING_EXPORT Status createMesh(const SurfaceCache& atlas,
   const std::vector<Sample>& samples, std::vector<Triangle>& triangles, const Progress& progress);
 
-/// The samples of every backbone in order, with the nodes at its ends; a closed backbone repeats its first.
+/// The samples of every backbone in order, with the nodes at its ends; a closed backbone repeats
+/// its first.
 STIPPLEFILTERSMESHING_EXPORT std::vector<std::vector<int>> backboneChains(
   const FeatureGraph& graph, const std::vector<Sample>& samples);
 
@@ -24,7 +25,8 @@ STIPPLEFILTERSMESHING_EXPORT std::vector<std::vector<int>> backboneChains(
 STIPPLEFILTERSMESHING_EXPORT vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
 
-/// The chains as lines over the points of the mesh, with BackboneType, Closed and BackboneId; seams only if asked for.
+/// The chains as lines over the points of the mesh, with BackboneType, Closed and BackboneId; seams
+/// only if asked for.
 STIPPLEFILTERSMESHING_EXPORT vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
   const std::vector<std::vector<int>>& chains, vtkPolyData* mesh, bool withSeams);
 }

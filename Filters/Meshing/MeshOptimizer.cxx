@@ -15,31 +15,36 @@ namespace
 using Swaps = OptimizerOptions::Swaps;
 using Moves = OptimizerOptions::Moves;
 
-/// Lloyd's step goes this much too far, and keeps this share of the step before: found by trial to reach in 40 rounds
-/// what plain steps do not reach in 100.
+/// Lloyd's step goes this much too far, and keeps this share of the step before: found by trial to
+/// reach in 40 rounds what plain steps do not reach in 100.
 constexpr double OverRelaxation = 1.5;
 constexpr double Momentum = 0.7;
+/// Longest step over the mean length of the edges about a vertex: beyond, the one-ring says
+/// nothing.
+constexpr double LongestStep = 0.5;
 /// Time step of the weighted Laplacian.
 constexpr double LaplacianStep = 0.3;
 constexpr int Grain = 256;
 
 /// Angles (radians) below which triangles are repaired at the end.
 constexpr double SmallAngle = 0.62;
-/// Smallest angle (degrees) that swaps for regularity may make. They come last: mixed with Delaunay swaps and moves they cost
-/// quality, for the moves spread what they disturb.
+/// Smallest angle (degrees) that swaps for regularity may make. They come last: mixed with Delaunay
+/// swaps and moves they cost quality, for the moves spread what they disturb.
 constexpr double RegularityAngle = 36.;
-/// Rounds between repairs of folds.
+/// In between, once the first rounds have brought order, those below this one and all folds are.
+constexpr double SliverAngle = 0.25;
+/// Rounds between repairs.
 constexpr int RepairInterval = 10;
 
-void swapEdges(OptimizedMesh& mesh, Swaps swaps)
+void swapEdges(OptimizedMesh& mesh, Swaps swaps, int passes)
 {
   if (swaps == Swaps::Regularity)
   {
-    delaunaySwaps(mesh);
+    delaunaySwaps(mesh, passes);
   }
   else if (swaps == Swaps::Aspect)
   {
-    aspectSwaps(mesh);
+    aspectSwaps(mesh, passes);
   }
 }
 
@@ -48,7 +53,11 @@ Vec3 nextStep(const OptimizedMesh& mesh, const OptimizerOptions& options, int v,
   if (options.moves == Moves::Lloyd)
   {
     const bool isDelaunay = options.swaps == Swaps::Regularity;
-    return Momentum * last + OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v, isDelaunay));
+    const Vec3 step =
+      Momentum * last + OverRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v, isDelaunay));
+    const double length = step.norm();
+    const double limit = LongestStep * meanEdgeLength(mesh, v);
+    return length > limit ? Vec3(limit / length * step) : step;
   }
   return LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
 }
@@ -71,7 +80,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     {
       return Status::aborted();
     }
-    swapEdges(mesh, options.swaps);
+    swapEdges(mesh, options.swaps, i == 0 ? 10 : 2);
     if (moves)
     {
       vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
@@ -89,10 +98,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     }
     if (i % RepairInterval == 2)
     {
-      repairTriangles(mesh, 0., swaps, moves, 3);
+      repairTriangles(mesh, i < RepairInterval ? 0. : SliverAngle, swaps, moves, 3);
     }
   }
-  swapEdges(mesh, options.swaps);
+  swapEdges(mesh, options.swaps, 10);
   if (options.swaps == Swaps::Regularity)
   {
     regularitySwaps(mesh, RegularityAngle, 2);

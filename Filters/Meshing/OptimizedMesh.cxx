@@ -54,7 +54,8 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
       if (s.backbone < 0 || s.backbone >= static_cast<int>(graph.backbones.size()))
       {
         return Status::error("Point " + std::to_string(v) + " lies on backbone " +
-          std::to_string(s.backbone) + ", which the feature graph does not have: pass the one of the mesh.");
+          std::to_string(s.backbone) +
+          ", which the feature graph does not have: pass the one of the mesh.");
       }
       if (graph.backbones[s.backbone].type != BackboneType::Seam)
       {
@@ -68,7 +69,8 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
   return status.ok() ? this->markFeatures() : status;
 }
 
-/// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the triangles.
+/// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the
+/// triangles.
 Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
 {
   const std::vector<int> twin = halfedgeTwins(triangles);
@@ -86,8 +88,8 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
   {
     if (twin[h] == -2)
     {
-      return Status::error("The mesh's edge between the points " + std::to_string(tail(h)) + " and " +
-        std::to_string(tail(nextHalfedge(h))) +
+      return Status::error("The mesh's edge between the points " + std::to_string(tail(h)) +
+        " and " + std::to_string(tail(nextHalfedge(h))) +
         " is not manifold or not consistently oriented: pass the output of vtkCDTRemesh.");
     }
     if (twin[h] > h || twin[h] < 0)
@@ -152,8 +154,9 @@ Status OptimizedMesh::markFeatures()
       const Halfedge h = this->Graph.find_halfedge(Vertex(chain[i - 1]), Vertex(chain[i]));
       if (!h.is_valid())
       {
-        return Status::error("The mesh has no edge between the points " + std::to_string(chain[i - 1]) +
-          " and " + std::to_string(chain[i]) + ", neighbours on backbone " + std::to_string(b) +
+        return Status::error("The mesh has no edge between the points " +
+          std::to_string(chain[i - 1]) + " and " + std::to_string(chain[i]) +
+          ", neighbours on backbone " + std::to_string(b) +
           ": pass the output of vtkCDTRemesh and its feature graph.");
       }
       this->Feature[this->Graph.edge_handle(h).idx()] = 1;
@@ -211,7 +214,8 @@ std::vector<Triangle> OptimizedMesh::triangles() const
       result[f][k] = this->Graph.from_vertex_handle(h).idx();
     }
     // Whatever swaps did to the halfedges: the smallest point comes first.
-    std::rotate(result[f].begin(), std::min_element(result[f].begin(), result[f].end()), result[f].end());
+    std::rotate(
+      result[f].begin(), std::min_element(result[f].begin(), result[f].end()), result[f].end());
   }
   return result;
 }
@@ -225,7 +229,8 @@ std::vector<Sample> OptimizedMesh::samples() const
     s.face = this->Place[v].face;
     s.bary = this->Place[v].bary;
     s.arcLength = this->ArcLength[v];
-    if (this->Free[v] == Freedom::Surface) // seams have healed: nothing tells their samples from others
+    if (this->Free[v] == Freedom::Surface) // seams have healed: nothing tells their samples from
+                                           // others
     {
       s = { SampleKind::Interior, s.face, s.bary, -1, 0., -1 };
     }
@@ -240,7 +245,8 @@ bool OptimizedMesh::isSound(int a, int b, int c) const
   const Vec3& r = this->Position[c];
   const Vec3 n = (q - p).cross(r - p);
   const double area = n.norm();
-  const double longest = std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
+  const double longest =
+    std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
   if (!(area > MinimumHeight * longest))
   {
     return false;
@@ -268,8 +274,8 @@ bool OptimizedMesh::isSoundFace(int f) const
 {
   const Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
   const Halfedge g = this->Graph.next_halfedge_handle(h);
-  return this->isSound(this->Graph.from_vertex_handle(h).idx(), this->Graph.to_vertex_handle(h).idx(),
-    this->Graph.to_vertex_handle(g).idx());
+  return this->isSound(this->Graph.from_vertex_handle(h).idx(),
+    this->Graph.to_vertex_handle(h).idx(), this->Graph.to_vertex_handle(g).idx());
 }
 
 bool OptimizedMesh::swap(int edge)
@@ -294,25 +300,27 @@ bool OptimizedMesh::swap(int edge)
   return true;
 }
 
-void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double>& arcLength)
+void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arcLength)
 {
   const int n = this->numberOfVertices();
   const int faces = this->numberOfFaces();
   const std::vector<SurfacePlace> oldPlace = this->Place;
   const std::vector<double> oldArcLength = this->ArcLength;
-  std::vector<char> wasSound(faces);
-  vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType f = begin; f < end; ++f)
-    {
-      wasSound[f] = this->isSoundFace(static_cast<int>(f));
-    }
-  });
+  std::vector<Vec3> oldPosition = this->Position;
+  std::vector<Vec3> oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
+  std::vector<int> drawnBack;
+  const auto forget = [&]() {
+    for (int v : drawnBack) // no momentum into what was refused
+    {
+      step[v] = Vec3::Zero();
+    }
+  };
   const auto moveVertex = [&](int v) {
     if (this->Free[v] == Freedom::Surface)
     {
-      this->placeVertex(v,
-        share[v] > 0 ? this->Atlas->walk().walk(oldPlace[v], share[v] * step[v]) : oldPlace[v]);
+      this->placeVertex(
+        v, share[v] > 0 ? this->Atlas->walk().walk(oldPlace[v], share[v] * step[v]) : oldPlace[v]);
     }
     else if (this->Free[v] == Freedom::Backbone)
     {
@@ -325,30 +333,42 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
       moveVertex(static_cast<int>(v));
     }
   });
-  // Unsound triangles draw their vertices back: to a half, a quarter, at last all the way.
+  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
+  // at last all the way.
   std::vector<char> isSoundNow(faces);
   for (int round = 0; round < 12; ++round)
   {
     vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType f = begin; f < end; ++f)
       {
-        isSoundNow[f] = !wasSound[f] || this->isSoundFace(static_cast<int>(f));
+        isSoundNow[f] = this->isSoundFace(static_cast<int>(f));
       }
     });
-    std::vector<int> back;
+    // Most rounds end here; only now look back at how the few were before.
+    std::vector<int> unsound;
     for (int f = 0; f < faces; ++f)
     {
       if (!isSoundNow[f])
       {
-        Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
-        for (int k = 0; k < 3; ++k, h = this->Graph.next_halfedge_handle(h))
-        {
-          back.push_back(this->Graph.to_vertex_handle(h).idx());
-        }
+        unsound.push_back(f);
       }
     }
+    this->Position.swap(oldPosition);
+    this->Normal.swap(oldNormal);
+    std::vector<int> back;
+    for (int f : unsound)
+    {
+      Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
+      for (int k = 0; k < 3 && this->isSoundFace(f); ++k, h = this->Graph.next_halfedge_handle(h))
+      {
+        back.push_back(this->Graph.to_vertex_handle(h).idx());
+      }
+    }
+    this->Position.swap(oldPosition);
+    this->Normal.swap(oldNormal);
     if (back.empty())
     {
+      forget();
       return;
     }
     std::sort(back.begin(), back.end());
@@ -357,8 +377,10 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
     {
       share[v] = round < 2 ? 0.5f * share[v] : 0.f;
       moveVertex(v);
+      drawnBack.push_back(v);
     }
   }
+  forget();
   // Drawing back spread on and on: take back the whole step.
   std::fill(share.begin(), share.end(), 0.f);
   for (int v = 0; v < n; ++v)
@@ -369,12 +391,18 @@ void OptimizedMesh::move(const std::vector<Vec3>& step, const std::vector<double
 
 bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>& accept)
 {
+  return this->moveOne(v, this->Place[v], step, accept);
+}
+
+bool OptimizedMesh::moveOne(
+  int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept)
+{
   if (this->Free[v] != Freedom::Surface)
   {
     return false;
   }
   const SurfacePlace old = this->Place[v];
-  this->placeVertex(v, this->Atlas->walk().walk(old, step));
+  this->placeVertex(v, this->Atlas->walk().walk(SurfacePlace(from), step));
   if (accept())
   {
     return true;
@@ -397,7 +425,8 @@ bool OptimizedMesh::slideOne(int v, double step, const std::function<bool()>& ac
   {
     if (this->Feature[this->Graph.edge_handle(h).idx()])
     {
-      room = std::min(room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
+      room = std::min(
+        room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
     }
     h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
   } while (h != first);

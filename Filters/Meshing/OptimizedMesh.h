@@ -29,9 +29,10 @@ public:
   using Halfedge = OpenMesh::HalfedgeHandle;
   using Vertex = OpenMesh::VertexHandle;
 
-  /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of a backbone.
-  Status build(const SurfaceCache& atlas, const DensityField& density, const std::vector<Sample>& samples,
-    const std::vector<Triangle>& triangles);
+  /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of
+  /// a backbone.
+  Status build(const SurfaceCache& atlas, const DensityField& density,
+    const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
 
   int numberOfVertices() const { return static_cast<int>(this->Position.size()); }
   int numberOfFaces() const { return static_cast<int>(this->Graph.n_faces()); }
@@ -55,25 +56,30 @@ public:
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
 
-  /// Swaps an edge if no second edge between two vertices, no fold and no degenerate triangle comes of it.
+  /// Swaps an edge if no second edge between two vertices, no fold and no degenerate triangle comes
+  /// of it.
   bool swap(int edge);
   /// Swaps without asking; for taking back a swap.
   void forceSwap(int edge) { this->Graph.flip(OpenMesh::EdgeHandle(edge)); }
-  /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals at its vertices;
-  /// 1 if they all lie on creases.
+  /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
+  /// at its vertices; 1 if they all lie on creases.
   double agreement(int a, int b, int c, const Vec3& normal) const;
-  /// Triangles that agree less are folded over. Over a rim thinner than a triangle the agreement is small for good reason; in a
-  /// fold it is about -1.
+  /// Triangles that agree less are folded over. Over a rim thinner than a triangle the agreement is
+  /// small for good reason; in a fold it is about -1.
   static constexpr double minimumAgreement() { return 0.1; }
   /// The triangle (a, b, c) faces the way the surface does at its vertices, and is not degenerate.
   bool isSound(int a, int b, int c) const;
 
-  /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all at once.
-  /// Where that makes a triangle unsound, the steps of its vertices are halved, at last refused.
-  void move(const std::vector<Vec3>& step, const std::vector<double>& arcLength);
-  /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there. False, and nothing is
-  /// changed, if `accept`, asked at the new position, says no.
+  /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all
+  /// at once. Where that makes a triangle unsound, the steps of its vertices are halved, at last
+  /// refused.
+  void move(std::vector<Vec3>& step, const std::vector<double>& arcLength);
+  /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there.
+  /// False, and nothing is changed, if `accept`, asked at the new position, says no.
   bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
+  /// The same, with the walk starting at another place.
+  bool moveOne(
+    int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept);
   bool slideOne(int v, double step, const std::function<bool()>& accept);
 
   /// Backbone vertices in order, with both ends; empty for seams.

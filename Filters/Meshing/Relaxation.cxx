@@ -11,7 +11,8 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
-/// Calls visit(q, r, wall) for every triangle (v, q, r) about v; wall: the edge qr bounds the surface, or is a crease.
+/// Calls visit(q, r, wall) for every triangle (v, q, r) about v; wall: the edge qr bounds the
+/// surface, or is a crease.
 template <typename Visit>
 void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
 {
@@ -38,7 +39,8 @@ struct CellIntegral
   double alongB = 0;
 
   /// Adds the triangle between x and the points given by their coordinates along a and b.
-  void add(const Vec2& p, const Vec2& q, double twiceArea, double here, double slopeA, double slopeB)
+  void add(
+    const Vec2& p, const Vec2& q, double twiceArea, double here, double slopeA, double slopeB)
   {
     const Vec2 centroid = (p + q) / 3.;
     const double low = 0.1 * std::min({ here, here + slopeA, here + slopeB });
@@ -50,7 +52,18 @@ struct CellIntegral
   }
 };
 
-/// Area of the surface under a triangle over the triangle's own, estimated from the normals at its vertices.
+/// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off
+/// a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to the
+/// tip.
+Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
+{
+  constexpr double Least = 0.2; // a fold: no way of turning is better than another
+  const double scale = 1. / std::max(Least, 1. + triangleNormal.dot(normal));
+  return vector - normal.dot(vector) * scale * (triangleNormal + normal);
+}
+
+/// Area of the surface under a triangle over the triangle's own, estimated from the normals at its
+/// vertices.
 double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
 {
   constexpr double Largest = 4.;
@@ -61,7 +74,8 @@ double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3&
 Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
 {
   const Vec3& x = mesh.position(v);
-  // Points settle with a density that is the root of the weight of a centroidal Voronoi tessellation in the plane.
+  // Points settle with a density that is the root of the weight of a centroidal Voronoi
+  // tessellation in the plane.
   const double here = mesh.density(v) * mesh.density(v);
   Vec3 moment = Vec3::Zero();
   double mass = 0;
@@ -78,9 +92,11 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
     {
       return;
     }
-    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a triangle cuts off would
-    // have no weight, and vertices would slide off them.
-    const double twiceArea = std::sqrt(square) * areaOfSurface(mesh, v, q, r, a.cross(b));
+    const Vec3 cross = a.cross(b);
+    const double flatArea = std::sqrt(square);
+    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
+    // triangle cuts off would have no weight, and vertices would slide off them.
+    const double twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
     const double slopeA = mesh.density(q) * mesh.density(q) - here;
     const double slopeB = mesh.density(r) * mesh.density(r) - here;
     const Vec2 halfA(0.5, 0.);
@@ -103,13 +119,14 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
       cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
       cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
     }
-    moment += cell.alongA * a + cell.alongB * b;
+    moment += turned(cell.alongA * a + cell.alongB * b, cross / flatArea, mesh.normal(v));
     mass += cell.mass;
     const double whole = 0.5 * twiceArea * (here + (slopeA + slopeB) / 3.);
-    ringMoment += whole / 3. * (a + b);
+    ringMoment += turned(whole / 3. * (a + b), cross / flatArea, mesh.normal(v));
     ringMass += whole;
   });
-  // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own centroid.
+  // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own
+  // centroid.
   if (mass > 0.1 * ringMass)
   {
     return moment / mass;
@@ -131,7 +148,9 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
       area *= (mesh.density(v) + mesh.density(q) + mesh.density(r)) / 3.;
     }
     // The angle at q is opposite to the edge from v to r, and the other way round.
-    sum += area * (std::max(0., cotangent(a, b, x, 10.)) * (b - x) + std::max(0., cotangent(b, x, a, 10.)) * (a - x));
+    sum += area *
+      (std::max(0., cotangent(a, b, x, 10.)) * (b - x) +
+        std::max(0., cotangent(b, x, a, 10.)) * (a - x));
     total += area;
   });
   return total > 0 ? Vec3(sum / total) : Vec3::Zero();
@@ -139,9 +158,10 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
 
 Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
 {
-  // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a neighbour|^2 over d in the tangent
-  // plane at v. Planes that are nearly parallel to it say nothing about where a ridge is.
-  constexpr double Inertia = 6.;
+  // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a
+  // neighbour|^2 over d in the tangent plane at v. Planes that are nearly parallel to it say
+  // nothing about where a ridge is.
+  constexpr double Inertia = 20.;
   constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
   const Vec3& x = mesh.position(v);
   const Vec3& normal = mesh.normal(v);
@@ -165,6 +185,17 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   matrix += Inertia * Eigen::Matrix3d::Identity() + 10. * normal * normal.transpose();
   right += Inertia * step;
   return matrix.ldlt().solve(right);
+}
+
+double meanEdgeLength(const OptimizedMesh& mesh, int v)
+{
+  double sum = 0;
+  int count = 0;
+  forEachTriangle(mesh, v, [&](int q, int, bool) {
+    sum += (mesh.position(q) - mesh.position(v)).norm();
+    ++count;
+  });
+  return sum / count;
 }
 
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
@@ -199,7 +230,8 @@ void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
     for (int i = 1; i < n; ++i)
     {
       count[i] = count[i - 1] +
-        (s[i] - s[i - 1]) * 0.5 * (std::sqrt(mesh.density(chain[i - 1])) + std::sqrt(mesh.density(chain[i])));
+        (s[i] - s[i - 1]) * 0.5 *
+          (std::sqrt(mesh.density(chain[i - 1])) + std::sqrt(mesh.density(chain[i])));
     }
     double shift = 0; // of a cycle as a whole: none on average
     const auto wanted = [&](int i) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry optimisation (paper 4.3): where a vertex should go, from its one-ring. Nothing moves yet.
+// Geometry optimisation (paper 4.3): where a vertex should go, from its one-ring. Nothing moves
+// yet.
 #ifndef stipple_Relaxation_h
 #define stipple_Relaxation_h
 
@@ -8,21 +9,29 @@
 
 namespace stipple
 {
-/// To the centroid, under the wanted density, of the vertex's Voronoi cell: Lloyd's step. The cell is pieced together from the
-/// circumcentres of the triangles about the vertex, each in its own plane. Cells have equal shares of the density where
-/// the centroids are those of its square. Cells end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
-STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay = true);
+/// To the centroid, under the wanted density, of the vertex's Voronoi cell: Lloyd's step. The cell
+/// is pieced together from the circumcentres of the triangles about the vertex, each in its own
+/// plane. Cells have equal shares of the density where the centroids are those of its square. Cells
+/// end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
+STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(
+  const OptimizedMesh& mesh, int v, bool isDelaunay = true);
 
-/// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and thin rims keep vertices then.
+/// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and
+/// thin rims keep vertices then.
 STIPPLEFILTERSMESHING_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
 
-/// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with areas in space, or with the
-/// integrals of the wanted density over the triangles.
-STIPPLEFILTERSMESHING_EXPORT Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity);
+/// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with
+/// areas in space, or with the integrals of the wanted density over the triangles.
+STIPPLEFILTERSMESHING_EXPORT Vec3 laplacianStep(
+  const OptimizedMesh& mesh, int v, bool weightedByDensity);
 
-/// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing under the wanted density; others
-/// keep theirs. No vertex goes farther than 0.4 of the way to its neighbour.
-STIPPLEFILTERSMESHING_EXPORT void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength);
+STIPPLEFILTERSMESHING_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
+
+/// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
+/// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
+/// neighbour.
+STIPPLEFILTERSMESHING_EXPORT void relaxBackbones(
+  const OptimizedMesh& mesh, std::vector<double>& arcLength);
 }
 
 #endif

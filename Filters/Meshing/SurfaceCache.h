@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the mesher and the optimiser derive from charts and feature graph alone: kept as long as these do not change, so that
-// a slider that moves samples does not pay for it again.
+// What the mesher and the optimiser derive from charts and feature graph alone: kept as long as
+// these do not change, so that a slider that moves samples does not pay for it again.
 #ifndef stipple_SurfaceCache_h
 #define stipple_SurfaceCache_h
 
@@ -28,7 +28,8 @@ public:
   const std::vector<BackboneTrace>& traces() const { return this->Traces; }
   /// Sharp edges are its walls.
   const SurfaceWalk& walk() const { return *this->Walk; }
-  /// Normal of a face averaged with those about it on the same side of creases; unit length, or zero.
+  /// Normal of a face averaged with those about it on the same side of creases; unit length, or
+  /// zero.
   const Vec3& smoothNormal(int face) const { return this->SmoothNormal[face]; }
   const SurfaceTopology& topology() const { return this->Topology; }
   /// Counts the times that the inputs were read.

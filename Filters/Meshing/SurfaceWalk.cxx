@@ -33,7 +33,8 @@ SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, std::vector<char> wall)
 
 SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, bool passWalls) const
 {
-  // A walk about a vertex may pass many faces without getting on: the bound only ends what would go on for ever.
+  // A walk about a vertex may pass many faces without getting on: the bound only ends what would go
+  // on for ever.
   constexpr int MaximumNumberOfCrossings = 10000;
   SurfacePlace place = from;
   Vec3 left = vector;
@@ -76,7 +77,8 @@ SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, boo
       break;
     }
     left *= 1. - t;
-    const Vec3 edge = this->Surface.points[this->Surface.head(h)] - this->Surface.points[this->Surface.tail(h)];
+    const Vec3 edge =
+      this->Surface.points[this->Surface.head(h)] - this->Surface.points[this->Surface.tail(h)];
     const double square = edge.squaredNorm();
     if (square <= 0)
     {

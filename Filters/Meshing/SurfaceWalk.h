@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Straight walks over the triangles of a surface: how a vertex moves without ever leaving it. A walk needs no chart, and
-// crosses seams like any other edge.
+// Straight walks over the triangles of a surface: how a vertex moves without ever leaving it. A
+// walk needs no chart, and crosses seams like any other edge.
 #ifndef stipple_SurfaceWalk_h
 #define stipple_SurfaceWalk_h
 
@@ -20,11 +20,13 @@ struct SurfacePlace
 class STIPPLEFILTERSMESHING_EXPORT SurfaceWalk
 {
 public:
-  /// Keeps a reference to the surface. wall, if not empty, marks halfedges (both of an edge) that no walk crosses.
+  /// Keeps a reference to the surface. wall, if not empty, marks halfedges (both of an edge) that
+  /// no walk crosses.
   explicit SurfaceWalk(const TriangleSurface& surface, std::vector<char> wall = {});
 
-  /// Goes from a place along a vector of space: the vector is projected on the face and unfolded at every edge that
-  /// is crossed. Ends early at the surface's boundary and, unless told to pass, at a wall.
+  /// Goes from a place along a vector of space: the vector is projected on the face and unfolded at
+  /// every edge that is crossed. Ends early at the surface's boundary and, unless told to pass, at
+  /// a wall.
   SurfacePlace walk(const SurfacePlace& from, const Vec3& vector, bool passWalls = false) const;
 
   /// Unit normal of a face; zero if it is degenerate.

@@ -8,7 +8,8 @@ namespace stipple
 {
 namespace
 {
-/// A hole, counterclockwise. Edge i runs from vertex i to vertex i + 1; beyond it lies halfedge outer[i].
+/// A hole, counterclockwise. Edge i runs from vertex i to vertex i + 1; beyond it lies halfedge
+/// outer[i].
 struct Hole
 {
   std::vector<int> vertices;
@@ -56,8 +57,10 @@ Hole openSide(const TriangleComplex& c, int first)
   return hole;
 }
 
-/// Clips the best ear again and again; returns the halfedge on the closing edge, from the last vertex to the first.
-int fill(TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const TriangleComplex::Score& score)
+/// Clips the best ear again and again; returns the halfedge on the closing edge, from the last
+/// vertex to the first.
+int fill(
+  TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const TriangleComplex::Score& score)
 {
   hole.outer.push_back(-1); // the closing edge
   hole.label.push_back(-1);
@@ -76,8 +79,8 @@ int fill(TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const Triang
     {
       const std::size_t p = (i + n - 1) % n;
       const std::size_t q = (i + 1) % n;
-      const double s = score(hole.vertices[p], hole.vertices[i], hole.vertices[q]) -
-        (connected(p, q) ? 10. : 0.);
+      const double s =
+        score(hole.vertices[p], hole.vertices[i], hole.vertices[q]) - (connected(p, q) ? 10. : 0.);
       if (s > bestScore)
       {
         bestScore = s;
@@ -237,7 +240,8 @@ bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, co
   std::array<int, 2> closing = { { -1, -1 } };
   for (int s = 0; s < sides; ++s)
   {
-    if (hole[s].faces.size() == 1 && hole[s].label.front() >= 0 && hole[s].label.front() != constraint)
+    if (hole[s].faces.size() == 1 && hole[s].label.front() >= 0 &&
+      hole[s].label.front() != constraint)
     {
       merged.push_back({ { hole[s].label.front(), constraint } });
     }

@@ -4,26 +4,30 @@
  * @class   vtkRemeshOptimizer
  * @brief   improve a mesh by edge swaps and by moving its vertices on the surface
  *
- * vtkRemeshOptimizer alternates edge swaps (paper, section 4.2) with moves of the vertices (section 4.3). It never adds or
- * removes a vertex: point i of the output is point i of the input, elsewhere on the surface.
+ * vtkRemeshOptimizer alternates edge swaps (paper, section 4.2) with moves of the vertices
+ * (section 4.3). It never adds or removes a vertex: point i of the output is point i of the input,
+ * elsewhere on the surface.
  *
- * Vertices walk straight over the triangles of the surface, across the seams of the charts: they stay exactly on it, and
- * no seam shows in the result. Vertices on sharp and boundary backbones move along their backbone only; corners and
- * constraints do not move. Edges along sharp and boundary backbones are never swapped. No swap and no move folds the mesh
- * over, makes a degenerate triangle or a second edge between two vertices.
+ * Vertices walk straight over the triangles of the surface, across the seams of the charts: they
+ * stay exactly on it, and no seam shows in the result. Vertices on sharp and boundary backbones
+ * move along their backbone only; corners and constraints do not move. Edges along sharp and
+ * boundary backbones are never swapped. No swap and no move folds the mesh over, makes a degenerate
+ * triangle or a second edge between two vertices.
  *
  * Input ports:
- * - 0: mesh, a vtkPolyData (vtkCDTRemesh, port 0), with its arrays SampleKind, ChartId, ChartCellId,
- *   BarycentricCoordinates, BackboneId, ArcLength and SurfacePointId;
+ * - 0: mesh, a vtkPolyData (vtkCDTRemesh, port 0), with its arrays SampleKind, ChartId,
+ * ChartCellId, BarycentricCoordinates, BackboneId, ArcLength and SurfacePointId;
  * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
  * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1);
- * - 3: control images, optional, a vtkPartitionedDataSetCollection of vtkImageData with the point arrays Control and
- *   AreaDistortion (vtkControlMap): the density to keep. Without them the mesh becomes uniform.
+ * - 3: control images, optional, a vtkPartitionedDataSetCollection of vtkImageData with the point
+ * arrays Control and AreaDistortion (vtkControlMap): the density to keep. Without them the mesh
+ * becomes uniform.
  *
  * Output ports, both vtkPolyData:
  * - 0: the mesh, with the arrays that vtkCDTRemesh writes, for the new places;
- * - 1: the mesh's edges along sharp and boundary backbones, one polyline a backbone on the mesh's points, with the cell
- *   arrays BackboneType, Closed and BackboneId. (Once vertices move, those on seams are ordinary vertices: SampleKind 0.)
+ * - 1: the mesh's edges along sharp and boundary backbones, one polyline a backbone on the mesh's
+ * points, with the cell arrays BackboneType, Closed and BackboneId. (Once vertices move, those on
+ * seams are ordinary vertices: SampleKind 0.)
  *
  * The result is the same for any number of threads.
  *
@@ -60,8 +64,9 @@ public:
 
   ///@{
   /**
-   * What edge swaps are for: NONE (no swaps), REGULARITY (Delaunay in space, then valence 6 inside, 4 on boundaries, and
-   * balanced on both sides of a crease), or ASPECT (a larger area / perimeter^2). The default is REGULARITY.
+   * What edge swaps are for: NONE (no swaps), REGULARITY (Delaunay in space, then valence 6 inside,
+   * 4 on boundaries, and balanced on both sides of a crease), or ASPECT (a larger area /
+   * perimeter^2). The default is REGULARITY.
    */
   vtkSetClampMacro(Connectivity, int, CONNECTIVITY_NONE, ASPECT);
   vtkGetMacro(Connectivity, int);
@@ -72,9 +77,9 @@ public:
 
   ///@{
   /**
-   * How vertices move: NONE, AREA (the paper's weighted Laplacian that evens out areas), DENSITY (the same with integrals of
-   * the wanted density), or LLOYD (to the centroids of Voronoi cells under the wanted density, with momentum). The
-   * default is LLOYD.
+   * How vertices move: NONE, AREA (the paper's weighted Laplacian that evens out areas), DENSITY
+   * (the same with integrals of the wanted density), or LLOYD (to the centroids of Voronoi cells
+   * under the wanted density, with momentum). The default is LLOYD.
    */
   vtkSetClampMacro(Smoothing, int, SMOOTHING_NONE, LLOYD);
   vtkGetMacro(Smoothing, int);

@@ -127,7 +127,8 @@ std::vector<BackboneDensity> backboneDensities(
       {
         const double rho =
           backboneDensityAt(domain, images, static_cast<int>(b), begin + (k + 0.5) * step);
-        density.arcLength.push_back(k + 1 == steps ? trace.arcLength[i + 1] : begin + (k + 1) * step);
+        density.arcLength.push_back(
+          k + 1 == steps ? trace.arcLength[i + 1] : begin + (k + 1) * step);
         density.wanted.push_back(
           density.wanted.back() + step * (std::sqrt(rho * std::sqrt(3.) / 2.) + least));
       }

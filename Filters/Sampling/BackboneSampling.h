@@ -9,9 +9,10 @@
 
 namespace stipple
 {
-/// Samples beside a curve lie in a hexagonal lattice of spacing s = sqrt(2 / (sqrt(3) rho)), rho being the
-/// samples wanted per unit of surface area; so the curve wants the integral of ds / s of them (the paper's
-/// law x -> 1 - sqrt(1 - x), in continuous terms and with the lattice's constant).
+/// Samples beside a curve lie in a hexagonal lattice of spacing s = sqrt(2 / (sqrt(3) rho)), rho
+/// being the samples wanted per unit of surface area; so the curve wants the integral of ds / s of
+/// them (the paper's law x -> 1 - sqrt(1 - x), in continuous terms and with the lattice's
+/// constant).
 struct STIPPLEFILTERSSAMPLING_EXPORT BackboneDensity
 {
   std::vector<double> arcLength; ///< ascending from 0 to the backbone's length
@@ -39,8 +40,9 @@ STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneDensity> uniformBackboneDensit
 STIPPLEFILTERSSAMPLING_EXPORT std::size_t countOnBackbones(
   const SamplingDomain& domain, const std::vector<BackboneDensity>& densities, double scale);
 
-/// Their places: on an open backbone a whole number of intervals, at least one; on a closed one at least
-/// three samples, with the same share of an interval on each side of the line's arbitrary first point.
+/// Their places: on an open backbone a whole number of intervals, at least one; on a closed one at
+/// least three samples, with the same share of an interval on each side of the line's arbitrary
+/// first point.
 STIPPLEFILTERSSAMPLING_EXPORT BackbonePlaces placeOnBackbones(
   const SamplingDomain& domain, const std::vector<BackboneDensity>& densities, double scale);
 }

@@ -8,7 +8,8 @@ namespace stipple
 {
 ControlMass controlMass(const ControlImage& image)
 {
-  // Four sums side by side: a single one would wait for itself, and its order must not depend on threads.
+  // Four sums side by side: a single one would wait for itself, and its order must not depend on
+  // threads.
   ControlMass mass;
   for (int y = 0; y < image.height; ++y)
   {

@@ -11,13 +11,14 @@
 
 namespace stipple
 {
-/// Pixel (i, j) is centred at ((i + .5) extent.x / width, (j + .5) extent.y / height) of the rectangle.
+/// Pixel (i, j) is centred at ((i + .5) extent.x / width, (j + .5) extent.y / height) of the
+/// rectangle.
 struct STIPPLEFILTERSSAMPLING_EXPORT ControlImage
 {
   int width = 0;
   int height = 0;
   Vec2 extent = Vec2::Ones();
-  const float* control = nullptr;        ///< wanted samples per unit of parameter area, up to a factor
+  const float* control = nullptr; ///< wanted samples per unit of parameter area, up to a factor
   const float* areaDistortion = nullptr; ///< surface area / parameter area
   const int* faceIndex = nullptr;        ///< triangle of the chart, -1 for none; may be null
 
@@ -54,7 +55,8 @@ struct ControlMass
   double largest = 0; ///< largest value
 };
 
-/// Sums a control image. Negative values and NaN count as zero; an infinite one makes the total infinite.
+/// Sums a control image. Negative values and NaN count as zero; an infinite one makes the total
+/// infinite.
 STIPPLEFILTERSSAMPLING_EXPORT ControlMass controlMass(const ControlImage& image);
 }
 

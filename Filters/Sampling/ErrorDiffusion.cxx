@@ -12,9 +12,9 @@ namespace stipple
 {
 namespace
 {
-/// Runs along one row in the direction of step. current holds the errors that the previous row left here;
-/// next receives those for the row below; carry travels from pixel to pixel and, at a row's end, down to the
-/// next row's first pixel, so that nothing is lost at the sides.
+/// Runs along one row in the direction of step. current holds the errors that the previous row left
+/// here; next receives those for the row below; carry travels from pixel to pixel and, at a row's
+/// end, down to the next row's first pixel, so that nothing is lost at the sides.
 template <int step, bool record>
 float diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
   float carry, int rowBegin, const DiffusionCoefficients* table, std::vector<int>& samples)
@@ -26,9 +26,11 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
   for (int i = 0; i < width; ++i, x += step)
   {
     const float in = wanted[x];
-    const DiffusionCoefficients& c = table[static_cast<int>(std::min(in * toIndex, lastIndex) + 0.5f)];
+    const DiffusionCoefficients& c =
+      table[static_cast<int>(std::min(in * toIndex, lastIndex) + 0.5f)];
     float error = in * scale + current[x] + carry;
-    // A sample is rare, so that the branch is predicted and the chain of dependent operations stays short.
+    // A sample is rare, so that the branch is predicted and the chain of dependent operations stays
+    // short.
     if (error >= 0.5f && in > 0)
     {
       error -= 1.f;
@@ -83,8 +85,9 @@ void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffus
     const int begin = record ? y * width : 0;
     if (forward)
     {
-      carry = record ? diffuseRow<1, true>(w, current, next, width, scale, carry, begin, table, samples)
-                     : diffuseRow<1, false>(w, current, next, width, scale, carry, begin, table, samples);
+      carry = record
+        ? diffuseRow<1, true>(w, current, next, width, scale, carry, begin, table, samples)
+        : diffuseRow<1, false>(w, current, next, width, scale, carry, begin, table, samples);
       next[0] += next[-1];
     }
     else if (record)

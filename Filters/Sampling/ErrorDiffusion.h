@@ -13,15 +13,18 @@ namespace stipple
 struct ErrorDiffusionOptions
 {
   double scale = 1.;       ///< factor on every pixel's wanted samples, > 0
-  double warmUpDepth = 8.; ///< rows of the flipped copy that run first, in mean sample spacings, >= 0
+  double warmUpDepth = 8.; ///< rows of the flipped copy that run first, in mean sample spacings, >=
+                           ///< 0
 };
 
-/// The pixels (row-major indices, ascending) that become samples. wanted holds the samples that each of the
-/// width x height pixels wants, at most one; where it is zero no sample ever falls, and the error passes on.
+/// The pixels (row-major indices, ascending) that become samples. wanted holds the samples that
+/// each of the width x height pixels wants, at most one; where it is zero no sample ever falls, and
+/// the error passes on.
 ///
-/// The paper runs over a whole flipped copy first, so that the errors are in their steady state when row 0
-/// begins and no dead zone shows. Here only the flipped copy's last rows run, warmUpDepth mean spacings of
-/// them: measured, the first rows are as well filled, for a small part of the time.
+/// The paper runs over a whole flipped copy first, so that the errors are in their steady state
+/// when row 0 begins and no dead zone shows. Here only the flipped copy's last rows run,
+/// warmUpDepth mean spacings of them: measured, the first rows are as well filled, for a small part
+/// of the time.
 STIPPLEFILTERSSAMPLING_EXPORT void diffuseErrors(const float* wanted, int width, int height,
   const ErrorDiffusionOptions& options, std::vector<int>& samples);
 }

@@ -12,8 +12,9 @@ namespace
 {
 constexpr int numberOfSteps = 6; // six implicit steps make a kernel that is close to a Gaussian
 
-/// Solves (A - c D) u = A u along rows of n values, lines of them at a time; `stride` from one value of a
-/// row to its next, lines being neighbours in memory. D is the second difference with closed ends.
+/// Solves (A - c D) u = A u along rows of n values, lines of them at a time; `stride` from one
+/// value of a row to its next, lines being neighbours in memory. D is the second difference with
+/// closed ends.
 class LineSolver
 {
 public:

@@ -30,8 +30,8 @@ double halfDifference(double H, double K)
   return std::sqrt(std::max(0., H * H - K));
 }
 
-// The table's places are floats whose last 15 mantissa bits are zero, from 2^-24 to 1: they are finer the
-// nearer to zero, and a float's own bits say between which two it lies.
+// The table's places are floats whose last 15 mantissa bits are zero, from 2^-24 to 1: they are
+// finer the nearer to zero, and a float's own bits say between which two it lies.
 constexpr int tableShift = 15;
 constexpr std::uint32_t tableBegin = (127u - 24u) << 23;
 constexpr std::uint32_t tableEnd = 127u << 23;
@@ -59,7 +59,8 @@ double optimalL2Density(double H, double K)
 
 double weightedQuantile(const std::vector<WeightedValues>& values, double fraction)
 {
-  // Positive floats are ordered like their bits: the upper 16 bits make bins of 0.8 % of their value.
+  // Positive floats are ordered like their bits: the upper 16 bits make bins of 0.8 % of their
+  // value.
   std::vector<double> bins(1u << 15, 0.);
   std::size_t size = 0;
   for (const WeightedValues& v : values)

@@ -37,31 +37,42 @@ InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const 
 {
 }
 
-int InteriorSampler::upsampling(const ControlImage& image, double scale, double largestControl)
+int InteriorSampler::upsampling(const ControlImage& image, double scale, const ControlMass& mass)
 {
   const double toWanted = scale * image.pixelArea();
-  const double needed = std::sqrt(2. * largestControl * toWanted);
-  if (needed <= 1.)
+  if (2. * mass.largest * toWanted <= 1.)
   {
     return 1;
   }
-  const int most = static_cast<int>(std::min(std::ceil(needed), 4096.));
-  // Mass by the factor that its pixel needs.
-  std::vector<double> mass(static_cast<std::size_t>(most) + 1, 0.);
-  double total = 0;
+  // Mass by the factor that its pixel needs to want no more than half, or no more than one.
+  constexpr int most = 4096;
+  std::vector<double> crowded(most + 1, 0.);
+  std::vector<double> overfull(most + 1, 0.);
+  const float limit = static_cast<float>(0.5 / toWanted);
   const int n = image.numberOfPixels();
   for (int i = 0; i < n; ++i)
   {
-    const double wanted = image.control[i] > 0 ? image.control[i] * toWanted : 0.;
-    const double factor = std::ceil(std::sqrt(2. * wanted));
-    mass[static_cast<std::size_t>(std::clamp(factor, 0., static_cast<double>(most)))] += wanted;
-    total += wanted;
+    if (image.control[i] > limit)
+    {
+      const double wanted = image.control[i] * toWanted;
+      const auto factor = [](double x) {
+        return static_cast<std::size_t>(
+          std::min(std::ceil(std::sqrt(x)), static_cast<double>(most)));
+      };
+      crowded[factor(2. * wanted)] += wanted;
+      overfull[factor(wanted)] += wanted;
+    }
   }
-  double above = 0;
+  const double total = scale * mass.total;
+  double aboveHalf = 0;
+  double aboveOne = 0;
   int factor = most;
-  while (factor > 1 && above + mass[factor] <= crowdedShare * total)
+  while (factor > 1 && aboveHalf + crowded[factor] <= crowdedShare * total &&
+    aboveOne + overfull[factor] <= overfullShare * total)
   {
-    above += mass[factor--];
+    aboveHalf += crowded[factor];
+    aboveOne += overfull[factor];
+    --factor;
   }
   return factor;
 }
@@ -93,8 +104,8 @@ void InteriorSampler::prepare(int factor)
   r.width = this->Image.width * factor;
   r.height = this->Image.height * factor;
   r.wanted.resize(static_cast<std::size_t>(r.width) * r.height);
-  const float toWanted =
-    static_cast<float>(this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
+  const float toWanted = static_cast<float>(
+    this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
   for (int y = 0; y < this->Image.height; ++y)
   {
     const float* in = this->Image.control + static_cast<std::size_t>(y) * this->Image.width;
@@ -109,7 +120,8 @@ void InteriorSampler::prepare(int factor)
     }
     for (int x = 0; x < this->Image.width; ++x)
     {
-      std::fill_n(out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
+      std::fill_n(
+        out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
     }
     for (int k = 1; k < factor; ++k)
     {
@@ -156,8 +168,8 @@ void InteriorSampler::maskOutside()
       {
         const double x = (a.x() + d.x() * dy / d.y()) / pixel.x() - 0.5;
         const double clamped = std::clamp(x, -1., static_cast<double>(r.width));
-        (d.y() > 0 ? begin : end) =
-          d.y() > 0 ? static_cast<int>(std::ceil(clamped)) : static_cast<int>(std::floor(clamped)) + 1;
+        (d.y() > 0 ? begin : end) = d.y() > 0 ? static_cast<int>(std::ceil(clamped))
+                                              : static_cast<int>(std::floor(clamped)) + 1;
       }
       else if (d.x() * dy > 0)
       {
@@ -181,15 +193,16 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const Vec2 pixel(this->Image.extent.x() / r.width, this->Image.extent.y() / r.height);
   const double closest = 0.36 * pixel.squaredNorm() / 2.;
   const Vec2 e = b - a;
-  // How far to look: half as far again as the control at the segment says, as it may fade beside it.
+  // How far to look: half as far again as the control at the segment says, as it may fade beside
+  // it.
   double least = std::numeric_limits<double>::max();
   for (double t : { 0., 0.5, 1. })
   {
     least = std::min(least, this->control(a + t * e) * this->Scale);
   }
   const double far = 2. * e.norm() + 8. * pixel.maxCoeff();
-  const double reach =
-    std::max(least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
+  const double reach = std::max(
+    least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
   const double length = e.norm();
   const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
   const Vec2 low = a.cwiseMin(b).array() - reach;
@@ -344,33 +357,33 @@ NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
 
 void InteriorSampler::add(std::vector<Vec2>& places, int count) const
 {
-  // Candidates: about sixteen a wanted sample, taken each time the running sum of what is wanted passes
-  // a sixteenth, so that they are as dense as the samples.
+  // Candidates are taken each time the running sum of what is wanted passes a step, so that they
+  // are as dense as the samples: six a sample, or a hundred for each sample to add if that is less.
   const InteriorRaster& r = this->Raster;
   NeighbourGrid grid = this->gridOf(places);
-  std::priority_queue<Ranked> holes;
-  const double step = std::min(1. / 16., r.left / (16. * count));
+  std::vector<Ranked> candidates;
+  const double step =
+    r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
   double sum = 0;
-  if (r.left > 0)
+  for (int y = 0; y < r.height && r.left > 0; ++y)
   {
-    for (int y = 0; y < r.height; ++y)
+    const float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    const int first = y % 2 == 0 ? 0 : r.width - 1;
+    const int direction = y % 2 == 0 ? 1 : -1;
+    for (int i = 0, x = first; i < r.width; ++i, x += direction)
     {
-      for (int i = 0; i < r.width; ++i)
+      sum += row[x];
+      if (sum >= step)
       {
-        const int pixel = y * r.width + (y % 2 == 0 ? i : r.width - 1 - i);
-        sum += r.wanted[pixel];
-        if (sum >= step)
-        {
-          sum = std::fmod(sum, step);
-          if (r.wanted[pixel] > 0)
-          {
-            holes.push({ grid.nearest(this->centre(pixel)) * r.wanted[pixel], pixel });
-          }
-        }
+        sum = sum < 2. * step ? sum - step : 0.;
+        const int pixel = y * r.width + x;
+        candidates.push_back({ grid.nearest(this->centre(pixel)) * row[x], pixel });
       }
     }
   }
-  const double closest = 0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
+  std::priority_queue<Ranked> holes({}, std::move(candidates));
+  const double closest =
+    0.25 * std::pow(this->Image.extent.minCoeff() / std::max(r.width, r.height), 2);
   while (count > 0 && !holes.empty())
   {
     const Ranked top = holes.top();
@@ -427,8 +440,8 @@ bool InteriorSampler::clearOfGraph(const Vec2& p) const
 
 void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
 {
-  // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a sliver. Look
-  // for the widest gaps on ever finer lattices, in the box of the polygon.
+  // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a
+  // sliver. Look for the widest gaps on ever finer lattices, in the box of the polygon.
   NeighbourGrid grid = this->gridOf(places);
   Vec2 low = this->Image.extent;
   Vec2 high = Vec2::Zero();
@@ -476,9 +489,7 @@ void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
 void InteriorSampler::remove(std::vector<Vec2>& places, int count) const
 {
   NeighbourGrid grid = this->gridOf(places);
-  const auto key = [&](int i) {
-    return -grid.nearest(places[i], i) * this->control(places[i]);
-  };
+  const auto key = [&](int i) { return -grid.nearest(places[i], i) * this->control(places[i]); };
   std::priority_queue<Ranked> pairs;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -539,8 +550,7 @@ void locate(
       const int h = 3 * f + (k + 1) % 3;
       const int twin = surface.twin[h];
       if (b[k] < most && twin >= 0 && twin / 3 != from && surface.faceChart[twin / 3] == chart &&
-        surface.chartPoints[f][h % 3] ==
-          surface.chartPoints[twin / 3][nextHalfedge(twin) % 3])
+        surface.chartPoints[f][h % 3] == surface.chartPoints[twin / 3][nextHalfedge(twin) % 3])
       {
         most = b[k];
         next = twin / 3;

@@ -10,7 +10,8 @@
 
 namespace stipple
 {
-/// A chart's wanted samples, pixel by pixel; white along backbones and outside the boundary's polygon.
+/// A chart's wanted samples, pixel by pixel; white along backbones and outside the boundary's
+/// polygon.
 struct InteriorRaster
 {
   int factor = 1; ///< pixels of this raster a pixel of the control image, in each direction
@@ -23,30 +24,34 @@ struct InteriorRaster
 /// Limits of upsampling a control image that is too coarse for its samples.
 constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
 constexpr double largestRasterSize = 64. * 1024 * 1024; ///< pixels of one chart
-/// At most this share of a chart's samples may fall to pixels that want more than half a sample; error
-/// diffusion hands what those cannot take to the pixels beside them, and nothing is lost.
-constexpr double crowdedShare = 0.005;
+/// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
+/// and more than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins
+/// to show; what a pixel cannot take, error diffusion hands to those beside it, and nothing is
+/// lost.
+constexpr double crowdedShare = 0.05;
+constexpr double overfullShare = 0.005;
 
 class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
 public:
-  /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter area.
+  /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter
+  /// area.
   InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
     const ChartGraph& graph, double scale);
 
-  /// The factor by which the image must be enlarged so that no pixel wants more than half a sample (but
-  /// for crowdedShare), which may be beyond the limits.
-  static int upsampling(const ControlImage& image, double scale, double largestControl);
+  /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
+  /// (but for crowdedShare and overfullShare), which may be beyond the limits.
+  static int upsampling(const ControlImage& image, double scale, const ControlMass& mass);
   static bool withinLimits(const ControlImage& image, int factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
-  /// segment: s sqrt(3)/2 is the height of a row of the hexagonal lattice, so that the band's mass is
-  /// just what the samples on the segment stand for. Distances are measured on the surface.
+  /// segment: s sqrt(3)/2 is the height of a row of the hexagonal lattice, so that the band's mass
+  /// is just what the samples on the segment stand for. Distances are measured on the surface.
   void prepare(int factor);
   double left() const { return this->Raster.left; }
 
-  /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added where the
-  /// hole is largest, or removed where two are closest, in terms of the wanted spacing.
+  /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
+  /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.
   std::vector<Vec2> sample(int count);
 
 private:
@@ -69,8 +74,9 @@ private:
   InteriorRaster Raster;
 };
 
-/// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its barycentric
-/// coordinates there; for a parameter in no triangle, the nearest place of the last one tried.
+/// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its
+/// barycentric coordinates there; for a parameter in no triangle, the nearest place of the last one
+/// tried.
 STIPPLEFILTERSSAMPLING_EXPORT void locate(
   const AtlasSurface& surface, int chart, const Vec2& uv, int startFace, int& face, Vec3& bary);
 }

@@ -9,7 +9,8 @@ namespace stipple
 {
 namespace
 {
-// Right, down-left and down for levels 0 .. 127 of 255, as published (up to each level's common divisor).
+// Right, down-left and down for levels 0 .. 127 of 255, as published (up to each level's common
+// divisor).
 const int published[128][3] = {
   // clang-format off
   { 13, 0, 5 }, { 13, 0, 5 }, { 21, 0, 10 }, { 7, 0, 4 }, { 8, 0, 5 }, { 47, 3, 28 },

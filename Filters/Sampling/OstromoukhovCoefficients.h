@@ -18,8 +18,8 @@ struct DiffusionCoefficients
   float unused; ///< pads to 16 bytes
 };
 
-/// Coefficients for a level in [0, 1] (wanted samples in a pixel), linear between the 256 tabulated levels;
-/// levels beyond the middle mirror those below it.
+/// Coefficients for a level in [0, 1] (wanted samples in a pixel), linear between the 256 tabulated
+/// levels; levels beyond the middle mirror those below it.
 STIPPLEFILTERSSAMPLING_EXPORT DiffusionCoefficients ostromoukhovCoefficients(double level);
 
 /// The same, tabulated at index / diffusionTableScale for index 0 .. diffusionTableScale.

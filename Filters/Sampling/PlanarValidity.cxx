@@ -39,9 +39,8 @@ public:
   template <typename F>
   void visit(const Vec2& low, const Vec2& high, F f)
   {
-    this->each(low, high, [&](const std::vector<int>& cell) {
-      return std::all_of(cell.begin(), cell.end(), f);
-    });
+    this->each(low, high,
+      [&](const std::vector<int>& cell) { return std::all_of(cell.begin(), cell.end(), f); });
   }
 
 private:
@@ -174,7 +173,8 @@ private:
       (p.y() >= extent.y() - t ? 8 : 0);
   }
 
-  /// A boundary segment that cuts a corner off the rectangle must not cut off a feature or a constraint.
+  /// A boundary segment that cuts a corner off the rectangle must not cut off a feature or a
+  /// constraint.
   void checkChord(const ChartGraph::Segment& s)
   {
     if ((this->sides(this->uv(s.first)) & this->sides(this->uv(s.second))) != 0)
@@ -182,8 +182,7 @@ private:
       return;
     }
     const int n = static_cast<int>(this->Graph.boundary.size());
-    const bool along =
-      (this->BoundaryPlace[s.first] + 1) % n == this->BoundaryPlace[s.second];
+    const bool along = (this->BoundaryPlace[s.first] + 1) % n == this->BoundaryPlace[s.second];
     const Vec2& a = this->uv(along ? s.first : s.second);
     const Vec2& b = this->uv(along ? s.second : s.first);
     for (const Vec2& p : this->Inner)
@@ -233,9 +232,8 @@ private:
       const Vec2& q = s.first == o.first || s.second == o.first ? d : c;
       const Vec2 u = p - shared;
       const Vec2 v = q - shared;
-      const double reach = std::min(u.norm(), v.norm());
-      return u.dot(v) > 0 &&
-        std::abs(cross2(u, v)) * reach <= this->Tolerance * u.norm() * v.norm();
+      // An angle only: unlike a distance, it does not vanish as the segments get shorter.
+      return u.dot(v) > 0 && std::abs(cross2(u, v)) <= 1e-10 * u.norm() * v.norm();
     }
     const double t = this->Tolerance;
     if ((a.cwiseMax(b) - c.cwiseMin(d)).minCoeff() < -t ||
@@ -243,7 +241,8 @@ private:
     {
       return false;
     }
-    const auto sameSide = [t](double x, double y) { return (x > t && y > t) || (x < -t && y < -t); };
+    const auto sameSide = [t](
+                            double x, double y) { return (x > t && y > t) || (x < -t && y < -t); };
     return !sameSide(distanceToLine(a, b, c), distanceToLine(a, b, d)) &&
       !sameSide(distanceToLine(c, d, a), distanceToLine(c, d, b));
   }
@@ -374,8 +373,8 @@ private:
 };
 
 /// Intervals with the same two ends: only few samples between nodes can bring that about.
-void checkDoubleEdges(const SamplingDomain& domain, const BackbonePlaces& places,
-  std::vector<BackboneInterval>& bad)
+void checkDoubleEdges(
+  const SamplingDomain& domain, const BackbonePlaces& places, std::vector<BackboneInterval>& bad)
 {
   struct Direct
   {
@@ -421,12 +420,13 @@ std::vector<BackboneInterval> invalidIntervals(
   std::vector<BackboneInterval> bad;
   checkDoubleEdges(domain, places, bad);
   std::vector<std::vector<BackboneInterval>> badInChart(graphs.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(graphs.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType c = begin; c < end; ++c)
-    {
-      ChartCheck(domain, places, graphs[c], static_cast<int>(c), badInChart[c]).run();
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(graphs.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType c = begin; c < end; ++c)
+      {
+        ChartCheck(domain, places, graphs[c], static_cast<int>(c), badInChart[c]).run();
+      }
+    });
   for (const std::vector<BackboneInterval>& list : badInChart)
   {
     bad.insert(bad.end(), list.begin(), list.end());
@@ -438,7 +438,7 @@ std::vector<BackboneInterval> invalidIntervals(
 
 Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlaces& valid)
 {
-  for (int round = 0; round < 64; ++round)
+  for (int round = 0; round < 24; ++round) // intervals halve: more rounds would be beyond any surface's detail
   {
     valid.samples = domain.samples(places);
     valid.graphs = buildChartGraphs(domain.surface, domain.graph, domain.traces, valid.samples);
@@ -466,9 +466,11 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
       if (end - begin <= 1e-9 * length)
       {
         return Status::error("Backbone " + std::to_string(i.backbone) + " near surface point " +
-          std::to_string(domain.graph.backbones[i.backbone]
-                           .points[domain.traces[i.backbone].locate(std::min(begin, length)).segment]) +
-          " touches another one or a constraint in the chart's parameter plane: move the constraint, or "
+          std::to_string(
+            domain.graph.backbones[i.backbone]
+              .points[domain.traces[i.backbone].locate(std::min(begin, length)).segment]) +
+          " touches another one or a constraint in the chart's parameter plane: move the "
+          "constraint, or "
           "repair the charts.");
       }
       const double middle = 0.5 * (begin + end);
@@ -480,7 +482,8 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
     }
     places = std::move(refined);
   }
-  return Status::error("The backbones do not become a planar graph in their charts' parameter planes: "
-                       "lower the number of features, or cut the surface into more charts.");
+  return Status::error(
+    "The backbones do not become a planar graph in their charts' parameter planes: "
+    "lower the number of features, or cut the surface into more charts.");
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Enough samples on backbones that every chart's straight-line graph is planar and can be triangulated.
+// Enough samples on backbones that every chart's straight-line graph is planar and can be
+// triangulated.
 #ifndef stipple_PlanarValidity_h
 #define stipple_PlanarValidity_h
 
@@ -27,9 +28,11 @@ struct BackboneInterval
 /// - a feature's sample or a constraint does not lie strictly inside it,
 /// - two segments cross, touch or overlap other than at a shared end,
 /// - a sample or constraint lies between a segment and the curve that it stands for, or on it,
-/// - two intervals join the same two samples (no simplicial complex has such edges), or one to itself.
+/// - two intervals join the same two samples (no simplicial complex has such edges), or one to
+/// itself.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneInterval> invalidIntervals(
-  const SamplingDomain& domain, const BackbonePlaces& places, const std::vector<ChartGraph>& graphs);
+  const SamplingDomain& domain, const BackbonePlaces& places,
+  const std::vector<ChartGraph>& graphs);
 
 /// What makeValid() arrives at.
 struct ValidPlaces
@@ -37,7 +40,8 @@ struct ValidPlaces
   BackbonePlaces places;
   std::vector<Sample> samples; ///< fixed samples, then those on backbones
   std::vector<ChartGraph> graphs;
-  std::vector<int> leastInterior; ///< samples that must lie inside each chart: one if three bound it
+  std::vector<int> leastInterior; ///< samples that must lie inside each chart: one if three bound
+                                  ///< it
 };
 
 /// Adds samples to the middle of invalid intervals until there is none.

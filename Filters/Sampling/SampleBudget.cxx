@@ -8,8 +8,7 @@
 
 namespace stipple
 {
-double largestScale(
-  const std::function<double(double)>& count, double budget, double most)
+double largestScale(const std::function<double(double)>& count, double budget, double most)
 {
   if (count(most) <= budget)
   {

@@ -27,6 +27,29 @@ std::array<float, 3> firstFundamentalForm(const AtlasSurface& s, int face)
     static_cast<float>(dv.dot(dv)) } };
 }
 
+/// A segment of a backbone by the surface point that it begins at, if the backbone changes there
+/// between a chart's inside and its border, or from chart to chart: there must be a node. Else -1.
+int segmentThatLacksNode(const SamplingDomain& domain, std::size_t b)
+{
+  const AtlasSurface& s = domain.surface;
+  const BackboneTrace& trace = domain.traces[b];
+  const auto chartPoint = [&](int h) { return s.chartPoints[h / 3][h % 3]; };
+  for (std::size_t i = 0; i + 1 < trace.arcLength.size(); ++i)
+  {
+    const int l = trace.halfedge[0][i];
+    const int r = trace.halfedge[1][i];
+    const bool inside = l >= 0 && r >= 0 && s.faceChart[l / 3] == s.faceChart[r / 3] &&
+      chartPoint(l) == chartPoint(nextHalfedge(r)) && chartPoint(nextHalfedge(l)) == chartPoint(r);
+    const int left = l >= 0 ? s.faceChart[l / 3] : -1;
+    const int right = r >= 0 ? s.faceChart[r / 3] : -1;
+    if (inside != trace.insideChart || left != trace.chart[0] || right != trace.chart[1])
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
 /// Sorts constraints into nodes (nothing to do), places on backbones, and places inside charts.
 class ConstraintSorter
 {
@@ -42,7 +65,8 @@ public:
       {
         for (std::size_t i = 0; i < trace.halfedge[side].size(); ++i)
         {
-          this->Segment[trace.halfedge[side][i]] = { static_cast<int>(b), static_cast<int>(i), side };
+          this->Segment[trace.halfedge[side][i]] = { static_cast<int>(b), static_cast<int>(i),
+            side };
         }
       }
       const Backbone& backbone = domain.graph.backbones[b];
@@ -200,6 +224,17 @@ Status readSamplingDomain(
   {
     return status;
   }
+  for (std::size_t b = 0; b < domain.traces.size(); ++b)
+  {
+    if (const int i = segmentThatLacksNode(domain, b); i >= 0)
+    {
+      return Status::error("Backbone " + std::to_string(b) + " has no node at surface point " +
+        std::to_string(domain.graph.backbones[b].points[i]) +
+        ", where it passes from one chart, or from a chart's border, to another: pass the feature "
+        "graph of "
+        "the vtkConformalAtlas that made the charts.");
+    }
+  }
   std::vector<char> bounded(s.numberOfCharts(), 0);
   for (const BackboneTrace& trace : domain.traces)
   {
@@ -243,9 +278,11 @@ Status readSamplingDomain(
     if (c.chart < 0 || c.chart >= s.numberOfCharts() || c.chartCell < 0 ||
       c.chartCell >= s.chartBegin[c.chart + 1] - s.chartBegin[c.chart])
     {
-      return Status::error("Constraint " + std::to_string(i) + " of the feature graph lies in cell " +
-        std::to_string(c.chartCell) + " of chart " + std::to_string(c.chart) +
-        ", which these charts do not have: pass charts and feature graph of the same vtkConformalAtlas.");
+      return Status::error("Constraint " + std::to_string(i) +
+        " of the feature graph lies in cell " + std::to_string(c.chartCell) + " of chart " +
+        std::to_string(c.chart) +
+        ", which these charts do not have: pass charts and feature graph of the same "
+        "vtkConformalAtlas.");
     }
     sorter.add(s.chartBegin[c.chart] + c.chartCell, c.bary);
   }

@@ -23,19 +23,21 @@ struct STIPPLEFILTERSSAMPLING_EXPORT SamplingDomain
   AtlasSurface surface;
   FeatureGraph graph;
   std::vector<BackboneTrace> traces;
-  /// Per face, the first fundamental form of its chart's map: length^2 = E du^2 + 2 F du dv + G dv^2.
+  /// Per face, the first fundamental form of its chart's map: length^2 = E du^2 + 2 F du dv + G
+  /// dv^2.
   std::vector<std::array<float, 3>> metric;
   /// Nodes of the graph and constraints that lie on no backbone, in this order.
   std::vector<Sample> fixedSamples;
-  /// Constraints on a backbone become samples of that backbone; those in a chart are listed by chart.
+  /// Constraints on a backbone become samples of that backbone; those in a chart are listed by
+  /// chart.
   BackbonePlaces fixedPlaces;
   std::vector<std::vector<Vec2>> chartConstraints;
 
   int numberOfCharts() const { return this->surface.numberOfCharts(); }
   /// Distances in a chart's parameter plane below this one are nothing.
   double tolerance(int chart) const { return 1e-10 * this->surface.extent[chart].maxCoeff(); }
-  /// Arc lengths at which interval i of a backbone begins and ends; the last may exceed the length of a
-  /// closed one. Interval i lies between samples i - 1 and i.
+  /// Arc lengths at which interval i of a backbone begins and ends; the last may exceed the length
+  /// of a closed one. Interval i lies between samples i - 1 and i.
   std::array<double, 2> interval(const BackbonePlaces& places, int backbone, int i) const;
   /// A sample of kind Backbone at an arc length.
   Sample backboneSample(int backbone, double arcLength) const;

@@ -130,24 +130,28 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   }
   if (total <= 0)
   {
-    return Status::error("The control images are zero everywhere: make Control positive where samples are "
-                         "wanted, for instance by MinimumDensity.");
+    return Status::error(
+      "The control images are zero everywhere: make Control positive where samples are "
+      "wanted, for instance by MinimumDensity.");
   }
 
   const std::vector<BackboneDensity> densities = backboneDensities(domain, images);
   double bandMass = 0;
   for (std::size_t b = 0; b < densities.size(); ++b)
   {
-    // A band of sqrt(3)/4 s on each side: the integral of sqrt(3)/4 s rho ds is half that of ds / s.
+    // A band of sqrt(3)/4 s on each side: the integral of sqrt(3)/4 s rho ds is half that of ds /
+    // s.
     const BackboneTrace& trace = domain.traces[b];
     const int sides = (trace.chart[0] >= 0 ? 1 : 0) + (trace.chart[1] >= 0 ? 1 : 0);
     bandMass += 0.5 * sides * densities[b].total();
   }
-  Prediction prediction = { domain, densities, total, bandMass, sum(this->Least.leastInterior), 0. };
+  Prediction prediction = { domain, densities, total, bandMass, sum(this->Least.leastInterior),
+    0. };
   const double most = 64. * std::max(1, numberOfSamples) / total;
 
-  // The scale is such that backbones and interiors, each at the same density, hold N samples together. What
-  // the bands really leave is known once they are drawn; two corrections bring the sum to N.
+  // The scale is such that backbones and interiors, each at the same density, hold N samples
+  // together. What the bands really leave is known once they are drawn; two corrections bring the
+  // sum to N.
   ValidPlaces valid;
   std::vector<InteriorSampler> samplers;
   std::vector<double> left(charts, 0.);
@@ -182,7 +186,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     for (std::size_t c = 0; c < charts; ++c)
     {
       samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
-      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c].largest);
+      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c]);
       if (!InteriorSampler::withinLimits(images[c], factor[c]))
       {
         return Status::error("The control image of chart " + std::to_string(c) + " (" +
@@ -213,18 +217,17 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   const std::vector<int> share = apportion(interior, left, valid.leastInterior);
   result.interior.resize(charts);
   std::vector<std::vector<Sample>> inside(charts);
-  Status status =
-    forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
-      result.interior[c] = samplers[c].sample(share[c]);
-      for (const Vec2& uv : result.interior[c])
-      {
-        Sample sample;
-        const int start = images[c].faceIndex ? images[c].faceIndex[images[c].pixelAt(uv)] : 0;
-        locate(domain.surface, static_cast<int>(c), uv,
-          domain.surface.chartBegin[c] + std::max(0, start), sample.face, sample.bary);
-        inside[c].push_back(sample);
-      }
-    });
+  Status status = forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
+    result.interior[c] = samplers[c].sample(share[c]);
+    for (const Vec2& uv : result.interior[c])
+    {
+      Sample sample;
+      const int start = images[c].faceIndex ? images[c].faceIndex[images[c].pixelAt(uv)] : 0;
+      locate(domain.surface, static_cast<int>(c), uv,
+        domain.surface.chartBegin[c] + std::max(0, start), sample.face, sample.bary);
+      inside[c].push_back(sample);
+    }
+  });
   if (!status.ok())
   {
     return status;
@@ -252,7 +255,8 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   {
     return Status::error("Only " + std::to_string(result.samples.size()) + " of " +
       std::to_string(numberOfSamples) +
-      " samples found room between the features: raise MapSize, or cut the surface into fewer charts.");
+      " samples found room between the features: raise MapSize, or cut the surface into fewer "
+      "charts.");
   }
   return Status::success();
 }

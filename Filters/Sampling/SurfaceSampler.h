@@ -14,7 +14,8 @@ struct SurfaceSamples
   std::vector<Sample> samples; ///< nodes, constraints, backbone by backbone, chart by chart
   std::vector<double> density; ///< by sample, samples wanted per unit of surface area
   std::vector<ChartGraph> graphs;
-  std::vector<std::vector<Vec2>> interior; ///< by chart, the parameters of the samples of kind Interior
+  std::vector<std::vector<Vec2>> interior; ///< by chart, the parameters of the samples of kind
+                                           ///< Interior
 };
 
 class STIPPLEFILTERSSAMPLING_EXPORT SurfaceSampler
@@ -24,13 +25,14 @@ public:
   Status setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines);
   const SamplingDomain& domain() const { return this->Domain; }
 
-  /// The nodes, the constraints, the fewest samples on backbones that make every chart's graph valid, and
-  /// one inside each chart that only three samples bound. Every number from there on can be had.
+  /// The nodes, the constraints, the fewest samples on backbones that make every chart's graph
+  /// valid, and one inside each chart that only three samples bound. Every number from there on can
+  /// be had.
   int minimumNumberOfSamples() const { return this->Minimum; }
 
   /// Exactly numberOfSamples samples in proportion to the control images, one a chart.
-  Status sample(const std::vector<ControlImage>& images, int numberOfSamples, const Progress& progress,
-    SurfaceSamples& result) const;
+  Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
+    const Progress& progress, SurfaceSamples& result) const;
 
 private:
   int count(const ValidPlaces& valid) const;

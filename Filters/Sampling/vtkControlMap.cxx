@@ -34,7 +34,8 @@ vtkCxxSetObjectMacro(vtkControlMap, TransferFunction, vtkPiecewiseFunction);
 
 namespace
 {
-/// Values of an array as floats: the norm of several components. Borrowed where they are floats already.
+/// Values of an array as floats: the norm of several components. Borrowed where they are floats
+/// already.
 class FloatValues
 {
 public:
@@ -58,8 +59,7 @@ public:
           last = static_cast<double>(component);
           squared += last * last;
         }
-        this->Copy[i] =
-          static_cast<float>(tuples[i].size() == 1 ? last : std::sqrt(squared));
+        this->Copy[i] = static_cast<float>(tuples[i].size() == 1 ? last : std::sqrt(squared));
       }
     };
     if (!vtkArrayDispatch::Dispatch::Execute(array, copy))
@@ -285,6 +285,42 @@ private:
   const Picture* Brightness;
 };
 
+/// Magnitudes of an importance that rounding leaves on a flat surface of this area: radii of
+/// curvature beyond 1e5 times the surface's size.
+double roundingNoise(int importance, double area)
+{
+  const double curvature = area > 0 ? 1e-5 / std::sqrt(area) : 0.;
+  switch (importance)
+  {
+    case vtkControlMap::MEAN:
+    case vtkControlMap::MINIMUM:
+    case vtkControlMap::MAXIMUM:
+      return curvature;
+    case vtkControlMap::GAUSSIAN:
+    case vtkControlMap::TOTAL:
+      return curvature * curvature;
+    case vtkControlMap::L2:
+      return std::cbrt(curvature * curvature);
+    default:
+      return 0.;
+  }
+}
+
+double surfaceArea(const std::vector<stipple::WeightedValues>& values)
+{
+  double area = 0;
+  for (const stipple::WeightedValues& v : values)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < v.size; ++i)
+    {
+      sum += v.weight[i] > 0 ? v.weight[i] : 0.f;
+    }
+    area += sum * v.factor;
+  }
+  return area;
+}
+
 float largestValue(const std::vector<ControlChart>& charts)
 {
   float largest = 0;
@@ -356,9 +392,10 @@ int vtkControlMap::RequestData(
     vtkDataArray* area = map ? map->GetPointData()->GetArray("AreaDistortion") : nullptr;
     if (!area || area->GetNumberOfTuples() != map->GetNumberOfPoints())
     {
-      vtkErrorMacro("Map " << c
-                           << " is no vtkImageData with the point array AreaDistortion: pass the output of "
-                              "vtkGeometryMapRenderer with this map selected.");
+      vtkErrorMacro(
+        "Map " << c
+               << " is no vtkImageData with the point array AreaDistortion: pass the output of "
+                  "vtkGeometryMapRenderer with this map selected.");
       output->Initialize();
       return 0;
     }
@@ -373,9 +410,14 @@ int vtkControlMap::RequestData(
     charts.push_back(std::move(chart));
   }
 
+  if (n == 0)
+  {
+    return 1;
+  }
   const bool uniform = this->Importance == UNIFORM || this->Gamma == 0.;
   float floorValue = 0.f;
   double quantile = 0.;
+  double noise = 0.;
   std::unique_ptr<Picture> picture;
   if (!uniform)
   {
@@ -384,7 +426,8 @@ int vtkControlMap::RequestData(
       if (!this->ImportanceImage || this->ImportanceImage->GetNumberOfPoints() == 0 ||
         !this->ImportanceImage->GetPointData()->GetScalars())
       {
-        vtkErrorMacro("The importance is IMAGE, but there is no ImportanceImage with scalars: set one.");
+        vtkErrorMacro(
+          "The importance is IMAGE, but there is no ImportanceImage with scalars: set one.");
         output->Initialize();
         return 0;
       }
@@ -402,8 +445,9 @@ int vtkControlMap::RequestData(
     {
       if (!missing[c].empty())
       {
-        vtkErrorMacro("Map " << c << " has no point array " << missing[c]
-                             << ", which the importance needs: select it in vtkGeometryMapRenderer.");
+        vtkErrorMacro(
+          "Map " << c << " has no point array " << missing[c]
+                 << ", which the importance needs: select it in vtkGeometryMapRenderer.");
         output->Initialize();
         return 0;
       }
@@ -414,13 +458,14 @@ int vtkControlMap::RequestData(
     {
       weighted.push_back({ chart.values(), chart.area->data(), chart.size, chart.pixelArea() });
     }
+    noise = roundingNoise(this->Importance, surfaceArea(weighted));
     quantile = stipple::weightedQuantile(weighted, 0.995);
-    if (quantile <= 0 || !std::isfinite(quantile))
+    if (quantile <= noise || !std::isfinite(quantile))
     {
       quantile = largestValue(charts); // all but a few places are flat
     }
   }
-  bool varies = !uniform && quantile > 0 && std::isfinite(quantile);
+  bool varies = !uniform && quantile > noise && std::isfinite(quantile);
   if (varies)
   {
     const stipple::UnitFunctionTable table([this](double x) {
@@ -442,8 +487,9 @@ int vtkControlMap::RequestData(
         surfaceDiagonal(vtkPartitionedDataSetCollection::GetData(inputVector[1], 0), charts);
       if (diagonal <= 0)
       {
-        vtkErrorMacro("Gradation needs the surface's size: pass the charts to input port 1, or select the "
-                      "Position map in vtkGeometryMapRenderer.");
+        vtkErrorMacro(
+          "Gradation needs the surface's size: pass the charts to input port 1, or select the "
+          "Position map in vtkGeometryMapRenderer.");
         output->Initialize();
         return 0;
       }
@@ -478,7 +524,9 @@ int vtkControlMap::RequestData(
   });
   for (unsigned int c = 0; c < n; ++c)
   {
-    charts[c].image->GetPointData()->SetScalars(charts[c].control);
+    charts[c].image->GetPointData()->AddArray(charts[c].control); // SetScalars would drop those
+                                                                  // that are
+    charts[c].image->GetPointData()->SetActiveScalars("Control");
     output->SetPartition(c, 0, charts[c].image);
   }
   this->UpdateProgress(1.);

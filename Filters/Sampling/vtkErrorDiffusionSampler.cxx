@@ -76,7 +76,8 @@ public:
           array->GetNumberOfTuples() == 0)
         {
           return stipple::Status::error("Control image " + std::to_string(c) +
-            " is no vtkImageData with the point arrays Control, AreaDistortion and FaceIndex: pass the "
+            " is no vtkImageData with the point arrays Control, AreaDistortion and FaceIndex: pass "
+            "the "
             "output of vtkControlMap, with FaceIndex selected in vtkGeometryMapRenderer.");
         }
       }
@@ -113,7 +114,8 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Copies;
 };
 
-/// One chart's halftone: a black pixel under every sample, those on backbones on each of their sides.
+/// One chart's halftone: a black pixel under every sample, those on backbones on each of their
+/// sides.
 vtkSmartPointer<vtkUnsignedCharArray> halftone(const stipple::ControlImage& image,
   const stipple::ChartGraph& graph, const std::vector<stipple::Vec2>& interior,
   const std::vector<stipple::Vec2>& constraints)
@@ -249,8 +251,9 @@ int vtkErrorDiffusionSampler::RequestData(
     const auto index = static_cast<unsigned int>(c);
     vtkNew<vtkImageData> image;
     image->ShallowCopy(images->GetPartitionAsDataObject(index, 0));
-    image->GetPointData()->SetScalars(halftone(control.views[c], result.graphs[c],
-      result.interior[c], data.sampler.domain().chartConstraints[c]));
+    image->GetPointData()->AddArray(halftone(control.views[c], result.graphs[c], result.interior[c],
+      data.sampler.domain().chartConstraints[c]));
+    image->GetPointData()->SetActiveScalars("Halftone");
     halftones->SetPartition(index, 0, image);
   }
   this->UpdateProgress(1.);

@@ -4,25 +4,28 @@
  * @class   vtkErrorDiffusionSampler
  * @brief   Halftones control images into exactly the number of samples asked for.
  *
- * Input port 0 takes control images (vtkControlMap, or any imaging filter behind it): point arrays `Control`
- * (or else the active scalars), `AreaDistortion` and `FaceIndex`. Port 1 takes the charts and port 2 the
- * feature graph of vtkConformalAtlas.
+ * Input port 0 takes control images (vtkControlMap, or any imaging filter behind it): point arrays
+ * `Control` (or else the active scalars), `AreaDistortion` and `FaceIndex`. Port 1 takes the charts
+ * and port 2 the feature graph of vtkConformalAtlas.
  *
- * Output port 0 carries the samples, a vtkPolyData of vertices with the point arrays `SampleKind`, `ChartId`,
- * `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `BackboneId`, `ArcLength`, `SurfacePointId`
- * and `Density` (samples wanted per unit of surface area). Port 1 carries the images with `Halftone`
- * (unsigned char as active scalars: 0 where a sample sits, 255 elsewhere), the preview texture.
+ * Output port 0 carries the samples, a vtkPolyData of vertices with the point arrays `SampleKind`,
+ * `ChartId`, `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `BackboneId`,
+ * `ArcLength`, `SurfacePointId` and `Density` (samples wanted per unit of surface area). Port 1
+ * carries the images with `Halftone` (unsigned char as active scalars: 0 where a sample sits, 255
+ * elsewhere), the preview texture.
  *
- * The nodes of the feature graph and the constraints are samples. Backbones are sampled by 1D error diffusion
- * in arc length, at the spacing of the lattice beside them, once for both charts of a seam; where the
- * straight segments between samples would cross, or leave a chart that cannot be triangulated, they get
- * some more. The rest is spread inside the charts by Ostromoukhov's serpentine error diffusion (paper 3.2).
- * The result depends on no number of threads.
+ * The nodes of the feature graph and the constraints are samples. Backbones are sampled by 1D error
+ * diffusion in arc length, at the spacing of the lattice beside them, once for both charts of a
+ * seam; where the straight segments between samples would cross, or leave a chart that cannot be
+ * triangulated, they get some more. The rest is spread inside the charts by Ostromoukhov's
+ * serpentine error diffusion (paper 3.2). The result depends on no number of threads.
  *
- * A constraint that lies on a backbone becomes a sample of that backbone (kind 1), one on a node is that node.
+ * A constraint that lies on a backbone becomes a sample of that backbone (kind 1), one on a node is
+ * that node.
  *
- * @warning A control image that is too coarse for its samples is enlarged up to 16 times in each direction and
- * to 64 million pixels a chart; beyond that the filter fails and names the map size that works.
+ * @warning A control image that is too coarse for its samples is enlarged up to 16 times in each
+ * direction and to 64 million pixels a chart; beyond that the filter fails and names the map size
+ * that works.
  *
  * @sa vtkControlMap vtkCDTRemesh
  */
@@ -52,8 +55,9 @@ public:
   ///@}
 
   /**
-   * The least NumberOfSamples that these charts, features and constraints allow; every greater number can
-   * be had. Valid after an update, also one that failed because NumberOfSamples was smaller.
+   * The least NumberOfSamples that these charts, features and constraints allow; every greater
+   * number can be had. Valid after an update, also one that failed because NumberOfSamples was
+   * smaller.
    */
   vtkGetMacro(MinimumNumberOfSamples, int);
 

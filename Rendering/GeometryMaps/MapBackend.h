@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes the maps: the CPU rasteriser or an OpenGL context. Both follow MapRasterizer.h's rules.
+// What makes the maps: the CPU rasteriser or an OpenGL context. Both follow MapRasterizer.h's
+// rules.
 #ifndef stipple_MapBackend_h
 #define stipple_MapBackend_h
 
@@ -42,6 +43,6 @@ public:
     return rasterizeMaps(chart, width, height, faces, requests, progress);
   }
 };
-}
+} // namespace stipple
 
 #endif

@@ -44,12 +44,13 @@ std::string arrayNames(vtkPolyData* chart)
   }
   return names;
 }
-}
+} // namespace
 
 const std::vector<std::string>& MapCatalogue::names()
 {
   static const std::vector<std::string> all{ "AreaDistortion", "FaceIndex", "GaussianCurvature",
-    "MeanCurvature", "MinimumCurvature", "MaximumCurvature", "TotalCurvature", "Position", "Normal" };
+    "MeanCurvature", "MinimumCurvature", "MaximumCurvature", "TotalCurvature", "Position",
+    "Normal" };
   return all;
 }
 
@@ -78,8 +79,9 @@ Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts)
     chart.extent = s.extent[c];
     if (!(chart.extent.x() > 0.) || !(chart.extent.y() > 0.))
     {
-      return Status::error("The ChartExtent of " + name + " is not positive: pass output port 0 of "
-                                                          "vtkConformalAtlas.");
+      return Status::error("The ChartExtent of " + name +
+        " is not positive: pass output port 0 of "
+        "vtkConformalAtlas.");
     }
     chart.uv.resize(s.charts[c]->GetNumberOfPoints(), Vec2::Zero());
     for (int f = s.chartBegin[c]; f < s.chartBegin[c + 1]; ++f)
@@ -89,7 +91,8 @@ Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts)
         const Vec2& uv = s.cornerUV(f, k);
         const int point = s.chartPoints[f][k];
         // Far outside the rectangle, fixed-point arithmetic would overflow.
-        if (!(std::abs(uv.x()) <= 2. * chart.extent.x() && std::abs(uv.y()) <= 2. * chart.extent.y()))
+        if (!(std::abs(uv.x()) <= 2. * chart.extent.x() &&
+              std::abs(uv.y()) <= 2. * chart.extent.y()))
         {
           return Status::error("The UV of point " + std::to_string(point) + " of " + name +
             " is outside the chart's rectangle: pass output port 0 of vtkConformalAtlas.");
@@ -232,4 +235,4 @@ void MapCatalogue::findNormals(int c, MapValues& result)
     }
   }
 }
-}
+} // namespace stipple

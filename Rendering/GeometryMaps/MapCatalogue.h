@@ -25,7 +25,8 @@ struct MapValues
 class STIPPLERENDERINGGEOMETRYMAPS_EXPORT MapCatalogue
 {
 public:
-  /// Names that are always known, beside the charts' own arrays; the first ones are made by default.
+  /// Names that are always known, beside the charts' own arrays; the first ones are made by
+  /// default.
   static const std::vector<std::string>& names();
   static bool isDefault(const std::string& name);
 
@@ -46,6 +47,6 @@ private:
   std::vector<MapChart> Charts;
   std::vector<Vec3> Normals; ///< of the surface's points, made when first asked for
 };
-}
+} // namespace stipple
 
 #endif

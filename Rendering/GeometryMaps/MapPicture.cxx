@@ -179,9 +179,10 @@ private:
   std::array<double, 3> High{ 0., 0., 0. };
 };
 
-/// Colors one chart's map into a rectangle of the picture; a shrunken pixel is the mean of what it covers.
-void paintTile(vtkImageData* picture, int left, int bottom, int width, int height, vtkImageData* image,
-  vtkDataArray* array, const ColorMap& colors)
+/// Colors one chart's map into a rectangle of the picture; a shrunken pixel is the mean of what it
+/// covers.
+void paintTile(vtkImageData* picture, int left, int bottom, int width, int height,
+  vtkImageData* image, vtkDataArray* array, const ColorMap& colors)
 {
   const int* size = image->GetDimensions();
   const int pictureWidth = picture->GetDimensions()[0];
@@ -223,7 +224,8 @@ void paintTile(vtkImageData* picture, int left, int bottom, int width, int heigh
 }
 
 /// Dark text with its lower left corner at (left, bottom), cut to the picture and to a width.
-void paintText(vtkImageData* picture, int left, int bottom, int width, const std::string& text, int size)
+void paintText(
+  vtkImageData* picture, int left, int bottom, int width, const std::string& text, int size)
 {
   vtkNew<vtkTextProperty> property;
   property->SetFontFamilyToArial();
@@ -256,7 +258,7 @@ void paintText(vtkImageData* picture, int left, int bottom, int width, const std
     }
   }
 }
-}
+} // namespace
 
 std::vector<std::string> mapNames(vtkPartitionedDataSetCollection* maps)
 {
@@ -344,11 +346,12 @@ vtkSmartPointer<vtkImageData> mapContactSheet(
       }
       if (options.labels && m == 0)
       {
-        paintText(picture, gap, top - tiles[c][1] / 2 - fontSize / 2, margin, std::to_string(c), fontSize);
+        paintText(
+          picture, gap, top - tiles[c][1] / 2 - fontSize / 2, margin, std::to_string(c), fontSize);
       }
       top -= tiles[c][1] + gap;
     }
   }
   return picture;
 }
-}
+} // namespace stipple

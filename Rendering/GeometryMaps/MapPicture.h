@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps (and control images, halftones) as pictures to look at.
 //
-// Colors by name: FaceIndex a color a face; curvatures with a sign and other signed arrays blue to white
-// to red, white at zero; Normal and Position (any array of two to four components) as red, green, blue;
-// Halftone as it is; AreaDistortion, Control, TotalCurvature and other arrays that are never negative in
-// "inverse" greys as in the paper's Figure 3, the darker the more (by the square root). Ranges are those of
-// all charts together, less the outermost percent.
+// Colors by name: FaceIndex a color a face; curvatures with a sign and other signed arrays blue to
+// white to red, white at zero; Normal and Position (any array of two to four components) as red,
+// green, blue; Halftone as it is; AreaDistortion, Control, TotalCurvature and other arrays that are
+// never negative in "inverse" greys as in the paper's Figure 3, the darker the more (by the square
+// root). Ranges are those of all charts together, less the outermost percent.
 #ifndef stipple_MapPicture_h
 #define stipple_MapPicture_h
 
@@ -41,6 +41,6 @@ STIPPLERENDERINGGEOMETRYMAPS_EXPORT vtkSmartPointer<vtkImageData> mapPicture(
 /// Charts by maps, as RGB unsigned char; null if there are no maps.
 STIPPLERENDERINGGEOMETRYMAPS_EXPORT vtkSmartPointer<vtkImageData> mapContactSheet(
   vtkPartitionedDataSetCollection* maps, const ContactSheetOptions& options = {});
-}
+} // namespace stipple
 
 #endif

@@ -17,7 +17,8 @@ namespace
 constexpr int subpixelBits = 8;
 constexpr int subpixelOne = 1 << subpixelBits;
 constexpr int rowsPerBand = 16;
-constexpr int wideBox = 24; ///< from this width on, solving for a row's span is cheaper than testing it
+constexpr int wideBox =
+  24; ///< from this width on, solving for a row's span is cheaper than testing it
 
 /// Fixed-point position relative to the centre of pixel (0, 0).
 struct FixedPoint
@@ -47,7 +48,8 @@ std::int64_t ceilDivide(std::int64_t a, std::int64_t b) // b > 0
   return -floorDivide(-a, b);
 }
 
-/// E(i, j) = origin + i stepX + j stepY is not negative where the pixel's centre is inside the edge.
+/// E(i, j) = origin + i stepX + j stepY is not negative where the pixel's centre is inside the
+/// edge.
 struct EdgeFunction
 {
   std::int64_t origin;
@@ -58,8 +60,9 @@ struct EdgeFunction
   {
     const std::int64_t dx = static_cast<std::int64_t>(b.x) - a.x;
     const std::int64_t dy = static_cast<std::int64_t>(b.y) - a.y;
-    // Of a counterclockwise triangle with y up, the left edges run down. The top edge of the rule is the
-    // one at the image's first row, which runs right: hardware draws into images that way up.
+    // Of a counterclockwise triangle with y up, the left edges run down. The top edge of the rule
+    // is the one at the image's first row, which runs right: hardware draws into images that way
+    // up.
     const bool topLeft = dy < 0 || (dy == 0 && dx > 0);
     this->origin = dy * a.x - dx * a.y - (topLeft ? 0 : 1);
     this->stepX = -dy * subpixelOne;
@@ -110,7 +113,8 @@ private:
   bool rows(int triangle, int& first, int& last) const
   {
     const auto& t = this->Chart.triangles[triangle];
-    const auto y = std::minmax({ this->Points[t[0]].y, this->Points[t[1]].y, this->Points[t[2]].y });
+    const auto y =
+      std::minmax({ this->Points[t[0]].y, this->Points[t[1]].y, this->Points[t[2]].y });
     pixelRange(y.first, y.second, this->Height, first, last);
     return first <= last;
   }
@@ -201,8 +205,7 @@ private:
     }
   }
 
-  void testBox(
-    int triangle, const EdgeFunction (&edges)[3], int x0, int x1, int y0, int y1) const
+  void testBox(int triangle, const EdgeFunction (&edges)[3], int x0, int x1, int y0, int y1) const
   {
     std::int64_t row[3];
     for (int k = 0; k < 3; ++k)
@@ -232,8 +235,7 @@ private:
     }
   }
 
-  void fillSpans(
-    int triangle, const EdgeFunction (&edges)[3], int x0, int x1, int y0, int y1) const
+  void fillSpans(int triangle, const EdgeFunction (&edges)[3], int x0, int x1, int y0, int y1) const
   {
     for (int j = y0; j <= y1; ++j)
     {
@@ -328,7 +330,7 @@ private:
   const MapChart& Chart;
   Vec2 Scale;
 };
-}
+} // namespace
 
 PixelBarycentrics::PixelBarycentrics(const MapChart& chart, int triangle, int width, int height)
 {
@@ -378,9 +380,10 @@ int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces
     faces[0] = nearest.search(0, 0); // a seed
     open.erase(open.begin());
   }
-  // Rings from the rim of a gap inwards: a pixel takes the nearest of the triangles that its neighbours
-  // have. Then all of them again, until nothing changes, as the first ring to come by need not bring the
-  // nearest. Changes take effect after a round, so the order within one does not matter.
+  // Rings from the rim of a gap inwards: a pixel takes the nearest of the triangles that its
+  // neighbours have. Then all of them again, until nothing changes, as the first ring to come by
+  // need not bring the nearest. Changes take effect after a round, so the order within one does not
+  // matter.
   std::vector<std::pair<int, int>> changes;
   const std::vector<int> gap = open;
   const auto round = [&](const std::vector<int>& pixels)
@@ -391,8 +394,7 @@ int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces
       const int i = p % width;
       const int j = p / width;
       int best = faces[p];
-      double least =
-        best >= 0 ? nearest.distance(best, i, j) : std::numeric_limits<double>::max();
+      double least = best >= 0 ? nearest.distance(best, i, j) : std::numeric_limits<double>::max();
       for (int y = std::max(0, j - 1); y <= std::min(height - 1, j + 1); ++y)
       {
         for (int x = std::max(0, i - 1); x <= std::min(width - 1, i + 1); ++x)
@@ -419,7 +421,8 @@ int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces
   while (!open.empty())
   {
     round(open);
-    open.erase(std::remove_if(open.begin(), open.end(), [&](int p) { return faces[p] >= 0; }), open.end());
+    open.erase(
+      std::remove_if(open.begin(), open.end(), [&](int p) { return faces[p] >= 0; }), open.end());
   }
   for (int k = 0; k < width + height && (k == 0 || !changes.empty()); ++k)
   {
@@ -547,7 +550,8 @@ private:
     const auto& t = this->Chart.triangles[face];
     const std::size_t n = request.valueComponents();
     const double v0 = request.values[t[0] * n + component];
-    return { v0, request.values[t[1] * n + component] - v0, request.values[t[2] * n + component] - v0 };
+    return { v0, request.values[t[1] * n + component] - v0,
+      request.values[t[2] * n + component] - v0 };
   }
 
   void paintLinear(const MapRequest& request, float* output) const
@@ -619,7 +623,7 @@ private:
   std::vector<double> B1;
   std::vector<double> B2;
 };
-}
+} // namespace
 
 Status rasterizeMaps(const MapChart& chart, int width, int height, const int* faces,
   const std::vector<MapRequest>& requests, const Progress& progress)
@@ -648,4 +652,4 @@ Status rasterizeMaps(const MapChart& chart, int width, int height, const int* fa
   }
   return Status::success();
 }
-}
+} // namespace stipple

@@ -19,7 +19,7 @@ std::array<int, 2> withAspect(const Vec2& extent, int longer, int least)
   return extent.x() >= extent.y() ? std::array<int, 2>{ longer, shorter }
                                   : std::array<int, 2>{ shorter, longer };
 }
-}
+} // namespace
 
 double densityRatio(const MapChart& chart, double fraction)
 {
@@ -78,8 +78,8 @@ MapDemand demandOf(const MapChart& chart)
 std::array<int, 2> automaticMapSize(const MapDemand& demand, double samples)
 {
   const double pixels = 2. * std::max(0., samples) * demand.densityRatio;
-  const double ratio = std::min(demand.extent.x(), demand.extent.y()) /
-    std::max(demand.extent.x(), demand.extent.y());
+  const double ratio =
+    std::min(demand.extent.x(), demand.extent.y()) / std::max(demand.extent.x(), demand.extent.y());
   const double needed = std::sqrt(pixels / ratio);
   int longer = smallestSide;
   for (int rung = 1; longer < needed && longer < largestSide; ++rung)
@@ -93,4 +93,4 @@ std::array<int, 2> fixedMapSize(const Vec2& extent, int longer)
 {
   return withAspect(extent, longer, std::min(longer, 2));
 }
-}
+} // namespace stipple

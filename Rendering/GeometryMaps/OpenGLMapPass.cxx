@@ -129,8 +129,8 @@ private:
   std::vector<float> Data;
 };
 
-/// Corner 0 as whole pixels and the rest, so that no precision is lost far from the origin; the gradients
-/// of the barycentric coordinates; the points.
+/// Corner 0 as whole pixels and the rest, so that no precision is lost far from the origin; the
+/// gradients of the barycentric coordinates; the points.
 Store triangleStore(const MapChart& chart, int width, int height)
 {
   Store store(static_cast<std::size_t>(chart.numberOfTriangles()) * texelsPerTriangle);
@@ -237,8 +237,8 @@ std::string expression(const MapRequest& request, int first)
   return (request.kind == MapKind::UnitVector ? "unit(vec4(" : "(vec4(") + list + "))";
 }
 
-/// The attachments 0 .. n-1 of the bound framebuffer. VTK 9.1's cache of this state does not see that a
-/// framebuffer is a new one, nor that n changed.
+/// The attachments 0 .. n-1 of the bound framebuffer. VTK 9.1's cache of this state does not see
+/// that a framebuffer is a new one, nor that n changed.
 void drawInto(std::size_t n)
 {
   GLenum buffers[mapsPerPass];
@@ -297,8 +297,8 @@ public:
   Status draw(vtkOpenGLRenderWindow* window, int width, int height, vtkTextureObject* faceMap,
     vtkTextureObject* triangles)
   {
-    vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-      MapValueVS, this->fragmentShader().c_str(), "");
+    vtkShaderProgram* program =
+      window->GetShaderCache()->ReadyShaderProgram(MapValueVS, this->fragmentShader().c_str(), "");
     Store pointStore = this->Points.store();
     Store triangleStore = this->Triangles.store();
     const auto points = pointStore.upload(window);
@@ -318,7 +318,8 @@ public:
         makeTexture(window, width, height, format.internal, format.texture, GL_FLOAT, nullptr));
       if (!textures.back())
       {
-        return Status::error("OpenGL cannot hold the maps: use a smaller MapSize or the CPU back end.");
+        return Status::error(
+          "OpenGL cannot hold the maps: use a smaller MapSize or the CPU back end.");
       }
       target->AddColorAttachment(static_cast<unsigned int>(textures.size() - 1), textures.back());
     }
@@ -381,7 +382,7 @@ Status checkError()
     : Status::error("OpenGL failed to draw the maps (error " + std::to_string(error) +
         "): use a smaller MapSize or the CPU back end.");
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 OpenGLMapBackend::OpenGLMapBackend(vtkOpenGLRenderWindow* window)
@@ -492,7 +493,8 @@ Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int
   {
     for (const int point : chart.triangles[f])
     {
-      vertices.insert(vertices.end(), { points[point][0], points[point][1], chart.area[f] * scale });
+      vertices.insert(
+        vertices.end(), { points[point][0], points[point][1], chart.area[f] * scale });
     }
   }
   PassState state(this->Window, width, height);
@@ -565,8 +567,9 @@ Status OpenGLMapBackend::maps(const MapChart& chart, int width, int height, cons
   }
   if (chart.uv.size() > static_cast<std::size_t>(largestExactFloat))
   {
-    return Status::error("A chart of more than 16 million points is too large for OpenGL: use the CPU "
-                         "back end.");
+    return Status::error(
+      "A chart of more than 16 million points is too large for OpenGL: use the CPU "
+      "back end.");
   }
   const PassState state(this->Window, width, height);
   const auto faceMap = makeTexture(this->Window, width, height, GL_R32I, GL_RED_INTEGER, GL_INT,
@@ -593,4 +596,4 @@ Status OpenGLMapBackend::maps(const MapChart& chart, int width, int height, cons
   }
   return checkError();
 }
-}
+} // namespace stipple

@@ -42,6 +42,6 @@ private:
   std::string Name;
   std::string RendererName;
 };
-}
+} // namespace stipple
 
 #endif

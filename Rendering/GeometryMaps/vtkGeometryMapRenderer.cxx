@@ -56,7 +56,7 @@ struct FinishAtEnd
   stipple::MapBackend& backend;
   ~FinishAtEnd() { this->backend.finish(); }
 };
-}
+} // namespace
 
 struct vtkGeometryMapRenderer::Internals
 {
@@ -78,8 +78,8 @@ struct vtkGeometryMapRenderer::Internals
   stipple::Status read(vtkPartitionedDataSetCollection* charts);
   std::vector<Size> sizes(int mapSize, vtkIdType samples) const;
   stipple::Status chooseBackend(int backend);
-  stipple::Status drawChart(int c, const std::vector<std::string>& names,
-    const stipple::Progress& progress, int& made);
+  stipple::Status drawChart(
+    int c, const std::vector<std::string>& names, const stipple::Progress& progress, int& made);
   vtkSmartPointer<vtkImageData> image(int c, const std::vector<std::string>& names) const;
 };
 
@@ -152,13 +152,13 @@ stipple::Status vtkGeometryMapRenderer::Internals::chooseBackend(int backend)
     {
       renderer = std::make_unique<stipple::OpenGLMapBackend>();
     }
-    const stipple::Status status =
-      renderer ? renderer->initialize() : stipple::Status::success();
+    const stipple::Status status = renderer ? renderer->initialize() : stipple::Status::success();
     if (backend == vtkGeometryMapRenderer::OPENGL && !status.ok())
     {
       return status;
     }
-    // AUTO: a context that is at hand anyway, or hardware; software OpenGL is slower than the CPU back end.
+    // AUTO: a context that is at hand anyway, or hardware; software OpenGL is slower than the CPU
+    // back end.
     if (renderer && status.ok() &&
       (backend == vtkGeometryMapRenderer::OPENGL || this->Window || !renderer->isSoftware()))
     {
@@ -182,7 +182,8 @@ stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
     vtkNew<vtkIntArray> faces;
     faces->SetName("FaceIndex");
     faces->SetNumberOfTuples(pixels);
-    const stipple::Status status = this->Renderer->faces(chart, width, height, faces->GetPointer(0));
+    const stipple::Status status =
+      this->Renderer->faces(chart, width, height, faces->GetPointer(0));
     if (!status.ok())
     {
       return status;
@@ -214,8 +215,8 @@ stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
     requests.push_back({ values.back().kind, values.back().components, values.back().values.data(),
       array->GetPointer(0) });
   }
-  const stipple::Status status = this->Renderer->maps(
-    chart, width, height, images.faces->GetPointer(0), requests, progress);
+  const stipple::Status status =
+    this->Renderer->maps(chart, width, height, images.faces->GetPointer(0), requests, progress);
   if (status.ok())
   {
     for (const auto& array : arrays)
@@ -313,15 +314,9 @@ void vtkGeometryMapRenderer::SetRenderWindow(vtkRenderWindow* window)
   }
 }
 
-vtkRenderWindow* vtkGeometryMapRenderer::GetRenderWindow()
-{
-  return this->Internal->Window;
-}
+vtkRenderWindow* vtkGeometryMapRenderer::GetRenderWindow() { return this->Internal->Window; }
 
-const char* vtkGeometryMapRenderer::GetBackendName()
-{
-  return this->Internal->BackendName.c_str();
-}
+const char* vtkGeometryMapRenderer::GetBackendName() { return this->Internal->BackendName.c_str(); }
 
 int vtkGeometryMapRenderer::FillInputPortInformation(int, vtkInformation* info)
 {

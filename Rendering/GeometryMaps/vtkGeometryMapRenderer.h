@@ -4,35 +4,35 @@
  * @class   vtkGeometryMapRenderer
  * @brief   turns the charts of an atlas into float images, the geometry maps
  *
- * Rasterises every chart of vtkConformalAtlas over its rectangle of the parameter plane, so that the
- * stages behind it work on images instead of the surface.
+ * Rasterises every chart of vtkConformalAtlas over its rectangle of the parameter plane, so that
+ * the stages behind it work on images instead of the surface.
  *
- * Input port 0: charts, a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart.
- * Reads the point array UV, the field array ChartExtent (and SurfacePointId, SourceCellId), and what the
- * selected maps are made of.
+ * Input port 0: charts, a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a
+ * chart. Reads the point array UV, the field array ChartExtent (and SurfacePointId, SourceCellId),
+ * and what the selected maps are made of.
  *
- * Output port 0: maps, a vtkPartitionedDataSetCollection with one vtkImageData a chart, whose points are
- * the pixel centres: w x h x 1 points, origin (0.5 ew/w, 0.5 eh/h, 0), spacing (ew/w, eh/h, 1) for a
- * rectangle of ew x eh. Its point arrays are the maps that MapSelection enables:
+ * Output port 0: maps, a vtkPartitionedDataSetCollection with one vtkImageData a chart, whose
+ * points are the pixel centres: w x h x 1 points, origin (0.5 ew/w, 0.5 eh/h, 0), spacing (ew/w,
+ * eh/h, 1) for a rectangle of ew x eh. Its point arrays are the maps that MapSelection enables:
  *
  * - AreaDistortion: A3D / A2D, constant over a triangle (from the cell array AreaDistortion)
  * - FaceIndex (int): the triangle of the chart that the pixel's centre lies in; never -1
  * - GaussianCurvature K, MeanCurvature H: from the point arrays of these names
  * - MinimumCurvature, MaximumCurvature: H -+ sqrt(max(H^2 - K, 0)), pixel by pixel
  * - TotalCurvature: the sum of the squares of these two
- * - Position (3 components), Normal (3 components, unit; the charts' point normals if they have some,
- *   else the surface's angle-weighted ones)
- * - any other point array (interpolated) or cell array (constant over a triangle) of the charts by its
- *   name, of 1 to 4 components
+ * - Position (3 components), Normal (3 components, unit; the charts' point normals if they have
+ * some, else the surface's angle-weighted ones)
+ * - any other point array (interpolated) or cell array (constant over a triangle) of the charts by
+ * its name, of 1 to 4 components
  *
- * All are float but FaceIndex. Values are interpolated with the barycentric coordinates of the pixel's
- * centre in the triangle of FaceIndex.
+ * All are float but FaceIndex. Values are interpolated with the barycentric coordinates of the
+ * pixel's centre in the triangle of FaceIndex.
  *
- * The maps are lazy: an execution makes only what is selected, and a map is kept until the charts, its
- * size or the back end change. The CPU's maps are the same bytes for any number of threads.
+ * The maps are lazy: an execution makes only what is selected, and a map is kept until the charts,
+ * its size or the back end change. The CPU's maps are the same bytes for any number of threads.
  *
- * @warning The automatic size suits a uniform sampling. An importance that gathers the samples more than
- * the parameterization does needs a larger NumberOfSamples or MapSize.
+ * @warning The automatic size suits a uniform sampling. An importance that gathers the samples more
+ * than the parameterization does needs a larger NumberOfSamples or MapSize.
  *
  * Interactive Geometry Remeshing (Alliez, Meyer, Desbrun, SIGGRAPH 2002), section 2.3.
  *
@@ -58,10 +58,10 @@ public:
 
   ///@{
   /**
-   * Pixels along the longer side of every chart's maps, 0 to 16384. 0 lets each chart have the size that
-   * NumberOfSamples needs: about 2 n r pixels, where n is the chart's share of the samples by area and r
-   * the density (A3D/A2D over the chart's mean) that 99.9 % of its surface stays below; sides are
-   * within [32, 4096] and grow in steps of sqrt(2). The default is 0.
+   * Pixels along the longer side of every chart's maps, 0 to 16384. 0 lets each chart have the size
+   * that NumberOfSamples needs: about 2 n r pixels, where n is the chart's share of the samples by
+   * area and r the density (A3D/A2D over the chart's mean) that 99.9 % of its surface stays below;
+   * sides are within [32, 4096] and grow in steps of sqrt(2). The default is 0.
    */
   vtkSetClampMacro(MapSize, int, 0, 16384);
   vtkGetMacro(MapSize, int);
@@ -86,9 +86,9 @@ public:
 
   ///@{
   /**
-   * What draws the maps. AUTO is OpenGL in RenderWindow if one is set, else OpenGL on graphics hardware
-   * if there is some without a display, else the CPU. OPENGL is RenderWindow if one is set, else a
-   * headless context of its own. The default is AUTO.
+   * What draws the maps. AUTO is OpenGL in RenderWindow if one is set, else OpenGL on graphics
+   * hardware if there is some without a display, else the CPU. OPENGL is RenderWindow if one is
+   * set, else a headless context of its own. The default is AUTO.
    */
   void SetBackend(int backend);
   vtkGetMacro(Backend, int);
@@ -98,28 +98,29 @@ public:
   ///@}
 
   /**
-   * What drew the maps of the last execution: "CPU", or "OpenGL" with the renderer's name; empty before.
+   * What drew the maps of the last execution: "CPU", or "OpenGL" with the renderer's name; empty
+   * before.
    */
   const char* GetBackendName();
 
   ///@{
   /**
-   * An OpenGL render window whose context may be used. It is not kept alive by the filter. The default is
-   * none.
+   * An OpenGL render window whose context may be used. It is not kept alive by the filter. The
+   * default is none.
    */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
 
   /**
-   * The maps to make, by name. By default AreaDistortion, FaceIndex and the five curvatures are enabled,
-   * Position and Normal are there but disabled; enable an array of the charts to add it.
+   * The maps to make, by name. By default AreaDistortion, FaceIndex and the five curvatures are
+   * enabled, Position and Normal are there but disabled; enable an array of the charts to add it.
    */
   vtkGetObjectMacro(MapSelection, vtkDataArraySelection);
 
   /**
-   * How many images the last execution really made (maps times charts, FaceIndex included), rather than
-   * took from the ones before.
+   * How many images the last execution really made (maps times charts, FaceIndex included), rather
+   * than took from the ones before.
    */
   vtkGetMacro(NumberOfRenderedMaps, int);
 

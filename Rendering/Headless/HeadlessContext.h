@@ -15,8 +15,8 @@ public:
   virtual ~HeadlessContext() = default;
   virtual const char* platform() const = 0;
 
-  // Of the calling thread. EGL and OSMesa do not know of each other, and each may take for current what
-  // the other replaced; so the last one to be made current is noted here.
+  // Of the calling thread. EGL and OSMesa do not know of each other, and each may take for current
+  // what the other replaced; so the last one to be made current is noted here.
   bool makeCurrent()
   {
     if (this->isCurrent())
@@ -57,6 +57,6 @@ private:
     return context;
   }
 };
-}
+} // namespace stipple
 
 #endif

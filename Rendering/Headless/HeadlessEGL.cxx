@@ -95,10 +95,12 @@ private:
     this->loaded = look("eglGetProcAddress", this->getProcAddress) &&
       look("eglGetDisplay", this->getDisplay) && look("eglInitialize", this->initialize) &&
       look("eglQueryString", this->queryString) && look("eglBindAPI", this->bindAPI) &&
-      look("eglChooseConfig", this->chooseConfig) && look("eglCreateContext", this->createContext) &&
+      look("eglChooseConfig", this->chooseConfig) &&
+      look("eglCreateContext", this->createContext) &&
       look("eglDestroyContext", this->destroyContext) &&
       look("eglCreatePbufferSurface", this->createPbufferSurface) &&
-      look("eglDestroySurface", this->destroySurface) && look("eglMakeCurrent", this->makeCurrent) &&
+      look("eglDestroySurface", this->destroySurface) &&
+      look("eglMakeCurrent", this->makeCurrent) &&
       look("eglGetCurrentContext", this->getCurrentContext);
     if (!this->loaded)
     {
@@ -207,14 +209,13 @@ std::unique_ptr<HeadlessContext> createOn(EGLDisplay display)
   return context->makeCurrent() ? std::move(context) : nullptr;
 }
 
-/// Whether the process' OpenGL calls reach the current EGL context; they do not where another library
-/// (OSMesa) took over OpenGL's entry points and the driver does not share its dispatch.
+/// Whether the process' OpenGL calls reach the current EGL context; they do not where another
+/// library (OSMesa) took over OpenGL's entry points and the driver does not share its dispatch.
 bool callsArrive()
 {
   constexpr unsigned int rendererName = 0x1F01; // GL_RENDERER
   using GetString = const unsigned char* (*)(unsigned int);
-  const auto own =
-    reinterpret_cast<GetString>(EGL::instance().getProcAddress("glGetString"));
+  const auto own = reinterpret_cast<GetString>(EGL::instance().getProcAddress("glGetString"));
   const auto linked = reinterpret_cast<GetString>(dlsym(RTLD_DEFAULT, "glGetString"));
   if (!own || !linked)
   {
@@ -225,7 +226,7 @@ bool callsArrive()
   return a && b &&
     std::strcmp(reinterpret_cast<const char*>(a), reinterpret_cast<const char*>(b)) == 0;
 }
-}
+} // namespace
 
 std::unique_ptr<HeadlessContext> HeadlessContext::createEGL(std::string& reason)
 {
@@ -267,8 +268,5 @@ std::unique_ptr<HeadlessContext> HeadlessContext::createEGL(std::string& reason)
   return context;
 }
 
-bool HeadlessContext::hasHardware()
-{
-  return !EGL::instance().hardware().empty();
-}
-}
+bool HeadlessContext::hasHardware() { return !EGL::instance().hardware().empty(); }
+} // namespace stipple

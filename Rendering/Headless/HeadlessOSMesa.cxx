@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// OSMesa: Mesa's software renderer with its own OpenGL entry points. It can draw for VTK only in a process
-// whose OpenGL calls all go to it, which is what libStippleOSMesa arranges for a program that links it
-// first. This file asks the process how it is arranged, and never loads OSMesa itself.
+// OSMesa: Mesa's software renderer with its own OpenGL entry points. It can draw for VTK only in a
+// process whose OpenGL calls all go to it, which is what libStippleOSMesa arranges for a program
+// that links it first. This file asks the process how it is arranged, and never loads OSMesa
+// itself.
 #include "HeadlessContext.h"
 
 #include <array>
@@ -52,8 +53,8 @@ struct OSMesa
       reason = "this program does not link OSMesa (libStippleOSMesa)";
       return false;
     }
-    // The process' own entry points have to be OSMesa's: those that libraries link, and those that GLEW
-    // looks up.
+    // The process' own entry points have to be OSMesa's: those that libraries link, and those that
+    // GLEW looks up.
     Procedure (*lookUp)(const unsigned char*) = nullptr;
     Dl_info clear{};
     Dl_info osmesa{};
@@ -64,7 +65,8 @@ struct OSMesa
       clear.dli_fbase != osmesa.dli_fbase ||
       lookUp(reinterpret_cast<const unsigned char*>(name)) != this->getProcAddress(name))
     {
-      reason = "OSMesa is in this program, but not before the system's OpenGL (link libStippleOSMesa first)";
+      reason = "OSMesa is in this program, but not before the system's OpenGL (link "
+               "libStippleOSMesa first)";
       return false;
     }
     return true;
@@ -87,7 +89,8 @@ public:
   const char* platform() const override { return "OSMesa"; }
   bool bind() override
   {
-    return this->Library.makeCurrent(this->Handle, this->Buffer.data(), unsignedByte, side, side) != 0;
+    return this->Library.makeCurrent(this->Handle, this->Buffer.data(), unsignedByte, side, side) !=
+      0;
   }
   bool isBound() const override { return this->Library.getCurrentContext() == this->Handle; }
   void unbind() override
@@ -104,7 +107,7 @@ private:
   Context Handle;
   std::array<unsigned char, 4 * side * side> Buffer{};
 };
-}
+} // namespace
 
 std::unique_ptr<HeadlessContext> HeadlessContext::createOSMesa(std::string& reason)
 {
@@ -129,4 +132,4 @@ std::unique_ptr<HeadlessContext> HeadlessContext::createOSMesa(std::string& reas
   }
   return context;
 }
-}
+} // namespace stipple

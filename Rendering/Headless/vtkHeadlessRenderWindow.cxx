@@ -108,7 +108,8 @@ bool vtkHeadlessRenderWindow::CreateContext()
   }
   if (!this->Internal->Context)
   {
-    this->OpenGLSupportMessage = "There is no OpenGL without a display in this program: " + reasons + ".";
+    this->OpenGLSupportMessage =
+      "There is no OpenGL without a display in this program: " + reasons + ".";
   }
   this->ReadyForRendering = this->Internal->Context != nullptr;
   this->Mapped = this->ReadyForRendering;
@@ -217,22 +218,13 @@ bool vtkHeadlessRenderWindow::IsCurrent()
   return this->Internal && this->Internal->Context && this->Internal->Context->isCurrent();
 }
 
-void vtkHeadlessRenderWindow::PushContext()
-{
-  this->MakeCurrent();
-}
+void vtkHeadlessRenderWindow::PushContext() { this->MakeCurrent(); }
 
 void vtkHeadlessRenderWindow::PopContext() {}
 
-int vtkHeadlessRenderWindow::SupportsOpenGL()
-{
-  return this->CreateContext() ? 1 : 0;
-}
+int vtkHeadlessRenderWindow::SupportsOpenGL() { return this->CreateContext() ? 1 : 0; }
 
-vtkTypeBool vtkHeadlessRenderWindow::IsDirect()
-{
-  return this->CreateContext() ? 1 : 0;
-}
+vtkTypeBool vtkHeadlessRenderWindow::IsDirect() { return this->CreateContext() ? 1 : 0; }
 
 const char* vtkHeadlessRenderWindow::ReportCapabilities()
 {
@@ -240,10 +232,7 @@ const char* vtkHeadlessRenderWindow::ReportCapabilities()
                                : this->OpenGLSupportMessage.c_str();
 }
 
-int* vtkHeadlessRenderWindow::GetScreenSize()
-{
-  return this->ScreenSize;
-}
+int* vtkHeadlessRenderWindow::GetScreenSize() { return this->ScreenSize; }
 
 void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 {

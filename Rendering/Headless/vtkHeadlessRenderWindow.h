@@ -4,21 +4,21 @@
  * @class   vtkHeadlessRenderWindow
  * @brief   an OpenGL render window that needs no display
  *
- * Draws into memory, with DISPLAY unset and no X server, and is else an ordinary vtkRenderWindow: add
- * renderers, Render(), read it with vtkWindowToImageFilter. It also serves as a context for computing
- * (vtkGeometryMapRenderer): Initialize() or SupportsOpenGL() makes it ready.
+ * Draws into memory, with DISPLAY unset and no X server, and is else an ordinary vtkRenderWindow:
+ * add renderers, Render(), read it with vtkWindowToImageFilter. It also serves as a context for
+ * computing (vtkGeometryMapRenderer): Initialize() or SupportsOpenGL() makes it ready.
  *
  * There are two ways to OpenGL without a display, chosen at run time by Platform:
  *
  * - EGL needs libEGL and a driver (Debian: libegl1), nothing of the program, and reaches graphics
  *   hardware.
- * - OSMesa is software, the same on every machine. All of the process' OpenGL calls have to go to it: a
- *   program says so by linking the library libStippleOSMesa before all others (CMake:
- *   stipple_link_osmesa(target)); Python loads it with RTLD_GLOBAL before vtkmodules. Such a process
- *   cannot open windows on an X display.
+ * - OSMesa is software, the same on every machine. All of the process' OpenGL calls have to go to
+ * it: a program says so by linking the library libStippleOSMesa before all others (CMake:
+ *   stipple_link_osmesa(target)); Python loads it with RTLD_GLOBAL before vtkmodules. Such a
+ * process cannot open windows on an X display.
  *
- * AUTO takes OSMesa in a program that was linked for it, since that is what such a program asked for and
- * what its OpenGL calls reach for certain, else EGL; and if that fails, the other.
+ * AUTO takes OSMesa in a program that was linked for it, since that is what such a program asked
+ * for and what its OpenGL calls reach for certain, else EGL; and if that fails, the other.
  *
  * If there is no context to be had, SupportsOpenGL() is 0, GetOpenGLSupportMessage() says why, and
  * Render() reports that as an error and draws nothing.
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Where the OpenGL context comes from. A change takes effect at once: the context, if there is one
-   * already, is given up. The default is AUTO.
+   * Where the OpenGL context comes from. A change takes effect at once: the context, if there is
+   * one already, is given up. The default is AUTO.
    */
   void SetPlatform(int platform);
   vtkGetMacro(Platform, int);
@@ -62,14 +62,14 @@ public:
   ///@}
 
   /**
-   * The platform of the context, "EGL" or "OSMesa"; makes the context if there is none yet. Empty if
-   * there is none to be had.
+   * The platform of the context, "EGL" or "OSMesa"; makes the context if there is none yet. Empty
+   * if there is none to be had.
    */
   const char* GetPlatformName();
 
   /**
-   * The name that OpenGL's renderer gives itself; makes the context if there is none yet. Empty if there
-   * is none to be had.
+   * The name that OpenGL's renderer gives itself; makes the context if there is none yet. Empty if
+   * there is none to be had.
    */
   const char* GetRendererName();
 
@@ -79,8 +79,8 @@ public:
   static bool IsHardwareAvailable();
 
   /**
-   * Leaves the calling thread without a current context if this one is current in it. A context can be
-   * current in one thread only, so a thread that is done lets it go for the next.
+   * Leaves the calling thread without a current context if this one is current in it. A context can
+   * be current in one thread only, so a thread that is done lets it go for the next.
    */
   void ReleaseCurrent();
 

@@ -43,7 +43,8 @@ inline stipple::Vec3 sheetPoint(double s, double t)
 }
 
 /// n x m quads, split by random diagonals; interior points are moved by up to jitter of a quad.
-inline Sheet makeSheet(int n, int m, double width, double height, double jitter, std::uint32_t seed = 1)
+inline Sheet makeSheet(
+  int n, int m, double width, double height, double jitter, std::uint32_t seed = 1)
 {
   Sheet sheet;
   Random random(seed);
@@ -88,6 +89,6 @@ inline Sheet makeSheet(int n, int m, double width, double height, double jitter,
   }
   return sheet;
 }
-}
+} // namespace synthetic
 
 #endif

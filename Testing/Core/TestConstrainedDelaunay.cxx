@@ -42,7 +42,8 @@ std::set<std::pair<int, int>> edges(const std::vector<Triangle>& triangles)
   return result;
 }
 
-/// A square with collinear points on its sides, a lattice inside (all cocircular), and pairs 1e-12 apart.
+/// A square with collinear points on its sides, a lattice inside (all cocircular), and pairs 1e-12
+/// apart.
 struct Square
 {
   std::vector<Vec2> points;
@@ -77,9 +78,11 @@ TEST(ConstrainedDelaunay, TakesCollinearCocircularAndNearlyCoincidentPoints)
 {
   const Square square;
   std::vector<Triangle> triangles;
-  ASSERT_EQ(constrainedDelaunay(square.points, square.segments, triangles).kind, DelaunayConflict::Kind::None);
+  ASSERT_EQ(constrainedDelaunay(square.points, square.segments, triangles).kind,
+    DelaunayConflict::Kind::None);
   EXPECT_NEAR(area(square.points, triangles), 1., 1e-12);
-  EXPECT_EQ(static_cast<int>(triangles.size()), 2 * static_cast<int>(square.points.size()) - 2 - 32);
+  EXPECT_EQ(
+    static_cast<int>(triangles.size()), 2 * static_cast<int>(square.points.size()) - 2 - 32);
   for (const Triangle& t : triangles)
   {
     EXPECT_GT(orient2(square.points[t[0]], square.points[t[1]], square.points[t[2]]), 0.);
@@ -89,10 +92,10 @@ TEST(ConstrainedDelaunay, TakesCollinearCocircularAndNearlyCoincidentPoints)
 TEST(ConstrainedDelaunay, KeepsSegmentsAndDropsWhatLiesOutside)
 {
   // An L: the notch is outside, though the hull covers it.
-  const std::vector<Vec2> points = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0.9, 0.2 },
-    { 0.1, 0.5 }, { 0.5, 0.9 } };
-  const std::vector<std::array<int, 2>> segments = { { { 0, 1 } }, { { 1, 2 } }, { { 2, 3 } }, { { 3, 4 } },
-    { { 4, 5 } }, { { 5, 0 } }, { { 7, 2 } } };
+  const std::vector<Vec2> points = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 },
+    { 0.9, 0.2 }, { 0.1, 0.5 }, { 0.5, 0.9 } };
+  const std::vector<std::array<int, 2>> segments = { { { 0, 1 } }, { { 1, 2 } }, { { 2, 3 } },
+    { { 3, 4 } }, { { 4, 5 } }, { { 5, 0 } }, { { 7, 2 } } };
   std::vector<Triangle> triangles;
   ASSERT_EQ(constrainedDelaunay(points, segments, triangles).kind, DelaunayConflict::Kind::None);
   EXPECT_NEAR(area(points, triangles), 3., 1e-12);
@@ -110,7 +113,8 @@ TEST(ConstrainedDelaunay, NamesConflicts)
   auto conflict = constrainedDelaunay(points, { { { 0, 2 } } }, triangles);
   EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::OnSegment);
   EXPECT_EQ(conflict.first, 4);
-  conflict = constrainedDelaunay({ points[0], points[1], points[2], points[3] }, { { { 0, 2 } }, { { 1, 3 } } }, triangles);
+  conflict = constrainedDelaunay(
+    { points[0], points[1], points[2], points[3] }, { { { 0, 2 } }, { { 1, 3 } } }, triangles);
   EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::Crossing);
   conflict = constrainedDelaunay({ points[0], points[1], points[2], points[1] }, {}, triangles);
   EXPECT_EQ(conflict.kind, DelaunayConflict::Kind::Duplicate);
@@ -163,7 +167,8 @@ TEST(TriangleComplex, TakesAVertexOutOfAChain)
     outgoing[c.tail(h)] = h;
   }
   std::vector<std::array<int, 2>> merged;
-  ASSERT_TRUE(c.removeFromChain(6, outgoing, [](int, int, int) { return 0.; }, merged));
+  ASSERT_TRUE(c.removeFromChain(
+    6, outgoing, [](int, int, int) { return 0.; }, merged));
   EXPECT_TRUE(merged.empty());
   c.compact();
   EXPECT_EQ(c.triangles.size(), 4u);

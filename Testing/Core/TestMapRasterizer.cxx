@@ -74,13 +74,14 @@ TEST(MapRasterizer, EveryPixelHasAFaceWithoutRepairs)
 
 TEST(MapRasterizer, EdgesThroughCentresBelongToOneSide)
 {
-  // Four triangles around the centre of the middle pixel of 3 x 3; both diagonals run through centres.
+  // Four triangles around the centre of the middle pixel of 3 x 3; both diagonals run through
+  // centres.
   MapChart chart;
   chart.uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0.5, 0.5 } };
   chart.triangles = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
   chart.area = { 1.f, 1.f, 1.f, 1.f };
-  // Left edges and edges at a first row belong to a triangle. Were any centre owned twice, the equal areas
-  // would leave the lower index; reversing the order must not change who owns it.
+  // Left edges and edges at a first row belong to a triangle. Were any centre owned twice, the
+  // equal areas would leave the lower index; reversing the order must not change who owns it.
   const auto faces = facesOf(chart, 3, 3);
   MapChart reversed = chart;
   std::reverse(reversed.triangles.begin(), reversed.triangles.end());
@@ -203,14 +204,15 @@ TEST(MapRasterizer, LinearMapsReproduceLinearFunctions)
     values.push_back(1e6 + uv.x());
   }
   std::vector<float> map(2 * faces.size());
-  ASSERT_TRUE(stipple::rasterizeMaps(sheet.chart, width, height, faces.data(),
-    { { MapKind::Linear, 2, values.data(), map.data() } })
+  ASSERT_TRUE(stipple::rasterizeMaps(
+    sheet.chart, width, height, faces.data(), { { MapKind::Linear, 2, values.data(), map.data() } })
                 .ok());
   for (int p = 0; p < width * height; ++p)
   {
     const double u = (p % width + 0.5) / width;
     const double v = (p / width + 0.5) / height * 0.5;
-    EXPECT_NEAR(map[2 * p], 3. * u - 5. * v + 1., 1e-3) << "but for centres that rounding moved over an edge";
+    EXPECT_NEAR(map[2 * p], 3. * u - 5. * v + 1., 1e-3)
+      << "but for centres that rounding moved over an edge";
     EXPECT_NEAR(map[2 * p + 1], 1e6 + u, 0.07);
   }
 }
@@ -219,9 +221,9 @@ TEST(MapRasterizer, DerivedCurvatures)
 {
   const auto sheet = synthetic::makeSheet(1, 1, 1., 1., 0.);
   const auto faces = facesOf(sheet.chart, 2, 2);
-  for (const auto& [mean, gaussian, low, high] :
-    std::initializer_list<std::array<double, 4>>{ { 2., 3., 1., 3. }, { 0., -4., -2., 2. },
-      { -1.5, 2., -2., -1. }, { 1., 1.5, 1., 1. } }) // the last pair no surface has: K is cut at H^2
+  for (const auto& [mean, gaussian, low, high] : std::initializer_list<std::array<double, 4>>{
+         { 2., 3., 1., 3. }, { 0., -4., -2., 2. }, { -1.5, 2., -2., -1. },
+         { 1., 1.5, 1., 1. } }) // the last pair no surface has: K is cut at H^2
   {
     std::vector<double> pairs;
     for (std::size_t p = 0; p < sheet.points.size(); ++p)
@@ -232,7 +234,8 @@ TEST(MapRasterizer, DerivedCurvatures)
     float k2[4];
     float total[4];
     ASSERT_TRUE(stipple::rasterizeMaps(sheet.chart, 2, 2, faces.data(),
-      { { MapKind::MinimumCurvature, 1, pairs.data(), k1 }, { MapKind::MaximumCurvature, 1, pairs.data(), k2 },
+      { { MapKind::MinimumCurvature, 1, pairs.data(), k1 },
+        { MapKind::MaximumCurvature, 1, pairs.data(), k2 },
         { MapKind::TotalCurvature, 1, pairs.data(), total } })
                   .ok());
     EXPECT_NEAR(k1[3], low, 1e-6);
@@ -292,4 +295,4 @@ TEST(MapSizing, TheDensityRatioForgetsTheDensestThousandth)
   chart.area.back() = 0.006f;
   EXPECT_GT(stipple::densityRatio(chart), 50.);
 }
-}
+} // namespace

@@ -41,7 +41,8 @@ SurfacePlace placeAt(const TriangleSurface& s, double x, double y)
 {
   for (int f = 0; f < s.numberOfFaces(); ++f)
   {
-    const Vec3 b = barycentric({ x, y }, s.point(f, 0).head<2>(), s.point(f, 1).head<2>(), s.point(f, 2).head<2>());
+    const Vec3 b = barycentric(
+      { x, y }, s.point(f, 0).head<2>(), s.point(f, 1).head<2>(), s.point(f, 2).head<2>());
     if (b.minCoeff() >= 0)
     {
       return { f, b };
@@ -91,8 +92,8 @@ TEST(SurfaceWalk, StartsAtVerticesAndEdgesInAnyDirection)
         for (int a = 0; a < 16; ++a)
         {
           const Vec3 to = from + 0.2 * Vec3(std::cos(a * 0.4), std::sin(a * 0.4), 0);
-          if (to.head<2>().minCoeff() > 0 && to.head<2>().maxCoeff() < 1 && from.head<2>().minCoeff() > 0 &&
-            from.head<2>().maxCoeff() < 1)
+          if (to.head<2>().minCoeff() > 0 && to.head<2>().maxCoeff() < 1 &&
+            from.head<2>().minCoeff() > 0 && from.head<2>().maxCoeff() < 1)
           {
             EXPECT_LT((position(s, walk.walk(start, to - from)) - to).norm(), 1e-12);
           }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Strict comparison of a picture with Testing/Data/Baseline/NAME.png. VTK's own comparison forgives
-// shifts and averages neighbours, which makes it nearly blind to meshes: here every pixel counts for
-// itself.
+// shifts and averages neighbours, which makes it nearly blind to meshes: here every pixel counts
+// for itself.
 //
-// The driver's arguments say where: -D the data folder, -T the folder for what failed. A failing picture
-// is left there as NAME.png, with NAME.diff.png. With STIPPLE_WRITE_BASELINES set in the environment, the
-// picture becomes the baseline.
+// The driver's arguments say where: -D the data folder, -T the folder for what failed. A failing
+// picture is left there as NAME.png, with NAME.diff.png. With STIPPLE_WRITE_BASELINES set in the
+// environment, the picture becomes the baseline.
 #ifndef ImageRegression_h
 #define ImageRegression_h
 
@@ -64,7 +64,8 @@ inline bool comparePicture(vtkImageData* image, const std::string& name, int arg
   if (!vtksys::SystemTools::FileExists(baseline, true))
   {
     writePicture(image, failed);
-    std::cerr << name << ": there is no baseline " << baseline << "; the picture is " << failed << "\n";
+    std::cerr << name << ": there is no baseline " << baseline << "; the picture is " << failed
+              << "\n";
     return false;
   }
   vtkNew<vtkPNGReader> reader;
@@ -76,7 +77,8 @@ inline bool comparePicture(vtkImageData* image, const std::string& name, int arg
     image->GetNumberOfScalarComponents() != reader->GetOutput()->GetNumberOfScalarComponents())
   {
     writePicture(image, failed);
-    std::cerr << name << ": the size or the number of channels differs from the baseline; the picture is "
+    std::cerr << name
+              << ": the size or the number of channels differs from the baseline; the picture is "
               << failed << "\n";
     return false;
   }
@@ -111,6 +113,6 @@ inline bool compareWindow(vtkRenderWindow* window, const std::string& name, int 
 {
   return comparePicture(takePicture(window), name, argc, argv);
 }
-}
+} // namespace testing
 
 #endif

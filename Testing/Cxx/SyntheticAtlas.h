@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Charts, feature graphs and samples made by hand, so that the mesher is tested without atlas and sampler.
+// Charts, feature graphs and samples made by hand, so that the mesher is tested without atlas and
+// sampler.
 #ifndef stipple_testing_SyntheticAtlas_h
 #define stipple_testing_SyntheticAtlas_h
 
@@ -47,11 +48,14 @@ public:
   int pointAt(const Vec3& p)
   {
     const auto q = [](double x) { return std::llround(x * 1e7); };
-    return this->Ids.try_emplace(std::make_tuple(q(p.x()), q(p.y()), q(p.z())), static_cast<int>(this->Ids.size()))
+    return this->Ids
+      .try_emplace(
+        std::make_tuple(q(p.x()), q(p.y()), q(p.z())), static_cast<int>(this->Ids.size()))
       .first->second;
   }
   /// A chart over a grid of w x h squares; position(i, j) gives its points.
-  void addGrid(int w, int h, const std::function<Vec3(int, int)>& position, const Vec2& extent = Vec2(1, 1))
+  void addGrid(
+    int w, int h, const std::function<Vec3(int, int)>& position, const Vec2& extent = Vec2(1, 1))
   {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
@@ -160,8 +164,9 @@ std::vector<Vec3> run(const Position& position, int i0, int j0, int i1, int j1)
   return curve;
 }
 
-/// A height field over the unit square, open, as charts x charts charts of n x n squares. With a crease, it has a roof's
-/// ridge along x = 1/4, which runs inside the charts of the first column (charts = 2).
+/// A height field over the unit square, open, as charts x charts charts of n x n squares. With a
+/// crease, it has a roof's ridge along x = 1/4, which runs inside the charts of the first column
+/// (charts = 2).
 inline void bumpyGrid(Builder& b, int charts, int n, bool crease = false)
 {
   const int total = charts * n;
@@ -224,7 +229,9 @@ inline void bumpyGrid(Builder& b, int charts, int n, bool crease = false)
 inline void cube(Builder& b, int n, bool sphere)
 {
   const auto place = [=](Vec3 p) { return sphere ? Vec3(p.normalized()) : p; };
-  const auto at = [=](int i, int n_) { return sphere ? std::tan((2. * i / n_ - 1.) * Pi / 4) : 2. * i / n_ - 1.; };
+  const auto at = [=](int i, int n_) {
+    return sphere ? std::tan((2. * i / n_ - 1.) * Pi / 4) : 2. * i / n_ - 1.;
+  };
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const int sign : { -1, 1 })
@@ -256,7 +263,8 @@ inline void cube(Builder& b, int n, bool sphere)
   }
 }
 
-/// A torus cut open into one chart: both cuts start and end in the same point, and join the chart to itself.
+/// A torus cut open into one chart: both cuts start and end in the same point, and join the chart
+/// to itself.
 inline void torus(Builder& b, int m, int n)
 {
   const auto position = [=](int i, int j) {
@@ -279,7 +287,9 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
   std::vector<Sample> samples;
   const double spacing = std::sqrt(s.area() / n * 2. / std::sqrt(3.));
   std::map<std::array<int, 3>, std::vector<Vec3>> where; // by cell of a lattice
-  const auto cell = [&](const Vec3& p, int k) { return static_cast<int>(std::floor(p[k] / spacing)); };
+  const auto cell = [&](const Vec3& p, int k) {
+    return static_cast<int>(std::floor(p[k] / spacing));
+  };
   const auto add = [&](Sample x) {
     samples.push_back(x);
     const Vec3 p = s.position(x.face, x.bary);
@@ -299,7 +309,8 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
   {
     const BackboneTrace& trace = traces[b];
     const bool closed = graph.backbones[b].closed;
-    const int pieces = std::max(closed ? 3 : 1, static_cast<int>(std::lround(trace.length() / spacing)));
+    const int pieces =
+      std::max(closed ? 3 : 1, static_cast<int>(std::lround(trace.length() / spacing)));
     for (int i = closed ? 0 : 1; i < pieces; ++i)
     {
       Sample x;
@@ -323,8 +334,9 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
   while (static_cast<int>(samples.size()) < n)
   {
     Sample x;
-    x.face = static_cast<int>(
-      std::upper_bound(area.begin() + 1, area.end() - 1, random() * area.back()) - area.begin() - 1);
+    x.face =
+      static_cast<int>(std::upper_bound(area.begin() + 1, area.end() - 1, random() * area.back()) -
+        area.begin() - 1);
     double u = random();
     double v = random();
     if (u + v > 1)
@@ -337,8 +349,8 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
     bool near = false;
     for (int k = 0; k < 27 && !near; ++k)
     {
-      const auto found = where.find(
-        { cell(p, 0) + k % 3 - 1, cell(p, 1) + k / 3 % 3 - 1, cell(p, 2) + k / 9 - 1 });
+      const auto found =
+        where.find({ cell(p, 0) + k % 3 - 1, cell(p, 1) + k / 3 % 3 - 1, cell(p, 2) + k / 9 - 1 });
       if (found != where.end())
       {
         for (const Vec3& q : found->second)

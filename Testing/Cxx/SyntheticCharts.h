@@ -59,7 +59,8 @@ inline vtkSmartPointer<vtkPolyData> makeChart(
     uv->SetTuple2(p, q.x(), q.y());
     const vtkIdType i = p % (n + 1);
     const vtkIdType j = p / (n + 1);
-    // Points of chart 1 follow those of chart 0, but for the seam's, which are those of its last column.
+    // Points of chart 1 follow those of chart 0, but for the seam's, which are those of its last
+    // column.
     id->SetValue(p, index == 0 ? p : (i == 0 ? j * (n + 1) + n : numberOfPoints + j * n + i - 1));
     mean->SetValue(p, 2. * std::sin(5. * s) + t);
     gaussian->SetValue(p, 3. * std::cos(4. * t) * s - 1.);
@@ -81,7 +82,8 @@ inline vtkSmartPointer<vtkPolyData> makeChart(
     {
       points->GetPoint(corners[k], x[k].data());
     }
-    distortion->SetValue(f, 2. * stipple::triangleArea(x[0], x[1], x[2]) /
+    distortion->SetValue(f,
+      2. * stipple::triangleArea(x[0], x[1], x[2]) /
         stipple::orient2(sheet.chart.uv[t[0]], sheet.chart.uv[t[1]], sheet.chart.uv[t[2]]));
     region->SetValue(f, static_cast<int>(f % 7));
   }
@@ -112,6 +114,6 @@ inline vtkSmartPointer<vtkPartitionedDataSetCollection> makeAtlas(
   atlas->SetPartition(1, 0, makeChart(1, n, m, 0.5, 1., jitter));
   return atlas;
 }
-}
+} // namespace synthetic
 
 #endif

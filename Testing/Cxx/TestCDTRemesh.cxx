@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkCDTRemesh: exactly the samples as vertices, the surface's topology and orientation, backbones as edges, attributes.
+// vtkCDTRemesh: exactly the samples as vertices, the surface's topology and orientation, backbones
+// as edges, attributes.
 #include "SyntheticAtlas.h"
 
 #include "vtkCDTRemesh.h"
@@ -29,7 +30,8 @@ void check(bool condition, const std::string& what)
   }
 }
 
-vtkSmartPointer<vtkCDTRemesh> makeFilter(const synthetic::Atlas& atlas, const std::vector<stipple::Sample>& samples)
+vtkSmartPointer<vtkCDTRemesh> makeFilter(
+  const synthetic::Atlas& atlas, const std::vector<stipple::Sample>& samples)
 {
   auto filter = vtkSmartPointer<vtkCDTRemesh>::New();
   filter->SetInputData(0, stipple::toPolyData(samples, atlas.surface));
@@ -48,7 +50,8 @@ void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsi
   vtkPolyData* mesh = filter->GetOutput(0);
   const stipple::AtlasSurface& surface = atlas.surface;
 
-  check(mesh->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()), name + ": one point a sample");
+  check(mesh->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()),
+    name + ": one point a sample");
   stipple::TriangleSurface result = stipple::fromPolyData(mesh);
   result.connect();
   check(result.topology() == surface.topology(), name + ": the surface's topology");
@@ -69,7 +72,8 @@ void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsi
     }
     check(result.faceArea(f) > 1e-7 * longest * longest, name + ": no degenerate triangle");
     const stipple::Sample& s = samples[result.triangles[f][0]];
-    if (s.kind == stipple::SampleKind::Interior) // others lie on creases, between faces of several normals
+    if (s.kind == stipple::SampleKind::Interior) // others lie on creases, between faces of several
+                                                 // normals
     {
       ++inner;
       cosine += result.faceNormal(f).dot(surface.faceNormal(s.face));
@@ -89,7 +93,8 @@ void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsi
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const auto p = surface.position(samples[i].face, samples[i].bary);
-    check((result.points[i] - p).norm() < 1e-12, name + ": vertices lie exactly where the samples do");
+    check(
+      (result.points[i] - p).norm() < 1e-12, name + ": vertices lie exactly where the samples do");
   }
 
   vtkPolyData* lines = filter->GetOutput(1);
@@ -118,7 +123,8 @@ void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsi
       const auto& p = result.points[i];
       check(std::abs(height->GetTuple1(i) - (p.x() + 2. * p.y() + 3. * p.z())) < 1e-12,
         name + ": a linear field is reproduced");
-      check(label->GetTuple1(i) == 7 || label->GetTuple1(i) == 3, name + ": labels are not blended");
+      check(
+        label->GetTuple1(i) == 7 || label->GetTuple1(i) == 3, name + ": labels are not blended");
     }
     std::vector<double> area(surface.numberOfCharts(), 0);
     std::vector<double> wanted(surface.numberOfCharts(), 0);
@@ -132,11 +138,13 @@ void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsi
     }
     for (std::size_t c = 0; c < area.size(); ++c)
     {
-      check(std::abs(area[c] - wanted[c]) < 0.15 * wanted[c], name + ": cell data come from under the triangles");
+      check(std::abs(area[c] - wanted[c]) < 0.15 * wanted[c],
+        name + ": cell data come from under the triangles");
     }
   }
-  check(mesh->GetPointData()->GetArray("BarycentricCoordinates") && mesh->GetPointData()->GetArray("SampleKind") &&
-      mesh->GetPointData()->GetArray("UV") && mesh->GetPointData()->GetArray("SourceCellId") &&
+  check(mesh->GetPointData()->GetArray("BarycentricCoordinates") &&
+      mesh->GetPointData()->GetArray("SampleKind") && mesh->GetPointData()->GetArray("UV") &&
+      mesh->GetPointData()->GetArray("SourceCellId") &&
       mesh->GetPointData()->GetArray("BackboneId") && mesh->GetPointData()->GetArray("ArcLength"),
     name + ": provenance arrays");
 }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The maps keep the contract: the pixel grid, what each map means, that they integrate; they are lazy, do
-// not depend on the number of threads, and bad input is one clear sentence.
+// The maps keep the contract: the pixel grid, what each map means, that they integrate; they are
+// lazy, do not depend on the number of threads, and bad input is one clear sentence.
 #include "ImageRegression.h"
 #include "MapPicture.h"
 #include "SyntheticCharts.h"
 
 #include "vtkCommand.h"
-#include "vtkExecutive.h"
 #include "vtkDataArraySelection.h"
+#include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkTestErrorObserver.h"
@@ -74,7 +74,8 @@ void testMeaning(vtkPartitionedDataSetCollection* atlas)
     const double dx = extents[c][0] / w;
     const double dy = extents[c][1] / h;
     check(std::abs(dx / dy - 1.) < 0.01, "pixels are square");
-    check(std::abs(image->GetSpacing()[0] - dx) < 1e-15 && std::abs(image->GetOrigin()[1] - 0.5 * dy) < 1e-15,
+    check(std::abs(image->GetSpacing()[0] - dx) < 1e-15 &&
+        std::abs(image->GetOrigin()[1] - 0.5 * dy) < 1e-15,
       "origin and spacing are the contract's");
     vtkPointData* data = image->GetPointData();
     check(data->GetNumberOfArrays() == 13, "as many arrays as were selected");
@@ -122,12 +123,14 @@ void testMeaning(vtkPartitionedDataSetCollection* atlas)
       stipple::Vec3 got;
       data->GetArray("Position")->GetTuple(p, got.data());
       worstPosition = std::max(worstPosition, (got - wanted).norm());
-      check(data->GetArray("Region")->GetComponent(p, 0) == face % 7, "a cell array is constant on a face");
+      check(data->GetArray("Region")->GetComponent(p, 0) == face % 7,
+        "a cell array is constant on a face");
       const double k1 = data->GetArray("MinimumCurvature")->GetComponent(p, 0);
       const double k2 = data->GetArray("MaximumCurvature")->GetComponent(p, 0);
       const double mean = data->GetArray("MeanCurvature")->GetComponent(p, 0);
       const double gauss = data->GetArray("GaussianCurvature")->GetComponent(p, 0);
-      check(k1 <= k2 && std::abs(0.5 * (k1 + k2) - mean) < 1e-5, "H is the principal curvatures' mean");
+      check(
+        k1 <= k2 && std::abs(0.5 * (k1 + k2) - mean) < 1e-5, "H is the principal curvatures' mean");
       if (mean * mean > gauss + 1e-3)
       {
         worstTotal = std::max(worstTotal, std::abs(k1 * k2 - gauss));
@@ -253,15 +256,23 @@ void testErrors()
   check(contains(errorOf(synthetic::makeAtlas(8, 8), "Cheese"), "no array Cheese on chart 0"),
     "an unknown map is named");
   auto atlas = synthetic::makeAtlas(8, 8);
-  vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(1, 0))->GetPointData()->RemoveArray("MeanCurvature");
-  check(contains(errorOf(atlas, "TotalCurvature"), "MeanCurvature on chart 1"), "a missing curvature is named");
+  vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(1, 0))
+    ->GetPointData()
+    ->RemoveArray("MeanCurvature");
+  check(contains(errorOf(atlas, "TotalCurvature"), "MeanCurvature on chart 1"),
+    "a missing curvature is named");
   atlas = synthetic::makeAtlas(8, 8);
-  vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(1, 0))->GetFieldData()->RemoveArray("ChartExtent");
+  vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(1, 0))
+    ->GetFieldData()
+    ->RemoveArray("ChartExtent");
   check(contains(errorOf(atlas, "Heat"), "Chart 1"), "a chart without an extent is named");
   atlas = synthetic::makeAtlas(8, 8);
   vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(0, 0))
-    ->GetPointData()->GetArray("UV")->SetComponent(11, 0, 1e9);
-  check(contains(errorOf(atlas, "Heat"), "UV of point 11 of chart 0"), "a point far outside is named");
+    ->GetPointData()
+    ->GetArray("UV")
+    ->SetComponent(11, 0, 1e9);
+  check(
+    contains(errorOf(atlas, "Heat"), "UV of point 11 of chart 0"), "a point far outside is named");
 
   vtkNew<vtkPartitionedDataSetCollection> nothing;
   vtkNew<vtkTest::ErrorObserver> errors;
@@ -285,13 +296,16 @@ void testPicture(vtkPartitionedDataSetCollection* atlas, int argc, char* argv[])
   stipple::ContactSheetOptions options;
   options.tile = 140;
   const auto sheet = stipple::mapContactSheet(maps->GetOutput(), options);
-  check(testing::comparePicture(sheet, "GeometryMaps", argc, argv), "the contact sheet is the baseline");
+  check(testing::comparePicture(sheet, "GeometryMaps", argc, argv),
+    "the contact sheet is the baseline");
   const auto one = stipple::mapPicture(maps->GetOutput(), 1, "AreaDistortion");
-  check(one && one->GetDimensions()[0] == 128 && one->GetDimensions()[1] == 256, "a map, pixel by pixel");
-  check(stipple::mapPicture(maps->GetOutput(), 2, "AreaDistortion") == nullptr, "no chart, no picture");
+  check(one && one->GetDimensions()[0] == 128 && one->GetDimensions()[1] == 256,
+    "a map, pixel by pixel");
+  check(
+    stipple::mapPicture(maps->GetOutput(), 2, "AreaDistortion") == nullptr, "no chart, no picture");
   check(stipple::mapPicture(maps->GetOutput(), 0, "Cheese") == nullptr, "no map, no picture");
 }
-}
+} // namespace
 
 int TestGeometryMapRenderer(int argc, char* argv[])
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A window without a display really draws, resizes, lives beside another one, and says so if it cannot.
+// A window without a display really draws, resizes, lives beside another one, and says so if it
+// cannot.
 #include "ImageRegression.h"
 
 #include "vtkActor.h"
@@ -54,12 +55,14 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   check(std::string(window->GetPlatformName()) == name, "the platform is the one asked for");
   check(*window->GetRendererName() != '\0', "the renderer has a name");
   check(window->SupportsOpenGL() == 1, "OpenGL is supported");
-  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv), "the picture is the baseline");
+  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv),
+    "the picture is the baseline");
 
   window->SetSize(200, 120);
   window->Render();
   const auto smaller = testing::takePicture(window);
-  check(smaller->GetDimensions()[0] == 200 && smaller->GetDimensions()[1] == 120, "the window resizes");
+  check(
+    smaller->GetDimensions()[0] == 200 && smaller->GetDimensions()[1] == 120, "the window resizes");
 
   // Another window, of its own context, in between.
   vtkNew<vtkHeadlessRenderWindow> other;
@@ -71,13 +74,16 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   other->Render();
   window->Render();
   check(window->IsCurrent() && !other->IsCurrent(), "the last window that drew is current");
-  check(testing::compareWindow(other, "HeadlessRenderWindow", argc, argv), "a second window draws too");
-  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv), "and the first one still");
+  check(
+    testing::compareWindow(other, "HeadlessRenderWindow", argc, argv), "a second window draws too");
+  check(
+    testing::compareWindow(window, "HeadlessRenderWindow", argc, argv), "and the first one still");
 
   // A context that was given up comes back.
   window->Finalize();
   check(!window->IsCurrent(), "a finalized window is not current");
-  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv), "a finalized window draws again");
+  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv),
+    "a finalized window draws again");
 
   // One triangle less in each ring is another picture: the comparison is not blind.
   vtkNew<vtkHeadlessRenderWindow> wrong;
@@ -93,7 +99,8 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   if (!std::getenv("STIPPLE_WRITE_BASELINES"))
   {
     std::cerr << "(a difference is expected here)\n";
-    check(!testing::compareWindow(wrong, "HeadlessRenderWindow", 5, arguments), "a coarser mesh differs");
+    check(!testing::compareWindow(wrong, "HeadlessRenderWindow", 5, arguments),
+      "a coarser mesh differs");
   }
 }
 
@@ -127,14 +134,16 @@ void testFailure(int platform)
   check(window->SupportsOpenGL() == 0, "no OpenGL where there cannot be any");
   check(!errors->GetError(), "asking for support is no error");
   window->Render();
-  check(errors->GetError() && errors->GetErrorMessage().find("There is no OpenGL without a display") !=
-      std::string::npos, "Render says why it draws nothing");
+  check(errors->GetError() &&
+      errors->GetErrorMessage().find("There is no OpenGL without a display") != std::string::npos,
+    "Render says why it draws nothing");
   check(*window->GetPlatformName() == '\0', "there is no platform");
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, 9, 9, 1, pixels, 0);
-  check(std::string(window->ReportCapabilities()).find("There is no OpenGL") == 0, "the report says why");
+  check(std::string(window->ReportCapabilities()).find("There is no OpenGL") == 0,
+    "the report says why");
 }
-}
+} // namespace
 
 int TestHeadlessRenderWindow(int argc, char* argv[])
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkRemeshOptimizer: quality reaches its bars, on the surface, with features kept, seams healed and nothing depending on threads.
+// vtkRemeshOptimizer: quality reaches its bars, on the surface, with features kept, seams healed
+// and nothing depending on threads.
 #include "SyntheticAtlas.h"
 
 #include "vtkCDTRemesh.h"
@@ -125,22 +126,27 @@ void checkContract(const std::string& name, const synthetic::Atlas& atlas, Run& 
 {
   const TriangleSurface mesh = run.result();
   vtkPolyData* data = run.optimizer->GetOutput(0);
-  check(data->GetNumberOfPoints() == static_cast<vtkIdType>(run.samples.size()), name + ": same number of points");
+  check(data->GetNumberOfPoints() == static_cast<vtkIdType>(run.samples.size()),
+    name + ": same number of points");
   check(mesh.topology() == atlas.surface.topology(), name + ": same topology, manifold");
   vtkDataArray* chart = data->GetPointData()->GetArray("ChartId");
   vtkDataArray* cell = data->GetPointData()->GetArray("ChartCellId");
   vtkDataArray* bary = data->GetPointData()->GetArray("BarycentricCoordinates");
   vtkDataArray* height = data->GetPointData()->GetArray("Height");
-  check(chart && cell && bary && height && data->GetCellData()->GetArray("Material"), name + ": arrays");
+  check(chart && cell && bary && height && data->GetCellData()->GetArray("Material"),
+    name + ": arrays");
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     Vec3 b;
     bary->GetTuple(i, b.data());
-    const int face = atlas.surface.chartBegin[static_cast<int>(chart->GetTuple1(i))] + static_cast<int>(cell->GetTuple1(i));
+    const int face = atlas.surface.chartBegin[static_cast<int>(chart->GetTuple1(i))] +
+      static_cast<int>(cell->GetTuple1(i));
     const Vec3 p = mesh.points[i];
-    check(b.minCoeff() >= 0 && std::abs(b.sum() - 1.) < 1e-12 && (atlas.surface.position(face, b) - p).norm() < 1e-12,
+    check(b.minCoeff() >= 0 && std::abs(b.sum() - 1.) < 1e-12 &&
+        (atlas.surface.position(face, b) - p).norm() < 1e-12,
       name + ": vertices stay on the surface");
-    check(std::abs(height->GetTuple1(i) - (p.x() + 2. * p.y() + 3. * p.z())) < 1e-12, name + ": attributes follow");
+    check(std::abs(height->GetTuple1(i) - (p.x() + 2. * p.y() + 3. * p.z())) < 1e-12,
+      name + ": attributes follow");
     const Sample& s = run.samples[i];
     if (s.kind == SampleKind::Corner && atlas.graph.isCorner[s.surfacePoint])
     {
@@ -176,7 +182,8 @@ void checkContract(const std::string& name, const synthetic::Atlas& atlas, Run& 
         name + ": feature edges stay");
       length += (mesh.points[ids[k]] - mesh.points[ids[k - 1]]).norm();
     }
-    check(length > 0.97 * trace.length() && length <= trace.length() * (1 + 1e-9), name + ": lines follow their backbones");
+    check(length > 0.97 * trace.length() && length <= trace.length() * (1 + 1e-9),
+      name + ": lines follow their backbones");
   }
 }
 
@@ -194,7 +201,8 @@ void checkSphere()
   check(after.smallestAngle > 33, "sphere: smallest angle");
   check(after.areaVariation < 0.1, "sphere: areas");
   check(after.nearlyRegular > 0.998 && after.regular > 0.75, "sphere: valences");
-  // Seams have healed: edges near the cube's edges are as long as elsewhere, and their triangles as good.
+  // Seams have healed: edges near the cube's edges are as long as elsewhere, and their triangles as
+  // good.
   double sum[2] = { 0, 0 };
   int count[2] = { 0, 0 };
   for (int h = 0; h < 3 * mesh.numberOfFaces(); ++h)
@@ -207,7 +215,8 @@ void checkSphere()
     ++count[nearSeam];
   }
   check(count[1] > 200, "sphere: there are edges near seams");
-  check(std::abs(sum[0] / count[0] - sum[1] / count[1]) < 0.03 * sum[0] / count[0], "sphere: no seam in the edge lengths");
+  check(std::abs(sum[0] / count[0] - sum[1] / count[1]) < 0.03 * sum[0] / count[0],
+    "sphere: no seam in the edge lengths");
   vtkDataArray* kind = run.optimizer->GetOutput(0)->GetPointData()->GetArray("SampleKind");
   check(kind->GetRange()[1] == 0, "sphere: samples on seams are ordinary ones now");
 }
@@ -228,7 +237,8 @@ void checkFeatures()
   }
   for (int f = 0; f < mesh.numberOfFaces(); ++f)
   {
-    check(mesh.faceNormal(f).cwiseAbs().maxCoeff() > 1. - 1e-9, "cube: no triangle cuts an edge off");
+    check(
+      mesh.faceNormal(f).cwiseAbs().maxCoeff() > 1. - 1e-9, "cube: no triangle cuts an edge off");
   }
   for (const bool crease : { false, true })
   {
@@ -238,7 +248,8 @@ void checkFeatures()
     Run onGrid(open, 900);
     checkContract(crease ? "creased grid" : "grid", open, onGrid);
     const Figures figures = measure(onGrid.result());
-    check(figures.meanQuality > 0.9 && figures.smallestAngle > 25, crease ? "creased grid: quality" : "grid: quality");
+    check(figures.meanQuality > 0.9 && figures.smallestAngle > 25,
+      crease ? "creased grid: quality" : "grid: quality");
   }
 }
 
@@ -256,7 +267,8 @@ void checkOptions()
   run.optimizer->SetNumberOfIterations(20);
   run.optimizer->SetSmoothingToNone();
   check(run.result().points == meshed.points, "smoothing off: nothing moves");
-  check(measure(run.result()).regular > before.regular, "smoothing off: swaps still make valences regular");
+  check(measure(run.result()).regular > before.regular,
+    "smoothing off: swaps still make valences regular");
   for (const int connectivity : { 0, 1, 2 })
   {
     for (const int smoothing : { 1, 2, 3 })
@@ -267,7 +279,8 @@ void checkOptions()
       checkContract(name, atlas, run);
       const Figures after = measure(run.result());
       // With the valences that sampling left, moves alone can do little.
-      check(after.meanQuality > before.meanQuality + (connectivity == 0 ? -0.01 : 0.02), name + ": quality");
+      check(after.meanQuality > before.meanQuality + (connectivity == 0 ? -0.01 : 0.02),
+        name + ": quality");
     }
   }
 }
@@ -316,12 +329,14 @@ void checkDensity()
     left += p.x() > 0.05 && p.x() < 0.4;
     right += p.x() > 0.6 && p.x() < 0.95;
   }
-  check(right > 2.5 * left && right < 5 * left, "density: vertices gather where the control image wants them");
+  check(right > 2.5 * left && right < 5 * left,
+    "density: vertices gather where the control image wants them");
 }
 
 std::string bytes(vtkPolyData* data)
 {
-  std::string result(static_cast<char*>(data->GetPoints()->GetVoidPointer(0)), 24 * data->GetNumberOfPoints());
+  std::string result(
+    static_cast<char*>(data->GetPoints()->GetVoidPointer(0)), 24 * data->GetNumberOfPoints());
   vtkIdType size;
   const vtkIdType* ids;
   for (vtkIdType i = 0; i < data->GetNumberOfPolys(); ++i)
@@ -368,6 +383,7 @@ int TestRemeshOptimizer(int, char*[])
   bare->SetPolys(run.mesher->GetOutput(0)->GetPolys());
   run.optimizer->SetInputData(0, bare);
   run.optimizer->Update();
-  check(run.optimizer->GetOutput(0)->GetNumberOfPoints() == 0, "a mesh without provenance is refused");
+  check(
+    run.optimizer->GetOutput(0)->GetNumberOfPoints() == 0, "a mesh without provenance is refused");
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -30,6 +30,29 @@ class StippleAbort(StippleError): ...
 class StippleWarning(UserWarning): ...
 
 @overload
+def remesh(  # type: ignore
+    mesh: _Arrays,
+    points: int | None = ...,
+    importance: _Importance | ArrayLike = ...,
+    gamma: float = ...,
+    feature_angle: float = ...,
+    progress: _Progress | None = ...,
+    *,
+    importance_array: str | None = ...,
+    importance_image: vtkImageData | ArrayLike | None = ...,
+    transfer: Sequence[tuple[float, float]] | ArrayLike | None = ...,
+    gradation: float = ...,
+    minimum_density: float | None = ...,
+    feature_edges: ArrayLike | None = ...,
+    constraints: ArrayLike | None = ...,
+    charts: int = ...,
+    map_size: int | Literal["auto"] = ...,
+    map_backend: _Backend = ...,
+    connectivity: Literal["none", "regularity", "aspect"] | None = ...,
+    smoothing: Literal["none", "area", "density", "lloyd"] | None = ...,
+    iterations: int | None = ...,
+) -> _Triangles: ...
+@overload
 def remesh(
     mesh: _PolyData,
     points: int | None = ...,
@@ -52,29 +75,6 @@ def remesh(
     smoothing: Literal["none", "area", "density", "lloyd"] | None = ...,
     iterations: int | None = ...,
 ) -> _PolyData: ...
-@overload
-def remesh(
-    mesh: _Arrays,
-    points: int | None = ...,
-    importance: _Importance | ArrayLike = ...,
-    gamma: float = ...,
-    feature_angle: float = ...,
-    progress: _Progress | None = ...,
-    *,
-    importance_array: str | None = ...,
-    importance_image: vtkImageData | ArrayLike | None = ...,
-    transfer: Sequence[tuple[float, float]] | ArrayLike | None = ...,
-    gradation: float = ...,
-    minimum_density: float | None = ...,
-    feature_edges: ArrayLike | None = ...,
-    constraints: ArrayLike | None = ...,
-    charts: int = ...,
-    map_size: int | Literal["auto"] = ...,
-    map_backend: _Backend = ...,
-    connectivity: Literal["none", "regularity", "aspect"] | None = ...,
-    smoothing: Literal["none", "area", "density", "lloyd"] | None = ...,
-    iterations: int | None = ...,
-) -> _Triangles: ...
 
 @dataclass(frozen=True)
 class Chart:

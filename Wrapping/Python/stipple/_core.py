@@ -207,7 +207,7 @@ def remesh(
         points (n, 3) real numbers, triangles (m, 3) point indices. Polygons of a vtkPolyData are triangulated,
         coincident points welded, faces oriented, edges and points that are not manifold split.
     points : int, optional
-        Number of points of the result, from 4 to 10 million; None is as many as the input has after repairs. A
+        Number of points of the result, from 1 to 10 million; None is as many as the input has after repairs. A
         number too small for the features and the topology is an error that names the least number that works.
     importance : str or (n,) array, optional
         What attracts points: "uniform" (the default: nothing does), the curvatures "mean", "gaussian", "minimum",
@@ -266,7 +266,7 @@ def remesh(
     data = _surface(mesh)
     remesher = _classes.vtkGeometryRemesher()
     if points is not None:  # otherwise 0: as many as the input has after repairs
-        remesher.SetNumberOfPoints(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
+        remesher.SetNumberOfPoints(_integer(points, "points", 1, MAXIMUM_NUMBER_OF_POINTS))
     _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
     _set_map_options(remesher, map_size, map_backend)
     _set_importance(remesher, data, importance, importance_array, importance_image)
@@ -461,9 +461,9 @@ def maps(mesh, points=None, progress=None, *, size="auto", backend="auto", array
     else:
         charts = atlas(mesh, **atlas_options)
     if points is None:
-        points = max(4, charts.properties["number_of_surface_points"])
+        points = max(1, charts.properties["number_of_surface_points"])
     algorithm = _classes.vtkGeometryMapRenderer()
-    algorithm.SetNumberOfSamples(_integer(points, "points", 4, MAXIMUM_NUMBER_OF_POINTS))
+    algorithm.SetNumberOfSamples(_integer(points, "points", 1, MAXIMUM_NUMBER_OF_POINTS))
     _set_map_options(algorithm, size, backend)
     algorithm.SetInputDataObject(0, charts.data)
     selection = algorithm.GetMapSelection()
