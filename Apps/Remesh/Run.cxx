@@ -447,6 +447,7 @@ Status run(const Options& o)
   {
     status = remesh(input, o, remesher, bar);
   }
+  holdInterrupts();
   OutputFiles files;
   bar.show(1, "writing");
   if (status.ok())
