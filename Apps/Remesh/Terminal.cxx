@@ -14,20 +14,44 @@ namespace stipple
 namespace
 {
 volatile std::sig_atomic_t Interrupted = 0;
+volatile std::sig_atomic_t Holding = 0;
 
 void onSignal(int)
 {
   Interrupted = 1;
+  if (!Holding)
+  {
+    alarm(1);
+  }
+}
+
+/// Nobody noticed; there is no file yet that would be left half-written.
+void onAlarm(int)
+{
+  if (!Holding)
+  {
+    constexpr char Text[] = "stipple: interrupted\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, Text, sizeof(Text) - 1);
+    _exit(1);
+  }
 }
 }
 
 void catchInterrupts()
 {
   struct sigaction action = {};
+  action.sa_flags = SA_RESTART;
   action.sa_handler = onSignal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND); // the second signal has its default effect
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = onAlarm;
+  sigaction(SIGALRM, &action, nullptr);
+}
+
+void holdInterrupts()
+{
+  Holding = 1;
+  alarm(0);
 }
 
 bool interrupted()

@@ -8,8 +8,12 @@
 
 namespace stipple
 {
-/// Catches SIGINT and SIGTERM from now on; the second one ends the program at once.
+/// Catches SIGINT and SIGTERM from now on: work has a second to notice interrupted(), then the
+/// program ends.
 void catchInterrupts();
+/// Files are being written: interrupted() will be asked before they are put in place, and nothing
+/// else ends the program.
+void holdInterrupts();
 [[nodiscard]] bool interrupted();
 
 /// A bar on stderr if that is a terminal and it is wanted; else nothing at all.
