@@ -19,8 +19,8 @@ models=build/models
 stipple_say "models from Debian's libcgal-demo, in $models"
 stipple_quietly build/logs/models.log sh Testing/Data/fetch-models.sh "$models"
 
-# remesh NAME MODEL OPTION...: writes out/NAME.ply, the report out/NAME.json and the picture out/NAME.png, a sheet of
-# before, charts, maps, samples and after.
+# remesh NAME MODEL OPTION...: writes out/NAME.ply, the report out/NAME.json, the picture out/NAME.png (before, charts, maps,
+# samples and after on one sheet), and each of these alone as out/NAME-PANEL.png.
 remesh()
 {
   name=$1
@@ -28,8 +28,8 @@ remesh()
   shift 2
   start=$(date +%s)
   build/bin/stipple "$models/$model.off" -o "out/$name.ply" --quiet \
-    --report "out/$name.json" --picture "out/$name.png" "$@"
-  stipple_say "$model.off $* -> out/$name.ply, out/$name.png ($(stipple_seconds "$start"))"
+    --report "out/$name.json" --picture "out/$name.png" --picture-panel each "$@"
+  stipple_say "$model.off $* -> out/$name.ply, out/$name*.png ($(stipple_seconds "$start"))"
 }
 
 mkdir -p out
