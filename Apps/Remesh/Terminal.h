@@ -8,9 +8,11 @@
 
 namespace stipple
 {
-/// Catches SIGINT and SIGTERM from now on: work has a second to notice interrupted(), then the program ends.
+/// Catches SIGINT and SIGTERM from now on: work has a second to notice interrupted(), then the
+/// program ends.
 void catchInterrupts();
-/// Files are being written: interrupted() will be asked before they are put in place, and nothing else ends the program.
+/// Files are being written: interrupted() will be asked before they are put in place, and nothing
+/// else ends the program.
 void holdInterrupts();
 [[nodiscard]] bool interrupted();
 
