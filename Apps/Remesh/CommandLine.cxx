@@ -116,7 +116,8 @@ std::string setTransfer(Options& o, const std::string& s)
 
 std::string setPanel(Options& o, const std::string& s)
 {
-  const std::vector<std::string> words = { "all", "before", "charts", "maps", "samples", "after" };
+  const std::vector<std::string> words = { "all", "before", "charts", "maps", "samples", "after",
+    "each" };
   const auto found = std::find(words.begin(), words.end(), s);
   o.panel = static_cast<PicturePanel>(found - words.begin());
   return found == words.end() ? "is one of " + list(words) + ", not '" + s + "'" : "";
@@ -189,7 +190,9 @@ const std::vector<Group>& groups()
         { "--picture", "FILE.png", "a sheet: before, charts, maps, samples, after",
           text(&Options::picture) },
         { "--picture-panel", "NAME",
-          "only one of it: before, charts, maps, samples or after\n(default: all)", setPanel },
+          "only one of it: before, charts, maps, samples or after;\neach: all of it, and each one "
+          "as FILE-NAME.png\n(default: all)",
+          setPanel },
         { "--save-charts", "FILE", "charts with their parameters (.vtpc, or .vtp in one piece)",
           text(&Options::saveCharts) },
         { "--save-maps", "DIR", "the maps of every chart: a PNG a map, one .vti of floats",

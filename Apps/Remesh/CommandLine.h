@@ -19,7 +19,8 @@ enum class PicturePanel
   Charts,
   Maps,
   Samples,
-  After
+  After,
+  Each ///< the sheet of all, and each of the others in a file of its own
 };
 
 /// An option that was not given leaves the filter's own default alone: see the has... flags.

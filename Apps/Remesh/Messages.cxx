@@ -5,6 +5,7 @@
 #include "MessageText.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +18,8 @@ vtkSmartPointer<CollectingOutputWindow> CollectingOutputWindow::install()
 {
   auto window = vtkSmartPointer<CollectingOutputWindow>::New();
   vtkOutputWindow::SetInstance(window);
+  // VTK's executives also log to stderr by themselves.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   return window;
 }
 

@@ -396,7 +396,28 @@ Status drawPicture(
   content.graph = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
   content.maps = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
   content.samples = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5));
-  return writePicture(content, o.panel, files.aside(o.picture), o.picture);
+  if (o.panel != PicturePanel::Each)
+  {
+    return writePicture(content, o.panel, files.aside(o.picture), o.picture);
+  }
+  Status status = writePicture(content, PicturePanel::All, files.aside(o.picture), o.picture);
+  const std::string stem = o.picture.substr(0, o.picture.rfind('.'));
+  const std::pair<PicturePanel, const char*> panels[] = { { PicturePanel::Before, "before" },
+    { PicturePanel::Charts, "charts" }, { PicturePanel::Maps, "maps" },
+    { PicturePanel::Samples, "samples" }, { PicturePanel::After, "after" } };
+  for (const auto& [panel, name] : panels)
+  {
+    const std::string file = stem + "-" + name + ".png";
+    if (status.ok())
+    {
+      status = OutputFiles::check(file);
+    }
+    if (status.ok())
+    {
+      status = writePicture(content, panel, files.aside(file), file);
+    }
+  }
+  return status;
 }
 }
 

@@ -13,7 +13,8 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
   std::sort(faces.begin(), faces.end());
   chart.faces = std::move(faces);
   const int n = static_cast<int>(chart.faces.size());
-  // Positions in the chart of the surface's faces: binary search would do, a map is faster on large charts.
+  // Positions in the chart of the surface's faces: binary search would do, a map is faster on large
+  // charts.
   std::unordered_map<int, int> localFace;
   localFace.reserve(2 * n);
   for (int i = 0; i < n; ++i)
@@ -37,7 +38,8 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
       {
         continue;
       }
-      // A vertex is a fan of corners: turn clockwise to its first, then counterclockwise through all.
+      // A vertex is a fan of corners: turn clockwise to its first, then counterclockwise through
+      // all.
       int h = corner;
       while (!surface.cut[h])
       {

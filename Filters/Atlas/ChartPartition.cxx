@@ -17,7 +17,8 @@ namespace
 using Faces = std::vector<int>;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Geodesic Voronoi regions on the dual graph, grown face by face; seeds may be added one at a time.
+/// Geodesic Voronoi regions on the dual graph, grown face by face; seeds may be added one at a
+/// time.
 class VoronoiRegions
 {
 public:
@@ -77,8 +78,9 @@ public:
 
   int owner(int face) const { return this->Owner[face]; }
 
-  /// Gives triangles that hang on their region by one edge only to the region that surrounds them: on a straight
-  /// boundary they would have next to no area in the plane. Every step shortens the regions' boundaries.
+  /// Gives triangles that hang on their region by one edge only to the region that surrounds them:
+  /// on a straight boundary they would have next to no area in the plane. Every step shortens the
+  /// regions' boundaries.
   void removeSpikes(const Faces& faces)
   {
     bool changed = true;
@@ -102,8 +104,9 @@ private:
     return this->Surface.cut[h] ? -1 : this->Owner[this->Surface.twin[h] / 3];
   }
 
-  /// The triangle of h goes to the other region if it is held by the edge opposite h's tail alone, and if that
-  /// region has the whole fan around the tail (else its boundary would touch itself there).
+  /// The triangle of h goes to the other region if it is held by the edge opposite h's tail alone,
+  /// and if that region has the whole fan around the tail (else its boundary would touch itself
+  /// there).
   bool removeSpike(int h)
   {
     const int other = this->ownerAcross(h);
@@ -113,7 +116,8 @@ private:
     {
       return false;
     }
-    for (int g = this->Surface.twin[previousHalfedge(h)]; g != h; g = this->Surface.twin[previousHalfedge(g)])
+    for (int g = this->Surface.twin[previousHalfedge(h)]; g != h;
+         g = this->Surface.twin[previousHalfedge(g)])
     {
       if (this->Surface.cut[previousHalfedge(g)] || this->Owner[g / 3] != other)
       {
@@ -178,8 +182,8 @@ void closeInnerCuts(CutSurface& surface, const Faces& faces)
   }
 }
 
-/// Splits a chart in two, between a face (the densest, or the one farthest from the chart's first) and the face
-/// that is farthest from it.
+/// Splits a chart in two, between a face (the densest, or the one farthest from the chart's first)
+/// and the face that is farthest from it.
 std::vector<Faces> bisect(CutSurface& surface, const Faces& faces, int first)
 {
   closeInnerCuts(surface, faces);
@@ -196,8 +200,8 @@ std::vector<Faces> bisect(CutSurface& surface, const Faces& faces, int first)
   return cutBetweenOwners(surface, regions, faces, 2);
 }
 
-/// Cuts from the densest place of every region denser than the bound to the chart's boundary, along shortest
-/// edge paths (Gu, Gortler, Hoppe 2002). False if there was nothing to cut.
+/// Cuts from the densest place of every region denser than the bound to the chart's boundary, along
+/// shortest edge paths (Gu, Gortler, Hoppe 2002). False if there was nothing to cut.
 bool cutToDensePlaces(CutSurface& surface, const FlatChart& chart, double bound)
 {
   const ChartMesh& mesh = chart.mesh;
@@ -234,7 +238,8 @@ bool cutToDensePlaces(CutSurface& surface, const FlatChart& chart, double bound)
     }
   }
   // Shortest paths to the boundary.
-  std::vector<std::vector<std::pair<int, int>>> out(mesh.vertices.size()); // halfedges to other vertices
+  std::vector<std::vector<std::pair<int, int>>> out(mesh.vertices.size()); // halfedges to other
+                                                                           // vertices
   for (int i = 0; i < n; ++i)
   {
     for (int k = 0; k < 3; ++k)
@@ -283,7 +288,8 @@ bool cutToDensePlaces(CutSurface& surface, const FlatChart& chart, double bound)
       continue;
     }
     const Triangle& t = mesh.triangles[d];
-    int v = *std::max_element(t.begin(), t.end(), [&](int a, int b) { return distance[a] < distance[b]; });
+    int v = *std::max_element(
+      t.begin(), t.end(), [&](int a, int b) { return distance[a] < distance[b]; });
     while (toward[v].first >= 0 && !surface.cut[toward[v].second])
     {
       surface.setCut(toward[v].second, true);
@@ -294,7 +300,8 @@ bool cutToDensePlaces(CutSurface& surface, const FlatChart& chart, double bound)
   return changed;
 }
 
-/// Splits the longest boundary edge of a chart; returns the new faces with the faces that they were part of.
+/// Splits the longest boundary edge of a chart; returns the new faces with the faces that they were
+/// part of.
 std::vector<std::array<int, 2>> splitLongestBoundaryEdge(CutSurface& surface, const Faces& faces)
 {
   int longest = -1;
@@ -320,7 +327,8 @@ std::vector<std::array<int, 2>> splitLongestBoundaryEdge(CutSurface& surface, co
   return added;
 }
 
-/// Farthest-point Voronoi regions of the whole surface, at least one a component, as many as asked for.
+/// Farthest-point Voronoi regions of the whole surface, at least one a component, as many as asked
+/// for.
 void startWithVoronoi(CutSurface& surface, int numberOfCharts)
 {
   const std::vector<Faces> components = chartFaces(surface);
@@ -346,11 +354,12 @@ void startWithVoronoi(CutSurface& surface, int numberOfCharts)
 struct Candidate
 {
   Faces faces;
-  int cutRounds = 0;             ///< how often cuts into the chart have been tried
+  int cutRounds = 0; ///< how often cuts into the chart have been tried
   double previousRatio = Infinity;
 };
 
-/// Adds a face that a split made to the chart of its parent; a finished chart has to be flattened again.
+/// Adds a face that a split made to the chart of its parent; a finished chart has to be flattened
+/// again.
 void adopt(int added, int parent, std::vector<Candidate>& pending, std::vector<FlatChart>& finished)
 {
   for (Candidate& c : pending)
@@ -412,7 +421,8 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
         pending.push_back({ std::move(part) });
       }
     }
-    // A rectangle's corners need four boundary vertices; the neighbour across a split edge changes too.
+    // A rectangle's corners need four boundary vertices; the neighbour across a split edge changes
+    // too.
     for (std::size_t i = 0; i < disks.size(); ++i)
     {
       while (extractChart(surface, disks[i].faces).boundary.size() < 4)
@@ -428,13 +438,14 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
       splitChords(surface, c.faces);
     }
     std::vector<FlatChart> flat(disks.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(disks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        flat[i].mesh = extractChart(surface, disks[i].faces);
-        flat[i].map = mapToRectangle(surface, flat[i].mesh, { options.square });
-      }
-    });
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(disks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          flat[i].mesh = extractChart(surface, disks[i].faces);
+          flat[i].map = mapToRectangle(surface, flat[i].mesh, { options.square });
+        }
+      });
     std::vector<Candidate> next;
     for (std::size_t i = 0; i < disks.size(); ++i)
     {
@@ -448,8 +459,9 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
       }
       if (c.faces.size() <= 2)
       {
-        return Status::error("A chart of two triangles can't be flattened: the surface has triangles too thin "
-                             "for double precision; repair it first.");
+        return Status::error(
+          "A chart of two triangles can't be flattened: the surface has triangles too thin "
+          "for double precision; repair it first.");
       }
       const bool helping = c.cutRounds == 0 || map.densityRatio < 0.5 * c.previousRatio;
       if (map.valid && helping && c.cutRounds < 8 &&
@@ -461,7 +473,8 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
       int densest = -1;
       if (map.valid)
       {
-        densest = flat[i].mesh.faces[std::max_element(map.density.begin(), map.density.end()) - map.density.begin()];
+        densest = flat[i].mesh.faces[std::max_element(map.density.begin(), map.density.end()) -
+          map.density.begin()];
       }
       for (Faces& part : bisect(surface, c.faces, densest))
       {

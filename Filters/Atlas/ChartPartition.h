@@ -22,7 +22,8 @@ struct FlatChart
   ConformalMap map;
 };
 
-/// Marks the cuts on the surface and returns its charts, flattened; their order does not depend on threads.
+/// Marks the cuts on the surface and returns its charts, flattened; their order does not depend on
+/// threads.
 STIPPLEFILTERSATLAS_EXPORT Status partitionSurface(CutSurface& surface,
   const ChartPartitionOptions& options, std::vector<FlatChart>& charts, const Progress& progress);
 }

@@ -26,9 +26,12 @@ namespace stipple
 {
 namespace
 {
+/// Names that Stipple's own stages use; an input that is itself an output of Stipple has them all.
 bool isReserved(const char* name)
 {
-  for (const char* own : { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature", "SourceCellId", "AreaDistortion" })
+  for (const char* own : { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature",
+         "SourceCellId", "AreaDistortion", "ChartId", "ChartCellId", "BarycentricCoordinates",
+         "SampleKind", "BackboneId", "ArcLength", "Density", "Control", "FaceIndex" })
   {
     if (std::string(own) == name)
     {
@@ -108,7 +111,8 @@ vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vt
 }
 
 void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
-  const std::vector<FlatChart>& flat, const Curvature& curvature, vtkPartitionedDataSetCollection* output)
+  const std::vector<FlatChart>& flat, const Curvature& curvature,
+  vtkPartitionedDataSetCollection* output)
 {
   const auto arrays = pointArrays(input, repaired, surface);
   const std::vector<double> gaussian = atAllPoints(curvature.gaussian, surface);

@@ -16,7 +16,8 @@ class vtkPolyData;
 namespace stipple
 {
 void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
-  const std::vector<FlatChart>& flat, const Curvature& curvature, vtkPartitionedDataSetCollection* output);
+  const std::vector<FlatChart>& flat, const Curvature& curvature,
+  vtkPartitionedDataSetCollection* output);
 
 /// The place on the surface nearest to each point.
 std::vector<ConstraintPoint> locateConstraints(

@@ -36,13 +36,16 @@ public:
     {
       for (int k = 0; k < 3; ++k)
       {
-        const auto x = [&](int c) -> const Vec3& { return surface.points[chart.vertices[chart.triangles[i][c % 3]]]; };
+        const auto x = [&](int c) -> const Vec3& {
+          return surface.points[chart.vertices[chart.triangles[i][c % 3]]];
+        };
         this->Cotangents[i][k] = 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3);
       }
     }
   }
 
-  /// Lower bound of an edge's weight: -infinity for the conformal map, positive for a one-to-one map.
+  /// Lower bound of an edge's weight: -infinity for the conformal map, positive for a one-to-one
+  /// map.
   bool factorize(double smallestWeight)
   {
     this->BoundaryTerms.clear();
@@ -85,8 +88,8 @@ public:
         }
         if ((a >= 0) != (b >= 0))
         {
-          this->BoundaryTerms.push_back({ a >= 0 ? a : b,
-            static_cast<int>(a >= 0 ? it.col() : it.row()), w });
+          this->BoundaryTerms.push_back(
+            { a >= 0 ? a : b, static_cast<int>(a >= 0 ? it.col() : it.row()), w });
         }
       }
     }
@@ -209,7 +212,8 @@ private:
 };
 
 /// Mean over the surface of the density A3D / A2D relative to its least possible value, 1.
-double meanDensity(const std::vector<double>& area, const ChartMesh& chart, const std::vector<Vec2>& uv)
+double meanDensity(
+  const std::vector<double>& area, const ChartMesh& chart, const std::vector<Vec2>& uv)
 {
   double total = 0;
   double plane = 0;
@@ -251,7 +255,8 @@ void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalM
   {
     d *= plane / total;
   }
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return map.density[a] > map.density[b]; });
+  std::sort(
+    order.begin(), order.end(), [&](int a, int b) { return map.density[a] > map.density[b]; });
   double above = 0;
   for (int i : order)
   {
@@ -278,12 +283,13 @@ ConformalMap mapToRectangle(
   HarmonicSolver solver(surface, chart);
   const BoundaryLayout layout(surface, chart);
 
-  // One factorization serves every boundary, so several rectangles are tried: an opposite pair of sides
-  // of 1, 2 or 4 times the other pair's length, turned by eighths of the boundary.
+  // One factorization serves every boundary, so several rectangles are tried: an opposite pair of
+  // sides of 1, 2 or 4 times the other pair's length, turned by eighths of the boundary.
   std::vector<Placement> placements;
   for (int turn = 0; turn < 2; ++turn)
   {
-    placements.push_back({ { turn / 8., .25 + turn / 8., .5 + turn / 8., .75 + turn / 8. }, Vec2::Ones() });
+    placements.push_back(
+      { { turn / 8., .25 + turn / 8., .5 + turn / 8., .75 + turn / 8. }, Vec2::Ones() });
   }
   if (!options.square)
   {

@@ -15,17 +15,18 @@ struct ConformalMapOptions
 
 struct ConformalMap
 {
-  std::vector<Vec2> uv;                 ///< by chart vertex, inside [0, extent]
-  Vec2 extent = Vec2::Ones();           ///< the larger side is 1
-  bool valid = false;                   ///< every triangle has positive area in the plane
-  bool fallback = false;                ///< the cotangent map had flips; positive weights were used instead
-  double densityRatio = 0;              ///< 99.9 % of the area has a density up to this multiple of the mean
-  std::vector<double> density;          ///< by chart triangle, A3D / A2D over the chart's mean
+  std::vector<Vec2> uv;        ///< by chart vertex, inside [0, extent]
+  Vec2 extent = Vec2::Ones();  ///< the larger side is 1
+  bool valid = false;          ///< every triangle has positive area in the plane
+  bool fallback = false;       ///< the cotangent map had flips; positive weights were used instead
+  double densityRatio = 0;     ///< 99.9 % of the area has a density up to this multiple of the mean
+  std::vector<double> density; ///< by chart triangle, A3D / A2D over the chart's mean
 };
 
-/// Maps the chart's boundary to the rectangle by arc length and its interior by the cotangent Laplacian
-/// (Eck et al. 1995; Pinkall and Polthier 1993). Where that flips a triangle, cotangents are clamped to positive
-/// values, for which the map is one-to-one (Tutte 1963; Floater 2003). The boundary needs four vertices or more.
+/// Maps the chart's boundary to the rectangle by arc length and its interior by the cotangent
+/// Laplacian (Eck et al. 1995; Pinkall and Polthier 1993). Where that flips a triangle, cotangents
+/// are clamped to positive values, for which the map is one-to-one (Tutte 1963; Floater 2003). The
+/// boundary needs four vertices or more.
 STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(
   const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options);
 }

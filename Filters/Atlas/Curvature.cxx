@@ -50,8 +50,8 @@ Curvature computeCurvature(const TriangleSurface& surface)
       result.gaussian[t[k]] -= angle[k];
       normal[t[k]] += angle[k] * faceNormal;
       // Voronoi area inside the triangle, or the safe share if the triangle is obtuse.
-      result.mixedArea[t[k]] += obtuse < 0 ? (cot[i] * squared[i] + cot[j] * squared[j]) / 8
-                                           : area / (obtuse == k ? 2 : 4);
+      result.mixedArea[t[k]] +=
+        obtuse < 0 ? (cot[i] * squared[i] + cot[j] * squared[j]) / 8 : area / (obtuse == k ? 2 : 4);
       const Vec3 edge = surface.points[t[i]] - surface.points[t[j]];
       meanNormal[t[i]] += 0.5 * cot[k] * edge;
       meanNormal[t[j]] -= 0.5 * cot[k] * edge;

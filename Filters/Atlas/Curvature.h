@@ -16,9 +16,10 @@ struct Curvature
   std::vector<double> mixedArea; ///< by point; sums to the surface's area
 };
 
-/// Operators of section 3 of the paper, cotangents clamped so that slivers stay finite. The defect at a boundary
-/// point is pi minus its angles, so that gaussian x mixedArea sums to 2 pi times the Euler characteristic; the mean
-/// curvature at a boundary point, which the operator does not define, is its interior neighbours' average.
+/// Operators of section 3 of the paper, cotangents clamped so that slivers stay finite. The defect
+/// at a boundary point is pi minus its angles, so that gaussian x mixedArea sums to 2 pi times the
+/// Euler characteristic; the mean curvature at a boundary point, which the operator does not
+/// define, is its interior neighbours' average.
 STIPPLEFILTERSATLAS_EXPORT Curvature computeCurvature(const TriangleSurface& surface);
 }
 

@@ -53,7 +53,8 @@ int CutSurface::splitEdge(int h, double t)
   this->points.push_back(Vec3((1 - t) * this->points[a] + t * this->points[b]));
   this->inserted.push_back({ a, b, t });
 
-  // On each side the triangle keeps the half that begins at its halfedge's tail; the other half is new.
+  // On each side the triangle keeps the half that begins at its halfedge's tail; the other half is
+  // new.
   const auto splitSide = [&](int g) {
     const int f = g / 3;
     const int k = g % 3;

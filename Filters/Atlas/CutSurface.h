@@ -32,8 +32,8 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   void setSharp(int h, bool isSharp);
   bool isBoundary(int h) const { return this->twin[h] < 0; }
 
-  /// Splits the edge of h at tail + t (head - tail); returns the new point. New triangles are appended and
-  /// inherit source cell and marks; halfedge h then ends at the new point.
+  /// Splits the edge of h at tail + t (head - tail); returns the new point. New triangles are
+  /// appended and inherit source cell and marks; halfedge h then ends at the new point.
   int splitEdge(int h, double t);
 
 private:

@@ -116,8 +116,9 @@ public:
       // A right angle is no noise, also on a coarse mesh whose other edges are not flat.
       const double steep = std::clamp((angle / length * 180 / Pi - 60) / 30, 0., 1.);
       const bool isLong = length >= this->Options.longLength * this->Diagonal;
-      const double bound = isLong ? (closed ? this->Options.steepRoughness : this->Options.longRoughness)
-                                  : this->Options.maximumRoughness;
+      const double bound = isLong
+        ? (closed ? this->Options.steepRoughness : this->Options.longRoughness)
+        : this->Options.maximumRoughness;
       if (roughness > bound + steep * std::max(0., this->Options.steepRoughness - bound))
       {
         dropped = true;
@@ -198,11 +199,13 @@ private:
   Vec3 direction(int e, int from) const
   {
     const Edge& edge = this->Edges[e];
-    return (this->Surface.points[edge.a == from ? edge.b : edge.a] - this->Surface.points[from]).normalized();
+    return (this->Surface.points[edge.a == from ? edge.b : edge.a] - this->Surface.points[from])
+      .normalized();
   }
 
-  /// Mean dihedral angle of the other edges of the two triangles beside e, candidates left out, over e's own:
-  /// near 0 for a crease between smooth faces, above 0.2 for the ridges of a noisy or coarsely sampled bump.
+  /// Mean dihedral angle of the other edges of the two triangles beside e, candidates left out,
+  /// over e's own: near 0 for a crease between smooth faces, above 0.2 for the ridges of a noisy or
+  /// coarsely sampled bump.
   double roughness(int e) const
   {
     const int h = this->Edges[e].halfedge;
@@ -229,7 +232,8 @@ private:
     return x.a == y.a || x.a == y.b || x.b == y.a || x.b == y.b;
   }
 
-  /// Maximal paths of accepted edges, in order, between points where they end, branch or turn sharply.
+  /// Maximal paths of accepted edges, in order, between points where they end, branch or turn
+  /// sharply.
   std::vector<std::vector<int>> chains() const
   {
     std::vector<std::vector<int>> result;
@@ -245,8 +249,8 @@ private:
           next = other;
         }
       }
-      const bool goesOn =
-        valence == 2 && -this->direction(e, p).dot(this->direction(next, p)) > std::cos(60 * Pi / 180);
+      const bool goesOn = valence == 2 &&
+        -this->direction(e, p).dot(this->direction(next, p)) > std::cos(60 * Pi / 180);
       return goesOn ? next : -1;
     };
     for (std::size_t start = 0; start < this->Edges.size(); ++start)

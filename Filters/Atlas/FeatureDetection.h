@@ -10,17 +10,22 @@ namespace stipple
 {
 struct FeatureDetectionOptions
 {
-  double angle = 40;          ///< degrees between the normals beside a sharp edge, 0..180; 180: none
-  double weakFraction = 0.5;  ///< edges of at least this fraction of the angle continue a chain, 0..1
-  double minimumLength = 0.02;    ///< of a connected set of sharp edges, as a fraction of the box's diagonal
-  double maximumRoughness = 0.16; ///< largest dihedral angle beside a chain, as a fraction of the chain's own
+  double angle = 40;         ///< degrees between the normals beside a sharp edge, 0..180; 180: none
+  double weakFraction = 0.5; ///< edges of at least this fraction of the angle continue a chain,
+                             ///< 0..1
+  double minimumLength = 0.02;    ///< of a connected set of sharp edges, as a fraction of the box's
+                                  ///< diagonal
+  double maximumRoughness = 0.16; ///< largest dihedral angle beside a chain, as a fraction of the
+                                  ///< chain's own
   double longLength = 0.1;        ///< fraction of the diagonal from which on a chain counts as long
   double longRoughness = 0.27;    ///< the same as maximumRoughness for long chains
-  double steepRoughness = 0.45;   ///< the same for chains of a right angle or more; from 60 degrees on in between
+  double steepRoughness = 0.45;   ///< the same for chains of a right angle or more; from 60 degrees
+                                  ///< on in between
 };
 
 /// Marks the sharp edges of the surface.
-STIPPLEFILTERSATLAS_EXPORT void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options);
+STIPPLEFILTERSATLAS_EXPORT void detectFeatures(
+  CutSurface& surface, const FeatureDetectionOptions& options);
 }
 
 #endif

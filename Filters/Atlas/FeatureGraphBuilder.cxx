@@ -35,7 +35,8 @@ std::vector<GraphEdge> graphEdges(const CutSurface& surface)
     }
     else if (surface.sharp[h])
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0 });
+      edges.push_back(
+        { surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0 });
     }
     else if (surface.cut[h])
     {
@@ -73,8 +74,10 @@ FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
     if (feature.size() == 2)
     {
       const Vec3& x = surface.points[p];
-      const Vec3 u = (x - surface.points[edges[feature[0]].other(static_cast<int>(p))]).normalized();
-      const Vec3 v = (surface.points[edges[feature[1]].other(static_cast<int>(p))] - x).normalized();
+      const Vec3 u =
+        (x - surface.points[edges[feature[0]].other(static_cast<int>(p))]).normalized();
+      const Vec3 v =
+        (surface.points[edges[feature[1]].other(static_cast<int>(p))] - x).normalized();
       graph.isCorner[p] = u.dot(v) < straight || edges[feature[0]].type != edges[feature[1]].type;
     }
     else
@@ -84,7 +87,8 @@ FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
     // Also where a cut that runs along a sharp line ends: beyond it the line lies inside a chart.
     isNode[p] = graph.isCorner[p] || (!at[p].empty() && at[p].size() != 2) ||
       (at[p].size() == 2 &&
-        (edges[at[p][0]].type != edges[at[p][1]].type || edges[at[p][0]].cut != edges[at[p][1]].cut));
+        (edges[at[p][0]].type != edges[at[p][1]].type ||
+          edges[at[p][0]].cut != edges[at[p][1]].cut));
   }
 
   std::vector<char> used(edges.size(), 0);

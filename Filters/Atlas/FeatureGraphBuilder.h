@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Chains the sharp, boundary and seam edges of a cut surface into backbones between nodes (paper 2.4).
+// Chains the sharp, boundary and seam edges of a cut surface into backbones between nodes
+// (paper 2.4).
 #ifndef stipple_FeatureGraphBuilder_h
 #define stipple_FeatureGraphBuilder_h
 
@@ -9,9 +10,11 @@
 
 namespace stipple
 {
-/// A point is a corner if it has one feature (sharp or boundary) edge or more than two, or if the feature turns by
-/// more than cornerAngle degrees there. Backbones end at corners and wherever seams end, branch, or change type.
-STIPPLEFILTERSATLAS_EXPORT FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle);
+/// A point is a corner if it has one feature (sharp or boundary) edge or more than two, or if the
+/// feature turns by more than cornerAngle degrees there. Backbones end at corners and wherever
+/// seams end, branch, or change type.
+STIPPLEFILTERSATLAS_EXPORT FeatureGraph buildFeatureGraph(
+  const CutSurface& surface, double cornerAngle);
 }
 
 #endif

@@ -16,8 +16,8 @@ void orientSoup(std::vector<Triangle>& triangles, std::vector<int>& sourcePoint)
   CGAL::Polygon_mesh_processing::orient_polygon_soup(sourcePoint, triangles);
 }
 
-bool removeDegenerateFaces(TriangleSurface& surface, std::vector<int>& sourcePoint,
-  std::vector<int>& sourceCell)
+bool removeDegenerateFaces(
+  TriangleSurface& surface, std::vector<int>& sourcePoint, std::vector<int>& sourceCell)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -32,7 +32,8 @@ bool removeDegenerateFaces(TriangleSurface& surface, std::vector<int>& sourcePoi
   for (std::size_t f = 0; f < surface.triangles.size(); ++f)
   {
     const Triangle& t = surface.triangles[f];
-    const auto face = mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+    const auto face =
+      mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
     if (face == Mesh::null_face())
     {
       return false;

@@ -292,7 +292,8 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
   }
   if (!s.topology().manifold)
   {
-    return Status::error("The surface could not be made manifold: repair it first, for example with MeshLab.");
+    return Status::error(
+      "The surface could not be made manifold: repair it first, for example with MeshLab.");
   }
   return Status::success();
 }

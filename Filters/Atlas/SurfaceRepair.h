@@ -20,19 +20,21 @@ struct RepairCounts
   int duplicateTriangles = 0;  ///< second and further copies of a triangle
   int reorientedTriangles = 0; ///< triangles turned around to agree with their neighbours
   int splitEdges = 0;          ///< edges of more than two triangles
-  int splitVertices = 0;       ///< copies made of points where sheets met in a point or a non-manifold edge
+  int splitVertices = 0; ///< copies made of points where sheets met in a point or a non-manifold
+                         ///< edge
 };
 
 struct RepairedSurface
 {
-  TriangleSurface surface;      ///< manifold, oriented, connected; all points used
-  std::vector<int> sourcePoint; ///< input point of every point
-  std::vector<int> sourceCell;  ///< input cell of every triangle
+  TriangleSurface surface;       ///< manifold, oriented, connected; all points used
+  std::vector<int> sourcePoint;  ///< input point of every point
+  std::vector<int> sourceCell;   ///< input cell of every triangle
   std::vector<int> pointOfInput; ///< a point for every input point, -1 if it was dropped
   RepairCounts counts;
 };
 
-/// Welds, triangulates, orients and splits the non-manifold. An error names the first point that is NaN or infinite.
+/// Welds, triangulates, orients and splits the non-manifold. An error names the first point that is
+/// NaN or infinite.
 STIPPLEFILTERSATLAS_EXPORT Status repairSurface(vtkPolyData* input, RepairedSurface& repaired);
 }
 

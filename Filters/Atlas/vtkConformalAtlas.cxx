@@ -85,7 +85,8 @@ int vtkConformalAtlas::FillInputPortInformation(int, vtkInformation* info)
 
 int vtkConformalAtlas::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  info->Set(
+    vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
   return 1;
 }
 
@@ -93,7 +94,8 @@ int vtkConformalAtlas::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPartitionedDataSetCollection* charts = vtkPartitionedDataSetCollection::GetData(outputVector, 0);
+  vtkPartitionedDataSetCollection* charts =
+    vtkPartitionedDataSetCollection::GetData(outputVector, 0);
   vtkPolyData* graphOutput = vtkPolyData::GetData(outputVector, 1);
   const auto fail = [&](const stipple::Status& status) {
     charts->Initialize();
@@ -149,7 +151,8 @@ int vtkConformalAtlas::RequestData(
   stipple::detectFeatures(surface, detection);
   if (this->FeatureEdges)
   {
-    if (const stipple::Status status = tagFeatureEdges(this->FeatureEdges, repaired, surface); !status.ok())
+    if (const stipple::Status status = tagFeatureEdges(this->FeatureEdges, repaired, surface);
+        !status.ok())
     {
       return fail(status);
     }

@@ -4,25 +4,32 @@
  * @class   vtkConformalAtlas
  * @brief   cut a surface into disk charts, flatten them conformally, and find its features
  *
- * vtkConformalAtlas takes any vtkPolyData with polygons or triangle strips, of any genus, number of components and
- * boundary loops. It welds points at the same place, triangulates, orients, drops triangles without area and
- * duplicates, and splits non-manifold edges and vertices; every repair is counted. The surface is then cut into disk
- * charts and each chart is mapped to a rectangle by the discrete conformal map, without a flipped triangle.
+ * vtkConformalAtlas takes any vtkPolyData with polygons or triangle strips, of any genus, number of
+ * components and boundary loops. It welds points at the same place, triangulates, orients, drops
+ * triangles without area and duplicates, and splits non-manifold edges and vertices; every repair
+ * is counted. The surface is then cut into disk charts and each chart is mapped to a rectangle by
+ * the discrete conformal map, without a flipped triangle.
  *
- * Output port 0: a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart. Point arrays: "UV"
- * (double x2, active texture coordinates, in the rectangle [0, ChartExtent]), "SurfacePointId" (vtkIdType, equal for the
- * copies of a seam point), "GaussianCurvature", "MeanCurvature" (double), and the input's point arrays, interpolated
- * at points that cutting inserted (integers: from the nearer end). Cell arrays: "SourceCellId" (vtkIdType, the input
- * cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays. Field array: "ChartExtent" (double x2, the
- * rectangle's width and height, of which the larger is 1). An input array of one of these names is replaced.
+ * Output port 0: a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart. Point
+ * arrays: "UV" (double x2, active texture coordinates, in the rectangle [0, ChartExtent]),
+ * "SurfacePointId" (vtkIdType, equal for the copies of a seam point), "GaussianCurvature",
+ * "MeanCurvature" (double), and the input's point arrays, interpolated at points that cutting
+ * inserted (integers: from the nearer end). Cell arrays: "SourceCellId" (vtkIdType, the input
+ * cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays. Field array:
+ * "ChartExtent" (double x2, the rectangle's width and height, of which the larger is 1). An input
+ * array of one of these names, or of one that the later stages give to their own arrays ("ChartId",
+ * "SampleKind", ...), is left out.
  *
- * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells (constraints). Cell arrays:
- * "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint), "Closed" (int). Point arrays: "SurfacePointId" (-1 for a
- * constraint), "IsCorner" (int), and for constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
+ * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
+ * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),
+ * "Closed" (int). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner" (int), and for
+ * constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
  *
- * Sections 2.1, 2.2 and 2.4 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH 2002.
+ * Sections 2.1, 2.2 and 2.4 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH
+ * 2002.
  *
- * @warning Triangles so thin that double precision can't tell their orientation in the plane end in an error.
+ * @warning Triangles so thin that double precision can't tell their orientation in the plane end in
+ * an error.
  *
  * @sa vtkGeometryMapRenderer vtkErrorDiffusionSampler vtkGeometryRemesher
  */
@@ -49,9 +56,10 @@ public:
 
   ///@{
   /**
-   * Angle in degrees between the normals beside an edge, from 0 to 180, at which the edge is sharp. Chains of sharp
-   * edges are continued straight on along edges of half that angle. Chains that do not stand out from the surface beside
-   * them, and short ones, are ignored as noise. 180 finds none. The default is 40.
+   * Angle in degrees between the normals beside an edge, from 0 to 180, at which the edge is sharp.
+   * Chains of sharp edges are continued straight on along edges of half that angle. Chains that do
+   * not stand out from the surface beside them, and short ones, are ignored as noise. 180 finds
+   * none. The default is 40.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
@@ -59,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Shortest connected set of sharp edges that counts, as a fraction of the bounding box's diagonal, from 0 to 1.
-   * The default is 0.02.
+   * Shortest connected set of sharp edges that counts, as a fraction of the bounding box's
+   * diagonal, from 0 to 1. The default is 0.02.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0., 1.);
   vtkGetMacro(MinimumFeatureLength, double);
@@ -68,7 +76,8 @@ public:
 
   ///@{
   /**
-   * Turn in degrees, from 0 to 180, from which on a point inside a feature line is a corner. The default is 60.
+   * Turn in degrees, from 0 to 180, from which on a point inside a feature line is a corner. The
+   * default is 60.
    */
   vtkSetClampMacro(CornerAngle, double, 0., 180.);
   vtkGetMacro(CornerAngle, double);
@@ -76,7 +85,8 @@ public:
 
   ///@{
   /**
-   * Edges to keep as features besides the sharp ones: two components, the input's point ids. The default is none.
+   * Edges to keep as features besides the sharp ones: two components, the input's point ids. The
+   * default is none.
    */
   virtual void SetFeatureEdges(vtkIdTypeArray* edges);
   vtkIdTypeArray* GetFeatureEdges() const;
@@ -84,7 +94,8 @@ public:
 
   ///@{
   /**
-   * Positions that must become vertices; each is moved to the nearest place on the surface. The default is none.
+   * Positions that must become vertices; each is moved to the nearest place on the surface. The
+   * default is none.
    */
   virtual void SetConstraints(vtkPoints* points);
   vtkPoints* GetConstraints() const;
@@ -92,7 +103,8 @@ public:
 
   ///@{
   /**
-   * Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The default is 1.
+   * Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The
+   * default is 1.
    */
   vtkSetClampMacro(NumberOfCharts, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfCharts, int);
@@ -100,9 +112,9 @@ public:
 
   ///@{
   /**
-   * Bound, greater than 1, on a chart's density ratio: on 99.9 % of a chart's area, A3D / A2D is at most this multiple of
-   * the chart's mean. A chart over it is cut open towards its densest places or split. Maps need about twice this
-   * many pixels for every sample. The default is 100.
+   * Bound, greater than 1, on a chart's density ratio: on 99.9 % of a chart's area, A3D / A2D is at
+   * most this multiple of the chart's mean. A chart over it is cut open towards its densest places
+   * or split. Maps need about twice this many pixels for every sample. The default is 100.
    */
   vtkSetClampMacro(MaximumDensityRatio, double, 2., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensityRatio, double);
@@ -139,7 +151,8 @@ public:
 
   ///@{
   /**
-   * The repaired surface of the last execution: points, triangles, connected components, boundary loops, V - E + F.
+   * The repaired surface of the last execution: points, triangles, connected components, boundary
+   * loops, V - E + F.
    */
   vtkGetMacro(NumberOfSurfacePoints, vtkIdType);
   vtkGetMacro(NumberOfSurfaceTriangles, vtkIdType);
@@ -150,8 +163,8 @@ public:
 
   ///@{
   /**
-   * The charts of the last execution: the largest density ratio, and how many charts could not use the conformal
-   * map without flips and took positive weights instead.
+   * The charts of the last execution: the largest density ratio, and how many charts could not use
+   * the conformal map without flips and took positive weights instead.
    */
   vtkGetMacro(DensityRatio, double);
   vtkGetMacro(NumberOfFallbackCharts, int);

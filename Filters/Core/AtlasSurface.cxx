@@ -15,8 +15,8 @@ namespace stipple
 {
 double AtlasSurface::areaDistortion(int face) const
 {
-  const double plane =
-    0.5 * std::abs(orient2(this->cornerUV(face, 0), this->cornerUV(face, 1), this->cornerUV(face, 2)));
+  const double plane = 0.5 *
+    std::abs(orient2(this->cornerUV(face, 0), this->cornerUV(face, 1), this->cornerUV(face, 2)));
   return plane > 0 ? this->faceArea(face) / plane : 0.;
 }
 
@@ -43,7 +43,8 @@ Status readAtlas(vtkPartitionedDataSetCollection* charts, AtlasSurface& s)
     if (!uv || !ids || !source || !extent)
     {
       return Status::error("Chart " + std::to_string(c) +
-        " is no vtkPolyData with the arrays UV, SurfacePointId, SourceCellId and ChartExtent: pass output "
+        " is no vtkPolyData with the arrays UV, SurfacePointId, SourceCellId and ChartExtent: pass "
+        "output "
         "port 0 of vtkConformalAtlas.");
     }
     const vtkIdType numberOfPoints = chart->GetNumberOfPoints();

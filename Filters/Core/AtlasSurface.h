@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The cut surface, put together again from its charts: one surface in space, one parameter plane a chart.
+// The cut surface, put together again from its charts: one surface in space, one parameter plane a
+// chart.
 #ifndef stipple_AtlasSurface_h
 #define stipple_AtlasSurface_h
 
@@ -17,13 +18,13 @@ namespace stipple
 /// Faces are numbered chart by chart: face chartBegin[c] + i is triangle i of chart c.
 struct STIPPLEFILTERSCORE_EXPORT AtlasSurface : TriangleSurface // points by SurfacePointId
 {
-  std::vector<int> chartBegin;        ///< first face of every chart, and the number of faces
-  std::vector<int> faceChart;         ///< chart of every face
-  std::vector<Triangle> chartPoints;  ///< per face, the chart's own point ids
-  std::vector<Vec2> uv;               ///< per corner (= halfedge), the parameter of its tail
-  std::vector<Vec2> extent;           ///< per chart, width and height of its rectangle
-  std::vector<int> sourceCell;        ///< per face, the input cell that it lies in
-  std::vector<vtkPolyData*> charts;   ///< the data sets themselves, borrowed
+  std::vector<int> chartBegin;       ///< first face of every chart, and the number of faces
+  std::vector<int> faceChart;        ///< chart of every face
+  std::vector<Triangle> chartPoints; ///< per face, the chart's own point ids
+  std::vector<Vec2> uv;              ///< per corner (= halfedge), the parameter of its tail
+  std::vector<Vec2> extent;          ///< per chart, width and height of its rectangle
+  std::vector<int> sourceCell;       ///< per face, the input cell that it lies in
+  std::vector<vtkPolyData*> charts;  ///< the data sets themselves, borrowed
 
   int numberOfCharts() const { return static_cast<int>(this->extent.size()); }
   const Vec2& cornerUV(int face, int corner) const { return this->uv[3 * face + corner]; }
@@ -37,9 +38,11 @@ struct STIPPLEFILTERSCORE_EXPORT AtlasSurface : TriangleSurface // points by Sur
 };
 
 /// The data set of chart c, or null.
-STIPPLEFILTERSCORE_EXPORT vtkPolyData* chartOf(vtkPartitionedDataSetCollection* charts, unsigned int c);
+STIPPLEFILTERSCORE_EXPORT vtkPolyData* chartOf(
+  vtkPartitionedDataSetCollection* charts, unsigned int c);
 
-/// Welds the charts along their seams by SurfacePointId; says what is missing if they are not an atlas.
+/// Welds the charts along their seams by SurfacePointId; says what is missing if they are not an
+/// atlas.
 STIPPLEFILTERSCORE_EXPORT Status readAtlas(
   vtkPartitionedDataSetCollection* charts, AtlasSurface& surface);
 }

@@ -57,9 +57,11 @@ Status traceBackbones(
       {
         return Status::error("Backbone " + std::to_string(b) + " runs from surface point " +
           std::to_string(p) + " to " + std::to_string(q) +
-          ", which is no edge of these charts: pass charts and feature graph of the same vtkConformalAtlas.");
+          ", which is no edge of these charts: pass charts and feature graph of the same "
+          "vtkConformalAtlas.");
       }
-      trace.arcLength.push_back(trace.arcLength.back() + (surface.points[q] - surface.points[p]).norm());
+      trace.arcLength.push_back(
+        trace.arcLength.back() + (surface.points[q] - surface.points[p]).norm());
       for (int side = 0; side < 2; ++side)
       {
         trace.halfedge[side].push_back(h[side]);
@@ -175,8 +177,8 @@ std::vector<ChartGraph> buildChartGraphs(const AtlasSurface& surface, const Feat
         chart.segments.push_back({ from, to, static_cast<int>(b), interval, onBoundary });
         if (onBoundary)
         {
-          boundaryLink[c].push_back(side == 0 ? std::array<int, 2>{ from, to }
-                                              : std::array<int, 2>{ to, from });
+          boundaryLink[c].push_back(
+            side == 0 ? std::array<int, 2>{ from, to } : std::array<int, 2>{ to, from });
         }
       }
     }

@@ -10,16 +10,21 @@
 
 namespace stipple
 {
-/// Where a backbone runs on the cut surface. Side 0 is its left (the halfedges along it), side 1 its right.
+/// Where a backbone runs on the cut surface. Side 0 is its left (the halfedges along it), side 1
+/// its right.
 struct STIPPLEFILTERSCORE_EXPORT BackboneTrace
 {
-  std::vector<double> arcLength;              ///< at every point; for a closed backbone also at its end
-  std::array<std::vector<int>, 2> halfedge;   ///< by side and segment; empty where there is no surface
-  std::array<int, 2> chart = { { -1, -1 } };  ///< by side
-  bool insideChart = false;                   ///< both sides are the same curve inside one chart
+  std::vector<double> arcLength; ///< at every point; for a closed backbone also at its end
+  std::array<std::vector<int>, 2> halfedge;  ///< by side and segment; empty where there is no
+                                             ///< surface
+  std::array<int, 2> chart = { { -1, -1 } }; ///< by side
+  bool insideChart = false;                  ///< both sides are the same curve inside one chart
 
   double length() const { return this->arcLength.back(); }
-  bool hasSide(int side) const { return this->chart[side] >= 0 && !(side == 1 && this->insideChart); }
+  bool hasSide(int side) const
+  {
+    return this->chart[side] >= 0 && !(side == 1 && this->insideChart);
+  }
   struct Place
   {
     int segment;
@@ -46,8 +51,8 @@ struct ChartGraph
   };
   struct Segment
   {
-    int first;    ///< vertex
-    int second;   ///< vertex
+    int first;  ///< vertex
+    int second; ///< vertex
     int backbone;
     int interval; ///< between sample interval - 1 and sample interval of the backbone's own samples
     bool onBoundary;
@@ -61,7 +66,8 @@ struct ChartGraph
 STIPPLEFILTERSCORE_EXPORT std::vector<std::vector<int>> samplesByBackbone(
   const FeatureGraph& graph, const std::vector<Sample>& samples);
 
-/// One graph a chart. A seam sample becomes one vertex on each side, also when both sides are the same chart.
+/// One graph a chart. A seam sample becomes one vertex on each side, also when both sides are the
+/// same chart.
 STIPPLEFILTERSCORE_EXPORT std::vector<ChartGraph> buildChartGraphs(const AtlasSurface& surface,
   const FeatureGraph& graph, const std::vector<BackboneTrace>& traces,
   const std::vector<Sample>& samples);

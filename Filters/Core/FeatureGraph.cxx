@@ -138,8 +138,9 @@ Status readFeatureGraph(vtkPolyData* lines, FeatureGraph& graph)
     vtkDataArray* bary = lines->GetPointData()->GetArray("BarycentricCoordinates");
     if (!chartId || !chartCellId || !bary)
     {
-      return Status::error("The constraint points of the feature graph lack one of the arrays ChartId, "
-                           "ChartCellId, BarycentricCoordinates: pass output port 1 of vtkConformalAtlas.");
+      return Status::error(
+        "The constraint points of the feature graph lack one of the arrays ChartId, "
+        "ChartCellId, BarycentricCoordinates: pass output port 1 of vtkConformalAtlas.");
     }
     vtkCellArray* verts = lines->GetVerts();
     for (vtkIdType i = 0; i < verts->GetNumberOfCells(); ++i)

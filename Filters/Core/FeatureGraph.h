@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Backbones (paper 2.4): chains of sharp, boundary and seam edges between the nodes of the feature graph.
+// Backbones (paper 2.4): chains of sharp, boundary and seam edges between the nodes of the feature
+// graph.
 #ifndef stipple_FeatureGraph_h
 #define stipple_FeatureGraph_h
 
@@ -21,11 +22,12 @@ enum class BackboneType : int
   Sharp = 0,
   Boundary = 1,
   Seam = 2,
-  Constraint = 3 ///< a vertex cell of the feature graph: a surface position that must become a vertex
+  Constraint = 3 ///< a vertex cell of the feature graph: a surface position that must become a
+                 ///< vertex
 };
 
-/// A chain of edges of the cut surface. Backbones end at nodes and meet nowhere else, so that on each of its
-/// sides a backbone lies in one chart.
+/// A chain of edges of the cut surface. Backbones end at nodes and meet nowhere else, so that on
+/// each of its sides a backbone lies in one chart.
 struct Backbone
 {
   BackboneType type = BackboneType::Sharp;
@@ -35,10 +37,7 @@ struct Backbone
   {
     return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1);
   }
-  int segmentEnd(int segment) const
-  {
-    return this->points[(segment + 1) % this->points.size()];
-  }
+  int segmentEnd(int segment) const { return this->points[(segment + 1) % this->points.size()]; }
 };
 
 /// A position on the cut surface that must become a vertex.
@@ -54,7 +53,8 @@ struct STIPPLEFILTERSCORE_EXPORT FeatureGraph
 {
   std::vector<Backbone> backbones;
   std::vector<ConstraintPoint> constraints;
-  std::vector<char> isCorner; ///< by surface point id: valence 1 or > 2 of feature edges, or a sharp turn
+  std::vector<char> isCorner; ///< by surface point id: valence 1 or > 2 of feature edges, or a
+                              ///< sharp turn
 
   /// Ends of open backbones, ascending, each once: corners, and the junctions where seams end.
   std::vector<int> nodes() const;

@@ -30,7 +30,8 @@ inline double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/// Cotangent of the angle at a in triangle (a, b, c), clamped to +-limit so that slivers stay finite.
+/// Cotangent of the angle at a in triangle (a, b, c), clamped to +-limit so that slivers stay
+/// finite.
 inline double cotangent(const Vec3& a, const Vec3& b, const Vec3& c, double limit = 1e4)
 {
   const Vec3 u = b - a;

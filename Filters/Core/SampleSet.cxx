@@ -102,7 +102,8 @@ Status readSamples(vtkPolyData* vertices, const AtlasSurface& surface, std::vect
   if (!kind || !chartId || !chartCellId || !bary || !backbone || !arcLength || !surfacePoint)
   {
     return Status::error(
-      "The samples lack one of the arrays SampleKind, ChartId, ChartCellId, BarycentricCoordinates, "
+      "The samples lack one of the arrays SampleKind, ChartId, ChartCellId, "
+      "BarycentricCoordinates, "
       "BackboneId, ArcLength, SurfacePointId: pass output port 0 of vtkErrorDiffusionSampler.");
   }
   samples.resize(vertices->GetNumberOfPoints());
@@ -113,8 +114,8 @@ Status readSamples(vtkPolyData* vertices, const AtlasSurface& surface, std::vect
     const int chart = static_cast<int>(chartId->GetComponent(i, 0));
     if (chart < 0 || chart >= surface.numberOfCharts())
     {
-      return Status::error("Sample " + std::to_string(i) + " lies in chart " + std::to_string(chart) +
-        ", which these charts do not have.");
+      return Status::error("Sample " + std::to_string(i) + " lies in chart " +
+        std::to_string(chart) + ", which these charts do not have.");
     }
     s.face = surface.chartBegin[chart] + static_cast<int>(chartCellId->GetComponent(i, 0));
     if (s.face < surface.chartBegin[chart] || s.face >= surface.chartBegin[chart + 1])

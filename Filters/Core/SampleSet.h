@@ -32,12 +32,13 @@ struct Sample
   int face = -1;            ///< face of the AtlasSurface; for a seam sample, one of those beside it
   Vec3 bary = Vec3::Zero(); ///< barycentric coordinates in that face
   int backbone = -1;        ///< kind Backbone: index among the feature graph's lines
-  double arcLength = 0;     ///< kind Backbone: position along the backbone, in the surface's unit of length
-  int surfacePoint = -1;    ///< kind Corner: the surface point
+  double arcLength = 0;  ///< kind Backbone: position along the backbone, in the surface's unit of
+                         ///< length
+  int surfacePoint = -1; ///< kind Corner: the surface point
 };
 
-/// Samples as vertices with the arrays SampleKind, ChartId, ChartCellId, BarycentricCoordinates, UV,
-/// SourceCellId, BackboneId, ArcLength and SurfacePointId.
+/// Samples as vertices with the arrays SampleKind, ChartId, ChartCellId, BarycentricCoordinates,
+/// UV, SourceCellId, BackboneId, ArcLength and SurfacePointId.
 STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> toPolyData(
   const std::vector<Sample>& samples, const AtlasSurface& surface);
 
@@ -45,8 +46,8 @@ STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> toPolyData(
 STIPPLEFILTERSCORE_EXPORT Status readSamples(
   vtkPolyData* vertices, const AtlasSurface& surface, std::vector<Sample>& samples);
 
-/// Adds the provenance arrays (ChartId, ChartCellId, BarycentricCoordinates, UV, SourceCellId) of places on
-/// the surface to the point data of a mesh whose points are these places.
+/// Adds the provenance arrays (ChartId, ChartCellId, BarycentricCoordinates, UV, SourceCellId) of
+/// places on the surface to the point data of a mesh whose points are these places.
 STIPPLEFILTERSCORE_EXPORT void addProvenance(vtkPolyData* mesh, const AtlasSurface& surface,
   const std::vector<int>& face, const std::vector<Vec3>& bary);
 }

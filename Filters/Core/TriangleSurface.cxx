@@ -28,7 +28,8 @@ void unite(std::vector<int>& parent, int a, int b)
 
 std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
 {
-  // Halfedges bucketed by their smaller end point: linear time, and the order does not depend on hashing.
+  // Halfedges bucketed by their smaller end point: linear time, and the order does not depend on
+  // hashing.
   const int n = static_cast<int>(triangles.size()) * 3;
   int numberOfPoints = 0;
   for (const Triangle& t : triangles)

@@ -25,7 +25,8 @@ inline int previousHalfedge(int h)
 }
 
 /// Twin of every halfedge, -1 on a boundary. Halfedges are matched by their directed end points; a
-/// directed edge that occurs twice (a non-manifold or mis-oriented surface) yields -2 for all its halfedges.
+/// directed edge that occurs twice (a non-manifold or mis-oriented surface) yields -2 for all its
+/// halfedges.
 STIPPLEFILTERSCORE_EXPORT std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles);
 
 struct SurfaceTopology
@@ -52,7 +53,10 @@ struct STIPPLEFILTERSCORE_EXPORT TriangleSurface
   int numberOfFaces() const { return static_cast<int>(this->triangles.size()); }
   int tail(int h) const { return this->triangles[h / 3][h % 3]; }
   int head(int h) const { return this->tail(nextHalfedge(h)); }
-  const Vec3& point(int face, int corner) const { return this->points[this->triangles[face][corner]]; }
+  const Vec3& point(int face, int corner) const
+  {
+    return this->points[this->triangles[face][corner]];
+  }
   double faceArea(int face) const
   {
     return triangleArea(this->point(face, 0), this->point(face, 1), this->point(face, 2));
@@ -66,7 +70,8 @@ struct STIPPLEFILTERSCORE_EXPORT TriangleSurface
   }
   double area() const;
   double boundingBoxDiagonal() const;
-  /// One outgoing halfedge a vertex (the one with no predecessor across it on a boundary), -1 if unused.
+  /// One outgoing halfedge a vertex (the one with no predecessor across it on a boundary), -1 if
+  /// unused.
   std::vector<int> vertexHalfedges() const;
   SurfaceTopology topology() const;
 };

@@ -438,7 +438,8 @@ std::vector<BackboneInterval> invalidIntervals(
 
 Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlaces& valid)
 {
-  for (int round = 0; round < 24; ++round) // intervals halve: more rounds would be beyond any surface's detail
+  for (int round = 0; round < 24; ++round) // intervals halve: more rounds would be beyond any
+                                           // surface's detail
   {
     valid.samples = domain.samples(places);
     valid.graphs = buildChartGraphs(domain.surface, domain.graph, domain.traces, valid.samples);

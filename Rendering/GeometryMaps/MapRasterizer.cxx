@@ -17,8 +17,8 @@ namespace
 constexpr int subpixelBits = 8;
 constexpr int subpixelOne = 1 << subpixelBits;
 constexpr int rowsPerBand = 16;
-constexpr int wideBox =
-  24; ///< from this width on, solving for a row's span is cheaper than testing it
+constexpr int wideBox = 24; ///< from this width on, solving for a row's span is cheaper than
+                            ///< testing it
 
 /// Fixed-point position relative to the centre of pixel (0, 0).
 struct FixedPoint
@@ -348,14 +348,12 @@ PixelBarycentrics::PixelBarycentrics(const MapChart& chart, int triangle, int wi
 void rasterizeFaces(const MapChart& chart, int width, int height, int* faces)
 {
   const FaceRasterizer rasterizer(chart, width, height, faces);
-  vtkSMPTools::For(0, rasterizer.numberOfBands(), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  vtkSMPTools::For(0, rasterizer.numberOfBands(), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType band = begin; band < end; ++band)
     {
-      for (vtkIdType band = begin; band < end; ++band)
-      {
-        rasterizer.drawBand(static_cast<int>(band));
-      }
-    });
+      rasterizer.drawBand(static_cast<int>(band));
+    }
+  });
 }
 
 int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces)
@@ -386,8 +384,7 @@ int fillUncoveredPixels(const MapChart& chart, int width, int height, int* faces
   // matter.
   std::vector<std::pair<int, int>> changes;
   const std::vector<int> gap = open;
-  const auto round = [&](const std::vector<int>& pixels)
-  {
+  const auto round = [&](const std::vector<int>& pixels) {
     changes.clear();
     for (const int p : pixels)
     {
@@ -640,9 +637,8 @@ Status rasterizeMaps(const MapChart& chart, int width, int height, const int* fa
     {
       return Status::aborted();
     }
-    vtkSMPTools::For(first, std::min(height, first + slab), rowsPerBand,
-      [&](vtkIdType begin, vtkIdType end)
-      {
+    vtkSMPTools::For(
+      first, std::min(height, first + slab), rowsPerBand, [&](vtkIdType begin, vtkIdType end) {
         RowPainter painter(chart, width, height, requests);
         for (vtkIdType row = begin; row < end; ++row)
         {

@@ -50,10 +50,10 @@ enum class MapKind
 struct MapRequest
 {
   MapKind kind = MapKind::Linear;
-  int components = 1; ///< of the map, 1 to 4
-  const double* values =
-    nullptr;               ///< tuples by triangle or by point; pairs for the derived curvatures
-  float* output = nullptr; ///< width x height tuples, row by row from the lower left
+  int components = 1;             ///< of the map, 1 to 4
+  const double* values = nullptr; ///< tuples by triangle or by point; pairs for the derived
+                                  ///< curvatures
+  float* output = nullptr;        ///< width x height tuples, row by row from the lower left
 
   bool isDerivedCurvature() const
   {

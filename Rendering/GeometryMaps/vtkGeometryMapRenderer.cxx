@@ -314,9 +314,15 @@ void vtkGeometryMapRenderer::SetRenderWindow(vtkRenderWindow* window)
   }
 }
 
-vtkRenderWindow* vtkGeometryMapRenderer::GetRenderWindow() { return this->Internal->Window; }
+vtkRenderWindow* vtkGeometryMapRenderer::GetRenderWindow()
+{
+  return this->Internal->Window;
+}
 
-const char* vtkGeometryMapRenderer::GetBackendName() { return this->Internal->BackendName.c_str(); }
+const char* vtkGeometryMapRenderer::GetBackendName()
+{
+  return this->Internal->BackendName.c_str();
+}
 
 int vtkGeometryMapRenderer::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -370,8 +376,7 @@ int vtkGeometryMapRenderer::RequestData(
   const FinishAtEnd finish{ *self.Renderer };
   for (unsigned int c = 0; c < n; ++c)
   {
-    const auto progress = [&](double fraction)
-    {
+    const auto progress = [&](double fraction) {
       this->UpdateProgress((c + fraction) / n);
       return !this->GetAbortExecute();
     };

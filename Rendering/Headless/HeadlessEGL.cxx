@@ -87,8 +87,7 @@ private:
     {
       return;
     }
-    const auto look = [&](const char* name, auto& function)
-    {
+    const auto look = [&](const char* name, auto& function) {
       function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(library, name));
       return function != nullptr;
     };
@@ -108,8 +107,7 @@ private:
     }
     // Without a display, this asks for the extensions of the client library.
     const char* extensions = this->queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    const auto extension = [&](const char* name, const char* procedure, auto& function)
-    {
+    const auto extension = [&](const char* name, const char* procedure, auto& function) {
       if (hasWord(extensions, name))
       {
         function =
@@ -268,5 +266,8 @@ std::unique_ptr<HeadlessContext> HeadlessContext::createEGL(std::string& reason)
   return context;
 }
 
-bool HeadlessContext::hasHardware() { return !EGL::instance().hardware().empty(); }
+bool HeadlessContext::hasHardware()
+{
+  return !EGL::instance().hardware().empty();
+}
 } // namespace stipple

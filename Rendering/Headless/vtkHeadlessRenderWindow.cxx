@@ -218,13 +218,22 @@ bool vtkHeadlessRenderWindow::IsCurrent()
   return this->Internal && this->Internal->Context && this->Internal->Context->isCurrent();
 }
 
-void vtkHeadlessRenderWindow::PushContext() { this->MakeCurrent(); }
+void vtkHeadlessRenderWindow::PushContext()
+{
+  this->MakeCurrent();
+}
 
 void vtkHeadlessRenderWindow::PopContext() {}
 
-int vtkHeadlessRenderWindow::SupportsOpenGL() { return this->CreateContext() ? 1 : 0; }
+int vtkHeadlessRenderWindow::SupportsOpenGL()
+{
+  return this->CreateContext() ? 1 : 0;
+}
 
-vtkTypeBool vtkHeadlessRenderWindow::IsDirect() { return this->CreateContext() ? 1 : 0; }
+vtkTypeBool vtkHeadlessRenderWindow::IsDirect()
+{
+  return this->CreateContext() ? 1 : 0;
+}
 
 const char* vtkHeadlessRenderWindow::ReportCapabilities()
 {
@@ -232,7 +241,10 @@ const char* vtkHeadlessRenderWindow::ReportCapabilities()
                                : this->OpenGLSupportMessage.c_str();
 }
 
-int* vtkHeadlessRenderWindow::GetScreenSize() { return this->ScreenSize; }
+int* vtkHeadlessRenderWindow::GetScreenSize()
+{
+  return this->ScreenSize;
+}
 
 void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 {

@@ -82,7 +82,7 @@ public:
    * Leaves the calling thread without a current context if this one is current in it. A context can
    * be current in one thread only, so a thread that is done lets it go for the next.
    */
-  void ReleaseCurrent();
+  void ReleaseCurrent() override;
 
   ///@{
   /**

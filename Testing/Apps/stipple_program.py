@@ -8,9 +8,9 @@ import subprocess
 import tempfile
 import unittest
 
-STIPPLE = os.environ["STIPPLE"]
-MODELS = pathlib.Path(os.environ["STIPPLE_MODELS"])
-MESH_CHECK = os.environ["STIPPLE_MESH_CHECK"]
+STIPPLE = os.environ.get("STIPPLE", "build/bin/stipple")
+MODELS = pathlib.Path(os.environ.get("MODELS", "build/models"))
+MESH_CHECK = os.environ.get("MESHCHECK", "build/bin/StippleMeshCheck")
 
 CUBE = """OFF
 8 6 0

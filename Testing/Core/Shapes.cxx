@@ -53,7 +53,8 @@ void addGrid(TriangleSurface& s, const Vec3& origin, const Vec3& u, const Vec3& 
   {
     for (int i = 0; i <= n; ++i)
     {
-      s.points.push_back(Vec3(origin + u * (static_cast<double>(i) / n) + v * (static_cast<double>(j) / n)));
+      s.points.push_back(
+        Vec3(origin + u * (static_cast<double>(i) / n) + v * (static_cast<double>(j) / n)));
     }
   }
   for (int j = 0; j < n; ++j)
@@ -95,20 +96,21 @@ TriangleSurface sphere(double radius, int refinements)
 {
   TriangleSurface s;
   const double g = (1 + std::sqrt(5.)) / 2;
-  for (const auto& p : { Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g),
-         Vec3(0, 1, g), Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1),
-         Vec3(-g, 0, 1) })
+  for (const auto& p : { Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0),
+         Vec3(0, -1, g), Vec3(0, 1, g), Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1),
+         Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1) })
   {
     s.points.push_back(p.normalized() * radius);
   }
-  s.triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 },
-    { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 },
-    { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
+  s.triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
+    { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 },
+    { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
   for (int level = 0; level < refinements; ++level)
   {
     std::map<std::pair<int, int>, int> middle;
     const auto mid = [&](int a, int b) {
-      const auto [slot, fresh] = middle.try_emplace(std::minmax(a, b), static_cast<int>(s.points.size()));
+      const auto [slot, fresh] =
+        middle.try_emplace(std::minmax(a, b), static_cast<int>(s.points.size()));
       if (fresh)
       {
         const Vec3 m = (s.points[a] + s.points[b]).normalized() * radius;

@@ -33,8 +33,8 @@ double totalCurvature(const Curvature& c)
 
 int count(const FeatureGraph& graph, BackboneType type)
 {
-  return static_cast<int>(std::count_if(
-    graph.backbones.begin(), graph.backbones.end(), [&](const Backbone& b) { return b.type == type; }));
+  return static_cast<int>(std::count_if(graph.backbones.begin(), graph.backbones.end(),
+    [&](const Backbone& b) { return b.type == type; }));
 }
 
 int corners(const FeatureGraph& graph)
@@ -171,7 +171,8 @@ TEST(ChartMesh, NoChordRemains)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const bool chord = !s.cut[3 * chart.faces[i] + k] && chart.onBoundary[chart.triangles[i][k]] &&
+      const bool chord = !s.cut[3 * chart.faces[i] + k] &&
+        chart.onBoundary[chart.triangles[i][k]] &&
         chart.onBoundary[chart.triangles[i][(k + 1) % 3]];
       ASSERT_FALSE(chord);
     }
@@ -215,17 +216,21 @@ TEST_P(Partition, GivesFlatDisksOfBoundedDensity)
       for (int v : c.mesh.boundary)
       {
         const Vec2& p = c.map.uv[v];
-        EXPECT_TRUE(p.x() == 0 || p.y() == 0 || p.x() == c.map.extent.x() || p.y() == c.map.extent.y());
+        EXPECT_TRUE(
+          p.x() == 0 || p.y() == 0 || p.x() == c.map.extent.x() || p.y() == c.map.extent.y());
       }
     }
-    EXPECT_EQ(static_cast<int>(seen.size()), s.numberOfFaces()) << "every triangle lies in one chart";
+    EXPECT_EQ(static_cast<int>(seen.size()), s.numberOfFaces())
+      << "every triangle lies in one chart";
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Partition,
-  testing::Values(std::make_pair("sphere", shapes::sphere(1, 3)), std::make_pair("torus", shapes::torus(3, 1, 60, 20)),
-    std::make_pair("cube", shapes::cube(8)), std::make_pair("tube", shapes::cylinder(1, 20, 24, 120)),
-    std::make_pair("saddle", shapes::saddle(12)), std::make_pair("icosahedron", shapes::sphere(1, 0))),
+  testing::Values(std::make_pair("sphere", shapes::sphere(1, 3)),
+    std::make_pair("torus", shapes::torus(3, 1, 60, 20)), std::make_pair("cube", shapes::cube(8)),
+    std::make_pair("tube", shapes::cylinder(1, 20, 24, 120)),
+    std::make_pair("saddle", shapes::saddle(12)),
+    std::make_pair("icosahedron", shapes::sphere(1, 0))),
   [](const auto& info) { return info.param.first; });
 
 TEST(Partition, CanBeStopped)

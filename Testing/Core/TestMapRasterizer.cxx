@@ -152,8 +152,7 @@ TEST(MapRasterizer, UncoveredPixelsGoToTheNearestTriangle)
   const auto open = std::count(faces.begin(), faces.end(), -1);
   ASSERT_GT(open, 200);
   EXPECT_EQ(stipple::fillUncoveredPixels(holed, size, size, faces.data()), open);
-  const auto distance = [&](int f, int p)
-  {
+  const auto distance = [&](int f, int p) {
     const Vec2 q((p % size + 0.5) / size, (p / size + 0.5) / size);
     double least = std::numeric_limits<double>::max();
     for (int k = 0; k < 3; ++k)
@@ -221,9 +220,10 @@ TEST(MapRasterizer, DerivedCurvatures)
 {
   const auto sheet = synthetic::makeSheet(1, 1, 1., 1., 0.);
   const auto faces = facesOf(sheet.chart, 2, 2);
-  for (const auto& [mean, gaussian, low, high] : std::initializer_list<std::array<double, 4>>{
-         { 2., 3., 1., 3. }, { 0., -4., -2., 2. }, { -1.5, 2., -2., -1. },
-         { 1., 1.5, 1., 1. } }) // the last pair no surface has: K is cut at H^2
+  for (const auto& [mean, gaussian, low, high] :
+    std::initializer_list<std::array<double, 4>>{ { 2., 3., 1., 3. }, { 0., -4., -2., 2. },
+      { -1.5, 2., -2., -1. }, { 1., 1.5, 1., 1. } }) // the last pair no surface has: K is cut at
+                                                     // H^2
   {
     std::vector<double> pairs;
     for (std::size_t p = 0; p < sheet.points.size(); ++p)

@@ -44,7 +44,8 @@ TEST(SurfaceRepair, CleanInputIsLeftAlone)
   const RepairedSurface r = repaired(cube);
   EXPECT_EQ(r.surface.triangles, cube.triangles);
   EXPECT_EQ(r.counts.weldedPoints + r.counts.unusedPoints + r.counts.degenerateTriangles +
-      r.counts.duplicateTriangles + r.counts.reorientedTriangles + r.counts.splitEdges + r.counts.splitVertices,
+      r.counts.duplicateTriangles + r.counts.reorientedTriangles + r.counts.splitEdges +
+      r.counts.splitVertices,
     0);
 }
 
@@ -53,7 +54,8 @@ TEST(SurfaceRepair, LooseTrianglesAreWelded)
   const TriangleSurface sphere = shapes::sphere(1, 2);
   const RepairedSurface r = repaired(exploded(sphere));
   EXPECT_EQ(r.surface.points.size(), sphere.points.size());
-  EXPECT_EQ(r.counts.weldedPoints, static_cast<int>(3 * sphere.triangles.size() - sphere.points.size()));
+  EXPECT_EQ(
+    r.counts.weldedPoints, static_cast<int>(3 * sphere.triangles.size() - sphere.points.size()));
   EXPECT_TRUE(r.surface.topology() == sphere.topology());
 }
 
@@ -68,7 +70,8 @@ TEST(SurfaceRepair, MinorityIsTurnedAround)
   const RepairedSurface r = repaired(sphere);
   EXPECT_EQ(r.counts.reorientedTriangles, 50);
   EXPECT_TRUE(r.surface.topology() == good.topology());
-  EXPECT_GT(r.surface.faceNormal(0).dot(r.surface.point(0, 0)), 0) << "outward, as most of the input was";
+  EXPECT_GT(r.surface.faceNormal(0).dot(r.surface.point(0, 0)), 0)
+    << "outward, as most of the input was";
 }
 
 TEST(SurfaceRepair, DuplicatesDegenerateAndUnusedAreDroppedAndCounted)

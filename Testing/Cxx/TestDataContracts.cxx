@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What Documentation/Design.md promises of the data between the stages, checked on the output of every stage: names,
-// types, number of components and meaning.
+// What Documentation/Design.md promises of the data between the stages, checked on the output of
+// every stage: names, types, number of components and meaning.
 #include "vtkCDTRemesh.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
@@ -48,13 +48,15 @@ void check(bool condition, const std::string& what)
   }
 }
 
-vtkDataArray* array(vtkFieldData* data, const char* name, int type, int components, vtkIdType tuples)
+vtkDataArray* array(
+  vtkFieldData* data, const char* name, int type, int components, vtkIdType tuples)
 {
   vtkDataArray* a = data->GetArray(name);
   check(a != nullptr, std::string("there is an array ") + name);
   if (a)
   {
-    check(a->GetDataType() == type, std::string(name) + " is of type " + vtkImageScalarTypeNameMacro(type));
+    check(a->GetDataType() == type,
+      std::string(name) + " is of type " + vtkImageScalarTypeNameMacro(type));
     check(a->GetNumberOfComponents() == components, std::string(name) + " has its components");
     check(a->GetNumberOfTuples() == tuples, std::string(name) + " has a value everywhere");
   }
@@ -142,8 +144,10 @@ void checkCharts(vtkPartitionedDataSetCollection* charts, vtkPolyData* input)
       check(u >= 0 && u <= w && v >= 0 && v <= h, "UV inside the rectangle");
       std::array<double, 3> x;
       chart->GetPoint(p, x.data());
-      check(std::abs(height->GetComponent(p, 0) - x[1]) < 1e-5, "input point arrays are interpolated");
-      const auto [slot, fresh] = place.try_emplace(static_cast<vtkIdType>(id->GetComponent(p, 0)), x);
+      check(
+        std::abs(height->GetComponent(p, 0) - x[1]) < 1e-5, "input point arrays are interpolated");
+      const auto [slot, fresh] =
+        place.try_emplace(static_cast<vtkIdType>(id->GetComponent(p, 0)), x);
       check(slot->second == x, "one place for every SurfacePointId");
     }
     double plane = 0;
@@ -162,10 +166,12 @@ void checkCharts(vtkPartitionedDataSetCollection* charts, vtkPolyData* input)
       check(area > 0, "triangles are counterclockwise in the plane");
       plane += area;
       const double ratio = cellArea(chart, f) / area;
-      check(std::abs(distortion->GetComponent(f, 0) - ratio) <= 1e-9 * ratio, "AreaDistortion is A3D / A2D");
+      check(std::abs(distortion->GetComponent(f, 0) - ratio) <= 1e-9 * ratio,
+        "AreaDistortion is A3D / A2D");
       const auto cell = static_cast<vtkIdType>(source->GetComponent(f, 0));
       check(cell >= 0 && cell < input->GetNumberOfCells(), "SourceCellId is an input cell");
-      check(label->GetComponent(f, 0) == static_cast<double>(cell), "input cell arrays follow SourceCellId");
+      check(label->GetComponent(f, 0) == static_cast<double>(cell),
+        "input cell arrays follow SourceCellId");
     }
     check(std::abs(plane - w * h) < 1e-9, "a chart fills its rectangle");
   }
@@ -192,15 +198,17 @@ void checkGraph(vtkPolyData* graph)
     graph->GetLines()->GetCellAtId(i, n, p);
     const vtkIdType cell = graph->GetNumberOfVerts() + i;
     sharp = sharp || type->GetComponent(cell, 0) == 0;
-    check((closed->GetComponent(cell, 0) != 0) <= (p[0] == p[n - 1]), "a closed backbone repeats its first point");
+    check((closed->GetComponent(cell, 0) != 0) <= (p[0] == p[n - 1]),
+      "a closed backbone repeats its first point");
   }
   check(sharp, "the rims of the cylinder are sharp");
 }
 
-void checkImages(vtkPartitionedDataSetCollection* images, vtkPartitionedDataSetCollection* charts, const char* scalar,
-  int type)
+void checkImages(vtkPartitionedDataSetCollection* images, vtkPartitionedDataSetCollection* charts,
+  const char* scalar, int type)
 {
-  check(images->GetNumberOfPartitionedDataSets() == charts->GetNumberOfPartitionedDataSets(), "an image a chart");
+  check(images->GetNumberOfPartitionedDataSets() == charts->GetNumberOfPartitionedDataSets(),
+    "an image a chart");
   for (unsigned int c = 0; c < images->GetNumberOfPartitionedDataSets(); ++c)
   {
     auto* image = part<vtkImageData>(images, c);
@@ -213,18 +221,23 @@ void checkImages(vtkPartitionedDataSetCollection* images, vtkPartitionedDataSetC
     for (int k = 0; k < 2; ++k)
     {
       check(std::abs(spacing[k] * size[k] - extent[k]) < 1e-12, "pixels tile the rectangle");
-      check(std::abs(origin[k] - 0.5 * spacing[k]) < 1e-12, "the first pixel is centred half a pixel inside");
+      check(std::abs(origin[k] - 0.5 * spacing[k]) < 1e-12,
+        "the first pixel is centred half a pixel inside");
     }
     check(size[2] == 1, "maps are flat");
-    vtkDataArray* values = array(image->GetPointData(), scalar, type, 1, image->GetNumberOfPoints());
-    vtkDataArray* face = array(image->GetPointData(), "FaceIndex", VTK_INT, 1, image->GetNumberOfPoints());
+    vtkDataArray* values =
+      array(image->GetPointData(), scalar, type, 1, image->GetNumberOfPoints());
+    vtkDataArray* face =
+      array(image->GetPointData(), "FaceIndex", VTK_INT, 1, image->GetNumberOfPoints());
     vtkDataArray* distortion = image->GetPointData()->GetArray("AreaDistortion");
     double sum = 0;
     for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
     {
       const double f = face->GetComponent(p, 0);
-      check(f >= 0 && f < static_cast<double>(chart->GetNumberOfCells()), "FaceIndex is a triangle of the chart");
-      check(values->GetComponent(p, 0) >= 0 || std::string(scalar) != "Control", "densities are not negative");
+      check(f >= 0 && f < static_cast<double>(chart->GetNumberOfCells()),
+        "FaceIndex is a triangle of the chart");
+      check(values->GetComponent(p, 0) >= 0 || std::string(scalar) != "Control",
+        "densities are not negative");
       sum += distortion->GetComponent(p, 0) * spacing[0] * spacing[1];
     }
     double area = 0;
@@ -232,7 +245,10 @@ void checkImages(vtkPartitionedDataSetCollection* images, vtkPartitionedDataSetC
     {
       area += cellArea(chart, f);
     }
-    if (std::abs(sum / area - 1) >= 0.02) std::cerr << "chart " << c << " size " << size[0] << "x" << size[1] << " cells " << chart->GetNumberOfCells() << " sum/area " << sum / area << " area " << area << "\n";
+    if (std::abs(sum / area - 1) >= 0.02)
+      std::cerr << "chart " << c << " size " << size[0] << "x" << size[1] << " cells "
+                << chart->GetNumberOfCells() << " sum/area " << sum / area << " area " << area
+                << "\n";
     check(std::abs(sum / area - 1) < 0.02, "AreaDistortion integrates to the chart's area");
   }
 }
@@ -273,12 +289,14 @@ void checkProvenance(vtkPolyData* data, vtkPartitionedDataSetCollection* charts,
     }
     check(vtkMath::Norm(x) < 1e-12 * scale, "the point is where its triangle and coordinates say");
     check(std::hypot(u[0], u[1]) < 1e-12, "and so is its UV");
-    check(source->GetComponent(p, 0) == chart->GetCellData()->GetArray("SourceCellId")->GetComponent(cell, 0),
+    check(source->GetComponent(p, 0) ==
+        chart->GetCellData()->GetArray("SourceCellId")->GetComponent(cell, 0),
       "SourceCellId is that of the chart's triangle");
   }
 }
 
-void checkMesh(vtkPolyData* mesh, vtkPolyData* lines, vtkPartitionedDataSetCollection* charts, int n)
+void checkMesh(
+  vtkPolyData* mesh, vtkPolyData* lines, vtkPartitionedDataSetCollection* charts, int n)
 {
   check(mesh->GetNumberOfPoints() == n, "as many points as samples");
   checkProvenance(mesh, charts, mesh->GetLength());
@@ -292,10 +310,12 @@ void checkMesh(vtkPolyData* mesh, vtkPolyData* lines, vtkPartitionedDataSetColle
     check(size == 3, "the mesh is of triangles");
     for (int k = 0; k < 3; ++k)
     {
-      check(edges.insert({ p[k], p[(k + 1) % 3] }).second, "every directed edge once: manifold and oriented");
+      check(edges.insert({ p[k], p[(k + 1) % 3] }).second,
+        "every directed edge once: manifold and oriented");
     }
   }
-  check(static_cast<vtkIdType>(edges.size()) / 2 - mesh->GetNumberOfPolys() == n - 2, "Euler characteristic 2");
+  check(static_cast<vtkIdType>(edges.size()) / 2 - mesh->GetNumberOfPolys() == n - 2,
+    "Euler characteristic 2");
   array(lines->GetCellData(), "BackboneType", VTK_INT, 1, lines->GetNumberOfCells());
   array(lines->GetCellData(), "Closed", VTK_INT, 1, lines->GetNumberOfCells());
   array(lines->GetCellData(), "BackboneId", VTK_INT, 1, lines->GetNumberOfCells());
@@ -307,7 +327,8 @@ void checkMesh(vtkPolyData* mesh, vtkPolyData* lines, vtkPartitionedDataSetColle
     lines->GetLines()->GetCellAtId(i, size, p);
     for (vtkIdType k = 0; k + 1 < size && type->GetComponent(i, 0) < 2; ++k)
     {
-      check(edges.count({ p[k], p[k + 1] }) || edges.count({ p[k + 1], p[k] }), "feature lines are mesh edges");
+      check(edges.count({ p[k], p[k + 1] }) || edges.count({ p[k + 1], p[k] }),
+        "feature lines are mesh edges");
     }
   }
 }
@@ -365,7 +386,8 @@ int TestDataContracts(int, char*[])
   checkMesh(polyData(mesher, 0), polyData(mesher, 1), charts, n);
   checkMesh(polyData(optimizer, 0), polyData(optimizer, 1), charts, n);
 
-  // The constraint is a vertex of the final mesh, on the cylinder's facet next to where it was asked for.
+  // The constraint is a vertex of the final mesh, on the cylinder's facet next to where it was
+  // asked for.
   vtkDataArray* kind = polyData(optimizer, 0)->GetPointData()->GetArray("SampleKind");
   int constrained = 0;
   for (vtkIdType p = 0; p < n; ++p)
@@ -374,7 +396,8 @@ int TestDataContracts(int, char*[])
     {
       ++constrained;
       const double* x = polyData(optimizer, 0)->GetPoint(p);
-      check(std::abs(x[1] - 0.21) < 1e-6 && std::hypot(x[0] - 0.5, x[2]) < 0.01, "the constraint stays");
+      check(std::abs(x[1] - 0.21) < 1e-6 && std::hypot(x[0] - 0.5, x[2]) < 0.01,
+        "the constraint stays");
     }
   }
   check(constrained == 1, "one constraint, one vertex");

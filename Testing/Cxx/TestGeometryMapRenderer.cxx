@@ -251,8 +251,9 @@ std::string errorOf(vtkPartitionedDataSetCollection* atlas, const char* map)
 
 void testErrors()
 {
-  const auto contains = [](const std::string& text, const char* part)
-  { return text.find(part) != std::string::npos; };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
   check(contains(errorOf(synthetic::makeAtlas(8, 8), "Cheese"), "no array Cheese on chart 0"),
     "an unknown map is named");
   auto atlas = synthetic::makeAtlas(8, 8);

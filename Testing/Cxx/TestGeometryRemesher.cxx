@@ -112,6 +112,9 @@ void testExecutions()
   remesher->SetGamma(0.5);
   remesher->Update();
   executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "importance and gamma");
+  remesher->SetMinimumDensity(0.3);
+  remesher->Update();
+  executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "minimum density");
   check(remesher->GetStageSeconds(vtkGeometryRemesher::CONTROL) > 0, "the control map took time");
 
   remesher->SetNumberOfPoints(1010);
@@ -190,7 +193,6 @@ void testArrayImportance()
   torus->Update();
   vtkNew<vtkPolyData> input;
   input->DeepCopy(torus->GetOutput());
-  vtkNew<vtkImageData> unused;
   input->GetPointData()->GetNormals()->SetName("Normals");
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(input);
