@@ -26,7 +26,9 @@ class MeshFile : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Folder = testing::TempDir() + "stipple-mesh-file";
+    // Tests run side by side.
+    this->Folder = testing::TempDir() + "stipple-" +
+      testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(this->Folder);
     fs::create_directories(this->Folder);
   }

@@ -21,15 +21,16 @@ class BadInput(ProgramTest):
         self.fail_with(1, "cannot read", self.folder / "folder.ply", "-o", self.folder / "out.ply")
         for extension in ("ply", "obj", "stl", "off", "vtp", "vtk"):
             self.refuse("is empty", f"empty.{extension}", "")
-            self.refuse("", f"noise.{extension}", bytes((i * 167 + 13) % 251 for i in range(5000)))
-            self.refuse("", f"prose.{extension}", "This is no mesh at all.\n" * 50)
+            self.refuse(".", f"noise.{extension}", bytes((i * 167 + 13) % 251 for i in range(5000)))
+            self.refuse(".", f"prose.{extension}", "This is no mesh at all.\n" * 50)
 
     def test_truncated(self):
         cube = self.cube()
         for extension in ("ply", "off", "vtp", "vtk"):
             whole = self.folder / f"whole.{extension}"
             self.succeed(cube, "-o", whole, "--points", "100")
-            self.refuse("", f"half.{extension}", whole.read_bytes()[: whole.stat().st_size // 2])
+            for part in (0.05, 0.2, 0.5, 0.8, 0.95):
+                self.refuse("half", f"half.{extension}", whole.read_bytes()[: int(part * whole.stat().st_size)])
 
     def test_no_faces(self):
         self.refuse("holds an empty mesh", "a.off", "OFF\n0 0 0\n")

@@ -164,13 +164,35 @@ class Files(ProgramTest):
             nearest = min(sum((a - b) ** 2 for a, b in zip(p, place)) for p in points)
             self.assertLess(nearest, 1e-20, place)
 
-    def test_importance_image_and_array(self):
+    def test_importance_image(self):
         cube = self.cube()
+        mesh = self.folder / "mesh.off"
         image = self.folder / "picture.png"
-        self.succeed(cube, "-o", self.folder / "m.vtp", "--points", "150", "--picture", image, "--picture-panel", "after")
-        self.succeed(cube, "-o", self.folder / "n.off", "--points", "300", "--importance", "image", "--importance-image", image)
-        self.succeed(self.folder / "m.vtp", "-o", self.folder / "n.off", "--points", "300", "--importance-array", "ArcLength")
-        self.assertEqual(mesh_check(self.folder / "n.off", cube)["points"], 300)
+        self.succeed(cube, "-o", mesh, "--points", "150", "--picture", image, "--picture-panel", "after")
+        self.succeed(cube, "-o", mesh, "--points", "300", "--importance", "image", "--importance-image", image)
+        self.assertEqual(mesh_check(mesh, cube)["points"], 300)
+
+    def test_importance_array(self):
+        # Heat rises with x: more vertices there.
+        n = 12
+        points = [(i / n, j / n, 0.0) for j in range(n + 1) for i in range(n + 1)]
+        quads = [(a, a + 1, a + n + 2, a + n + 1) for j in range(n) for a in range(j * (n + 1), j * (n + 1) + n)]
+        grid = self.file(
+            "grid.vtk",
+            f"# vtk DataFile Version 3.0\ngrid\nASCII\nDATASET POLYDATA\nPOINTS {len(points)} double\n"
+            + "".join(f"{x} {y} {z}\n" for x, y, z in points)
+            + f"POLYGONS {len(quads)} {5 * len(quads)}\n"
+            + "".join(f"4 {a} {b} {c} {d}\n" for a, b, c, d in quads)
+            + f"POINT_DATA {len(points)}\nSCALARS heat double 1\nLOOKUP_TABLE default\n"
+            + "".join(f"{0.05 + x}\n" for x, _, _ in points),
+        )
+        mesh = self.folder / "mesh.off"
+        self.succeed(grid, "-o", mesh, "--points", "400", "--importance-array", "heat", "--minimum-density", "0")
+        remeshed = [tuple(map(float, line.split())) for line in mesh.read_text().splitlines()[2:402]]
+        self.assertEqual(len(remeshed), 400)
+        right = sum(x > 0.5 for x, _, _ in remeshed)
+        self.assertGreater(right, 240, "the right half has three quarters of the heat")
+        self.fail_with(1, "has no array 'cold'; it has heat", grid, "-o", self.folder / "x.ply", "--importance-array", "cold")
 
 
 if __name__ == "__main__":
