@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "OffFile.h"
+#include "PlyFile.h"
 #include "TextNumbers.h"
 
 #include "vtkAlgorithm.h"
@@ -11,7 +12,6 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -31,24 +30,37 @@ namespace stipple
 {
 namespace
 {
+/// Parts of a broken file may be in VTK's sentence.
+std::string printable(const std::string& text)
+{
+  std::string result = text.substr(0, 200);
+  for (char& c : result)
+  {
+    c = c < ' ' || c > '~' ? '?' : c;
+  }
+  return result;
+}
+
 Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mesh)
 {
   ErrorCollector errors(reader);
+  const MessageWatch others; // readers warn where they should fail: "Error reading binary data!"
   reader->Update();
   vtkDataObject* output = reader->GetOutputDataObject(0);
   vtkPolyData* read = vtkPolyData::SafeDownCast(output);
-  if (read && errors.first().empty())
+  const std::string sentence = errors.first().empty() ? others.firstError() : errors.first();
+  if (read && sentence.empty())
   {
     mesh->ShallowCopy(read);
     return Status::success();
   }
-  if (output && !read)
+  if (output && !read && std::string(output->GetClassName()) != "vtkDataObject")
   {
     return Status::error("'" + file + "' holds a " + output->GetClassName() +
       ", not a vtkPolyData: extract its surface first");
   }
   return Status::error(
-    "cannot read '" + file + "'" + (errors.first().empty() ? "" : ": " + errors.first()));
+    "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence)));
 }
 
 Status readByExtension(const std::string& file, vtkPolyData* mesh)
@@ -60,9 +72,7 @@ Status readByExtension(const std::string& file, vtkPolyData* mesh)
   }
   if (extension == ".ply")
   {
-    vtkNew<vtkPLYReader> reader;
-    reader->SetFileName(file.c_str());
-    return readByVTK(reader, file, mesh);
+    return readPly(file, mesh);
   }
   if (extension == ".obj")
   {
@@ -151,39 +161,6 @@ Status checkFaces(const std::string& file, vtkPolyData* mesh)
   }
   return Status::error(mesh->GetNumberOfPoints() > 0 ? "'" + file + "' holds only points, no faces"
                                                      : "'" + file + "' holds an empty mesh");
-}
-
-/// VTK 9.1's writer rounds coordinates to float, which can fold small triangles: ours keeps
-/// doubles.
-Status writePly(vtkPolyData* mesh, const std::string& file)
-{
-  std::ofstream stream(file, std::ios::binary);
-  const std::uint16_t one = 1;
-  const bool little = *reinterpret_cast<const unsigned char*>(&one) == 1;
-  stream << "ply\nformat binary_" << (little ? "little" : "big")
-         << "_endian 1.0\ncomment Stipple\nelement vertex " << mesh->GetNumberOfPoints()
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-  {
-    double x[3];
-    mesh->GetPoint(p, x);
-    stream.write(reinterpret_cast<const char*>(x), sizeof(x));
-  }
-  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    mesh->GetPolys()->GetCellAtId(f, size, ids);
-    stream.put(static_cast<char>(size));
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      const std::int32_t id = static_cast<std::int32_t>(ids[k]);
-      stream.write(reinterpret_cast<const char*>(&id), sizeof(id));
-    }
-  }
-  stream.close();
-  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
 }
 
 /// VTK 9.1's writer keeps six digits.

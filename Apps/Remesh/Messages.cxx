@@ -23,6 +23,37 @@ vtkSmartPointer<CollectingOutputWindow> CollectingOutputWindow::install()
   return window;
 }
 
+CollectingOutputWindow* CollectingOutputWindow::installed()
+{
+  return dynamic_cast<CollectingOutputWindow*>(vtkOutputWindow::GetInstance());
+}
+
+MessageWatch::MessageWatch()
+{
+  if (const auto* window = CollectingOutputWindow::installed())
+  {
+    this->Errors = window->errors().size();
+    this->Warnings = window->warnings().size();
+  }
+}
+
+std::string MessageWatch::firstError() const
+{
+  const auto* window = CollectingOutputWindow::installed();
+  if (window && window->errors().size() > this->Errors)
+  {
+    return window->errors()[this->Errors];
+  }
+  for (std::size_t i = this->Warnings; window && i < window->warnings().size(); ++i)
+  {
+    if (window->warnings()[i].find("Error") != std::string::npos)
+    {
+      return window->warnings()[i];
+    }
+  }
+  return {};
+}
+
 void CollectingOutputWindow::DisplayText(const char* text)
 {
   this->Warnings.push_back(sentenceOf(text ? text : ""));

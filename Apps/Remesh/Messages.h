@@ -23,6 +23,8 @@ public:
 
   /// Makes a new one VTK's output window.
   static vtkSmartPointer<CollectingOutputWindow> install();
+  /// The one that is VTK's output window, or null.
+  static CollectingOutputWindow* installed();
 
   void DisplayText(const char* text) override;
   void DisplayErrorText(const char* text) override;
@@ -54,6 +56,19 @@ private:
   vtkSmartPointer<vtkObject> Object;
   unsigned long Tag;
   std::string First;
+};
+
+/// What objects out of reach say to the collecting output window from now on.
+class MessageWatch
+{
+public:
+  MessageWatch();
+  /// The first error, or warning that speaks of one; or nothing.
+  [[nodiscard]] std::string firstError() const;
+
+private:
+  std::size_t Errors = 0;
+  std::size_t Warnings = 0;
 };
 }
 

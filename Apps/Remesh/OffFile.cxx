@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -77,27 +76,11 @@ private:
   int Number = 0;
 };
 
-template <typename NumberT>
-std::errc parseWhole(std::string_view word, NumberT& value)
+bool parse(std::string_view word, long long& value)
 {
   word.remove_prefix(word.size() > 1 && word[0] == '+');
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  return result.ptr == word.data() + word.size() ? result.ec : std::errc::invalid_argument;
-}
-
-bool parse(std::string_view word, long long& value)
-{
-  return parseWhole(word, value) == std::errc();
-}
-
-bool parse(std::string_view word, double& value)
-{
-  const std::errc code = parseWhole(word, value);
-  if (code == std::errc::result_out_of_range)
-  {
-    value = std::strtod(std::string(word).c_str(), nullptr); // infinity, or next to zero
-  }
-  return code != std::errc::invalid_argument;
+  return result.ptr == word.data() + word.size() && result.ec == std::errc();
 }
 
 /// The header keyword with any of its prefixes, [ST][C][N][4][n]OFF; 4 and n mean other dimensions.
@@ -162,7 +145,7 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
         return error("the file ends before point " + std::to_string(p) + " of " +
           std::to_string(numberOfPoints));
       }
-      if (!parse(word, coordinate))
+      if (!parseAnyNumber(word, coordinate))
       {
         return error("'" + std::string(word) + "' is no coordinate of point " + std::to_string(p));
       }

@@ -328,7 +328,7 @@ void tell(const Report& report)
       std::fprintf(stderr, "stipple:   %lld %s\n", repair.second, repair.first.c_str());
     }
   }
-  if (auto* window = dynamic_cast<CollectingOutputWindow*>(vtkOutputWindow::GetInstance()))
+  if (const auto* window = CollectingOutputWindow::installed())
   {
     for (const std::string& warning : window->warnings())
     {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -50,6 +51,17 @@ bool parseNumber(const std::string& text, double& value)
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(skipPlus(text), end, value);
   return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
+}
+
+bool parseAnyNumber(std::string_view text, double& value)
+{
+  text.remove_prefix(text.size() > 1 && text[0] == '+');
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec == std::errc::result_out_of_range)
+  {
+    value = std::strtod(std::string(text).c_str(), nullptr); // infinity, or next to zero
+  }
+  return result.ec != std::errc::invalid_argument && result.ptr == text.data() + text.size();
 }
 
 bool parseInteger(const std::string& text, long long low, long long high, int& value)

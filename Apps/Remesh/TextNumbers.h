@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace stipple
 {
 /// The whole text is one finite number.
 [[nodiscard]] bool parseNumber(const std::string& text, double& value);
+
+/// The whole text is one number, infinite ones and "nan" among them: the files of others have them.
+[[nodiscard]] bool parseAnyNumber(std::string_view text, double& value);
 
 /// The whole text is one whole number within the range.
 [[nodiscard]] bool parseInteger(const std::string& text, long long low, long long high, int& value);

@@ -1,136 +1,344 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole pipeline as one filter: which stages a change executes again, exact counts, errors.
-#include "vtkGeometryRemesher.h"
+// The whole pipeline as one filter: what it hands out, what executes again, errors, progress and
+// abort.
+#include "MeshQuality.h"
+#include "PolyDataConversion.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCleanPolyData.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
+#include "vtkCubeSource.h"
 #include "vtkErrorDiffusionSampler.h"
+#include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
+#include "vtkGeometryRemesher.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRemeshOptimizer.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
 #include <array>
+#include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
-int failures = 0;
+int Failures = 0;
 
 void check(bool condition, const std::string& what)
 {
   if (!condition)
   {
     std::cerr << "FAILED: " << what << "\n";
-    ++failures;
+    ++Failures;
   }
 }
 
-void increment(vtkObject*, unsigned long, void* counter, void*)
-{
-  ++*static_cast<int*>(counter);
-}
-
-/// Counts how often each stage of a remesher executes.
+/// Counts how often each stage executes.
 class Executions
 {
 public:
   explicit Executions(vtkGeometryRemesher* remesher)
   {
-    const std::array<vtkAlgorithm*, 6> stages = { remesher->GetAtlas(), remesher->GetMapRenderer(),
-      remesher->GetControlMap(), remesher->GetSampler(), remesher->GetMesher(),
-      remesher->GetOptimizer() };
-    for (std::size_t i = 0; i < stages.size(); ++i)
+    const std::array<vtkAlgorithm*, 6> stages = { { remesher->GetAtlas(),
+      remesher->GetMapRenderer(), remesher->GetControlMap(), remesher->GetSampler(),
+      remesher->GetMesher(), remesher->GetOptimizer() } };
+    for (int i = 0; i < 6; ++i)
     {
-      vtkNew<vtkCallbackCommand> observer;
-      observer->SetCallback(increment);
-      observer->SetClientData(&this->Counts[i]);
-      stages[i]->AddObserver(vtkCommand::StartEvent, observer);
+      vtkNew<vtkCallbackCommand> command;
+      command->SetClientData(&this->Count[i]);
+      command->SetCallback(
+        [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+      stages[i]->AddObserver(vtkCommand::StartEvent, command);
     }
   }
-  /// How often the stages executed since the last call: atlas, maps, control, sampler, mesher,
-  /// optimiser.
-  std::array<int, 6> take()
+  void expect(const std::array<int, 6>& wanted, const std::string& what)
   {
-    const std::array<int, 6> counts = this->Counts;
-    this->Counts = {};
-    return counts;
+    static const char* names[6] = { "atlas", "maps", "control", "sampler", "mesher", "optimizer" };
+    for (int i = 0; i < 6; ++i)
+    {
+      check(this->Count[i] == wanted[i],
+        what + ": the " + names[i] + " executed " + std::to_string(this->Count[i]) +
+          " times, not " + std::to_string(wanted[i]));
+    }
+    this->Count.fill(0);
   }
 
 private:
-  std::array<int, 6> Counts = {};
+  std::array<int, 6> Count = {};
 };
 
-std::string text(const std::array<int, 6>& counts)
+vtkSmartPointer<vtkAlgorithm> makeTorus()
 {
-  std::string s;
-  for (int c : counts)
+  vtkNew<vtkParametricTorus> torus;
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(torus);
+  source->SetUResolution(60);
+  source->SetVResolution(40);
+  auto clean = vtkSmartPointer<vtkCleanPolyData>::New(); // first and last points differ in the last
+                                                         // digit
+  clean->SetTolerance(1e-6);
+  clean->SetInputConnection(source->GetOutputPort());
+  return clean;
+}
+
+void testExecutions()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkGeometryRemesher> remesher;
+  Executions executions(remesher);
+  remesher->SetInputConnection(sphere->GetOutputPort());
+  remesher->SetNumberOfPoints(1000);
+  remesher->SetBackendToCPU();
+  remesher->Update();
+  check(remesher->GetOutput()->GetNumberOfPoints() == 1000, "1000 points");
+  check(remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) > 0, "the atlas took time");
+  executions.expect({ { 1, 1, 1, 1, 1, 1 } }, "first update");
+
+  remesher->Update();
+  executions.expect({ { 0, 0, 0, 0, 0, 0 } }, "nothing changed");
+
+  remesher->SetImportanceToMean();
+  remesher->SetGamma(0.5);
+  remesher->Update();
+  executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "importance and gamma");
+  remesher->SetMinimumDensity(0.3);
+  remesher->Update();
+  executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "minimum density");
+  check(remesher->GetStageSeconds(vtkGeometryRemesher::CONTROL) > 0, "the control map took time");
+
+  remesher->SetNumberOfPoints(1010);
+  remesher->Update();
+  executions.expect({ { 0, 0, 0, 1, 1, 1 } }, "ten points more");
+  check(remesher->GetOutput()->GetNumberOfPoints() == 1010, "1010 points");
+
+  remesher->SetNumberOfPoints(20000);
+  remesher->Update();
+  executions.expect({ { 0, 1, 1, 1, 1, 1 } }, "twenty times the points need larger maps");
+
+  remesher->SetSmoothingToArea();
+  remesher->Update();
+  executions.expect({ { 0, 0, 0, 0, 0, 1 } }, "smoothing");
+
+  remesher->GetOptimizer()->SetNumberOfIterations(2);
+  remesher->Update();
+  executions.expect({ { 0, 0, 0, 0, 0, 1 } }, "a stage's own parameter");
+
+  remesher->SetFeatureAngle(180);
+  remesher->Update();
+  executions.expect({ { 1, 1, 1, 1, 1, 1 } }, "feature angle");
+
+  sphere->SetRadius(2);
+  remesher->Update();
+  executions.expect({ { 1, 1, 1, 1, 1, 1 } }, "another input");
+}
+
+void testOutputs()
+{
+  const auto torus = makeTorus();
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputConnection(torus->GetOutputPort());
+  remesher->SetBackendToCPU();
+  remesher->Update();
+  vtkPolyData* mesh = remesher->GetOutput();
+  const vtkIdType welded = remesher->GetAtlas()->GetNumberOfSurfacePoints();
+  check(mesh->GetNumberOfPoints() == welded,
+    "by default as many points as the input has after welding");
+  const stipple::MeshQuality quality = stipple::measureQuality(stipple::fromPolyData(mesh));
+  check(quality.euler == remesher->GetAtlas()->GetEulerCharacteristic(),
+    "the input's Euler characteristic");
+  check(quality.nonManifoldEdges + quality.nonManifoldVertices + quality.misorientedEdges +
+        quality.degenerate ==
+      0,
+    "an oriented manifold");
+  const char* types[7] = { "vtkPolyData", "vtkPolyData", "vtkPartitionedDataSetCollection",
+    "vtkPolyData", "vtkPartitionedDataSetCollection", "vtkPolyData",
+    "vtkPartitionedDataSetCollection" };
+  for (int port = 0; port < 7; ++port)
   {
-    s += std::to_string(c) + " ";
+    check(remesher->GetOutputDataObject(port)->IsA(types[port]),
+      "type of output " + std::to_string(port));
   }
-  return s;
+  auto* charts = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2));
+  auto* maps = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
+  auto* halftones = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(6));
+  check(charts->GetNumberOfPartitionedDataSets() > 0, "charts");
+  check(maps->GetNumberOfPartitionedDataSets() == charts->GetNumberOfPartitionedDataSets(),
+    "a map a chart");
+  check(halftones->GetNumberOfPartitionedDataSets() == charts->GetNumberOfPartitionedDataSets(),
+    "a halftone a chart");
+  auto* image = vtkImageData::SafeDownCast(maps->GetPartitionAsDataObject(0, 0));
+  check(image && image->GetPointData()->GetArray("Control") &&
+      image->GetPointData()->GetArray("AreaDistortion"),
+    "maps with Control");
+  check(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5))->GetNumberOfPoints() == welded,
+    "samples");
+  check(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1))->GetNumberOfPoints() == welded,
+    "feature lines on the mesh's points");
+}
+
+void testArrayImportance()
+{
+  const auto torus = makeTorus();
+  torus->Update();
+  vtkNew<vtkPolyData> input;
+  input->DeepCopy(torus->GetOutputDataObject(0));
+  input->GetPointData()->GetNormals()->SetName("Normals");
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->SetNumberOfPoints(800);
+  remesher->SetBackendToCPU();
+  remesher->SetImportanceArrayName("Normals");
+  remesher->SetImportanceToArray();
+  remesher->Update();
+  check(remesher->GetOutput()->GetNumberOfPoints() == 800, "importance by an array of the input");
+}
+
+struct Messages
+{
+  std::vector<std::string> texts;
+  static void add(vtkObject*, unsigned long, void* self, void* text)
+  {
+    static_cast<Messages*>(self)->texts.emplace_back(static_cast<const char*>(text));
+  }
+};
+
+void testErrors()
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputConnection(cube->GetOutputPort());
+  remesher->SetBackendToCPU();
+  remesher->SetNumberOfPoints(3);
+  Messages messages;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&messages);
+  command->SetCallback(&Messages::add);
+  remesher->AddObserver(vtkCommand::ErrorEvent, command);
+  Messages executive;
+  vtkNew<vtkCallbackCommand> quiet;
+  quiet->SetClientData(&executive);
+  quiet->SetCallback(&Messages::add);
+  remesher->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
+  remesher->Update();
+  check(messages.texts.size() == 1, "one error, not " + std::to_string(messages.texts.size()));
+  const std::string least = std::to_string(remesher->GetSampler()->GetMinimumNumberOfSamples());
+  check(!messages.texts.empty() && messages.texts[0].find(least) != std::string::npos,
+    "the error names the least number: " + (messages.texts.empty() ? "" : messages.texts[0]));
+  for (int port = 0; port < 7; ++port)
+  {
+    vtkDataObject* output = remesher->GetOutputDataObject(port);
+    check(output->GetNumberOfElements(vtkDataObject::POINT) == 0,
+      "output " + std::to_string(port) + " is empty");
+  }
+  messages.texts.clear();
+  remesher->SetNumberOfPoints(remesher->GetSampler()->GetMinimumNumberOfSamples());
+  remesher->Update();
+  check(messages.texts.empty(), "the least number works");
+  check(remesher->GetOutput()->GetNumberOfPoints() == std::atoi(least.c_str()),
+    "the least number is exact");
+}
+
+void testEmptyInput()
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkPoints> two;
+  two->InsertNextPoint(0, 0, 0);
+  two->InsertNextPoint(1, 0, 0);
+  points->SetPoints(two);
+  for (vtkPolyData* input : { nothing.Get(), points.Get() })
+  {
+    vtkNew<vtkGeometryRemesher> remesher;
+    Messages messages;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&messages);
+    command->SetCallback(&Messages::add);
+    remesher->AddObserver(vtkCommand::ErrorEvent, command);
+    remesher->SetInputData(input);
+    remesher->Update();
+    check(messages.texts.empty() && remesher->GetOutput()->GetNumberOfPoints() == 0,
+      "empty input is no error");
+  }
+}
+
+struct Watcher
+{
+  double last = 0;
+  double stopAt = 2;
+  bool monotonous = true;
+  static void look(vtkObject* caller, unsigned long, void* data, void*)
+  {
+    auto* self = static_cast<Watcher*>(data);
+    auto* filter = static_cast<vtkAlgorithm*>(caller);
+    self->monotonous = self->monotonous && filter->GetProgress() >= self->last;
+    self->last = filter->GetProgress();
+    if (self->last >= self->stopAt)
+    {
+      filter->SetAbortExecute(1);
+    }
+  }
+};
+
+void testProgressAndAbort()
+{
+  const auto torus = makeTorus();
+  torus->Update();
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputDataObject(torus->GetOutputDataObject(0));
+  remesher->SetBackendToCPU();
+  remesher->SetNumberOfPoints(2000);
+  Watcher watcher;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watcher);
+  command->SetCallback(&Watcher::look);
+  remesher->AddObserver(vtkCommand::ProgressEvent, command);
+  Messages messages;
+  vtkNew<vtkCallbackCommand> errors;
+  errors->SetClientData(&messages);
+  errors->SetCallback(&Messages::add);
+  remesher->AddObserver(vtkCommand::ErrorEvent, errors);
+  for (const double stopAt : { 0.1, 0.35, 0.5, 0.65, 0.8 })
+  {
+    watcher = { 0., stopAt, true };
+    remesher->Modified();
+    remesher->GetAtlas()->Modified();
+    remesher->Update();
+    check(remesher->GetOutput()->GetNumberOfPoints() == 0, "stopped at " + std::to_string(stopAt));
+    check(messages.texts.empty(), "a stop is no error");
+  }
+  watcher = {};
+  remesher->Update(); // nothing was changed since
+  check(remesher->GetOutput()->GetNumberOfPoints() == 2000,
+    "after a stop the next update does the work");
+  check(watcher.monotonous && watcher.last == 1., "progress rises to 1");
+  remesher->Update();
+  check(watcher.last == 1., "and then all is up to date");
 }
 }
 
 int TestGeometryRemesher(int, char*[])
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(48);
-  sphere->SetPhiResolution(48);
-  vtkNew<vtkGeometryRemesher> remesher;
-  remesher->SetInputConnection(sphere->GetOutputPort());
-  remesher->SetNumberOfPoints(800);
-  remesher->SetImportanceToMean();
-  Executions executions(remesher);
-
-  const auto expect = [&](const std::array<int, 6>& wanted, const std::string& after) {
-    remesher->Update();
-    const std::array<int, 6> counts = executions.take();
-    check(counts == wanted, after + " executes " + text(wanted) + "and not " + text(counts));
-    check(remesher->GetOutput()->GetNumberOfPoints() == remesher->GetNumberOfPoints(),
-      "exact count after " + after);
-  };
-  expect({ 1, 1, 1, 1, 1, 1 }, "the first update");
-  expect({ 0, 0, 0, 0, 0, 0 }, "nothing new");
-  remesher->SetGamma(0.5);
-  expect({ 0, 0, 1, 1, 1, 1 }, "another gamma");
-  remesher->SetMinimumDensity(0.3);
-  expect({ 0, 0, 1, 1, 1, 1 }, "another minimum density");
-  remesher->SetNumberOfPoints(801);
-  expect({ 0, 0, 0, 1, 1, 1 }, "one point more");
-  remesher->SetNumberOfIterations(7);
-  expect({ 0, 0, 0, 0, 0, 1 }, "other iterations");
-  remesher->SetFeatureAngle(30);
-  expect({ 1, 1, 1, 1, 1, 1 }, "another feature angle");
-  sphere->SetRadius(2);
-  expect({ 1, 1, 1, 1, 1, 1 }, "another input");
-
-  // Bad settings end in one error and an empty mesh; good ones work again afterwards.
-  int errors = 0;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(increment);
-  observer->SetClientData(&errors);
-  remesher->AddObserver(vtkCommand::ErrorEvent, observer);
-  remesher->SetNumberOfPoints(1);
-  remesher->Update();
-  check(errors == 1, "too few points are one error");
-  check(remesher->GetOutput()->GetNumberOfPoints() == 0, "an error leaves no mesh");
-  remesher->SetNumberOfPoints(500);
-  remesher->Update();
-  check(errors == 1 && remesher->GetOutput()->GetNumberOfPoints() == 500,
-    "and is forgotten afterwards");
-
-  // No input cells: no output, no error.
-  vtkNew<vtkGeometryRemesher> empty;
-  empty->AddObserver(vtkCommand::ErrorEvent, observer);
-  vtkNew<vtkPolyData> nothing;
-  empty->SetInputData(nothing);
-  empty->Update();
-  check(errors == 1 && empty->GetOutput()->GetNumberOfPoints() == 0, "an empty input is no error");
-  return failures == 0 ? 0 : 1;
+  testExecutions();
+  testOutputs();
+  testArrayImportance();
+  testErrors();
+  testEmptyInput();
+  testProgressAndAbort();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

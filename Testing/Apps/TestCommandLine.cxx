@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+#include "TextNumbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace stipple;
+
+TEST(CommandLine, Values)
+{
+  const CommandLine line = parseCommandLine({ "in.off", "-o", "out.ply", "--points", "+500",
+    "--gamma=0.25", "--transfer", "0:1,0.5:0,1:.5", "--map-size", "auto", "--picture", "p.png",
+    "--picture-panel", "samples", "--iterations", "0" });
+  ASSERT_EQ(line.action, CommandLine::Action::Run) << line.message;
+  EXPECT_EQ(line.options.input, "in.off");
+  EXPECT_EQ(line.options.output, "out.ply");
+  EXPECT_EQ(line.options.points, 500);
+  EXPECT_TRUE(line.options.hasGamma);
+  EXPECT_EQ(line.options.gamma, 0.25);
+  EXPECT_FALSE(line.options.hasGradation);
+  ASSERT_EQ(line.options.transfer.size(), 3u);
+  EXPECT_EQ(line.options.transfer[2], (std::pair<double, double>(1., 0.5)));
+  EXPECT_EQ(line.options.mapSize, 0);
+  EXPECT_EQ(line.options.panel, PicturePanel::Samples);
+  EXPECT_EQ(line.options.iterations, 0);
+}
+
+TEST(CommandLine, AnArrayImpliesItsImportance)
+{
+  EXPECT_EQ(
+    parseCommandLine({ "a.off", "-o", "b.off", "--importance-array", "heat" }).options.importance,
+    "array");
+  EXPECT_EQ(
+    parseCommandLine({ "a.off", "-o", "b.off", "--importance-image", "i.png" }).options.importance,
+    "image");
+}
+
+TEST(CommandLine, TheFirstMistakeIsTold)
+{
+  const CommandLine line =
+    parseCommandLine({ "a.off", "-o", "b.off", "--gama", "2", "--points", "x" });
+  EXPECT_EQ(line.action, CommandLine::Action::UsageError);
+  EXPECT_EQ(line.message, "unknown option '--gama'; did you mean '--gamma'?");
+}
+
+TEST(CommandLine, NearestWord)
+{
+  const std::vector<std::string> words = { "--points", "--importance", "--importance-image" };
+  EXPECT_EQ(nearestWord("--piont", words), "--points");
+  EXPECT_EQ(nearestWord("--importence", words), "--importance");
+  EXPECT_EQ(nearestWord("--imp", words), "--importance");
+  EXPECT_EQ(nearestWord("--quux", words), "");
+}
+
+TEST(TextNumbers, Whole)
+{
+  double x = 0;
+  EXPECT_TRUE(parseNumber("-1.5e2", x));
+  EXPECT_EQ(x, -150.);
+  for (const char* wrong : { "", "1,5", "1 ", " 1", "0x10", "nan", "inf", "1e999", "+-1", "--1" })
+  {
+    EXPECT_FALSE(parseNumber(wrong, x)) << wrong;
+  }
+  int i = 7;
+  EXPECT_FALSE(parseInteger("1e3", 0, 10000, i));
+  EXPECT_FALSE(parseInteger("11", 0, 10, i));
+  EXPECT_EQ(i, 7);
+  EXPECT_TRUE(parseInteger("10", 0, 10, i));
+}
+
+TEST(TextNumbers, ShortestTextReadsBack)
+{
+  for (const double x : { 0.1, 1. / 3., 1e-300, -123456789.125, 5e-324 })
+  {
+    EXPECT_EQ(std::strtod(shortestText(x).c_str(), nullptr), x);
+  }
+  EXPECT_EQ(shortestText(0.1), "0.1");
+}
+
+TEST(TextNumbers, FilesNameTheLine)
+{
+  const std::string file = testing::TempDir() + "stipple-positions.txt";
+  std::ofstream(file) << "# positions\n1 2 3 # one\r\n\n4 5\n";
+  std::vector<Vec3> positions;
+  const Status status = readPositions(file, positions);
+  EXPECT_EQ(status.message(), file + ":4: a constraint is three finite numbers, x y z");
+  ASSERT_EQ(positions.size(), 1u);
+  EXPECT_EQ(positions[0], Vec3(1, 2, 3));
+}

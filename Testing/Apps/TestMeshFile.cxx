@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFile.h"
+#include "OffFile.h"
+#include "OutputFiles.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace stipple;
+namespace fs = std::filesystem;
+
+namespace
+{
+class MeshFile : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    // Tests run side by side.
+    this->Folder = testing::TempDir() + "stipple-" +
+      testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(this->Folder);
+    fs::create_directories(this->Folder);
+  }
+  void TearDown() override { fs::remove_all(this->Folder); }
+
+  std::string write(const std::string& name, const std::string& text)
+  {
+    const std::string file = this->Folder + "/" + name;
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+  }
+  std::string Folder;
+};
+
+vtkSmartPointer<vtkPolyData> makeTetrahedron()
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(1. / 3., 0, 1e7 + 0.1);
+  points->InsertNextPoint(1, 0, 1e7);
+  points->InsertNextPoint(0, 1, 1e7);
+  points->InsertNextPoint(0, 0, 1e7 + 1);
+  vtkNew<vtkCellArray> cells;
+  for (const auto& t :
+    { std::array<vtkIdType, 3>{ 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } })
+  {
+    cells->InsertNextCell(3, t.data());
+  }
+  vtkNew<vtkIdTypeArray> marks;
+  marks->SetName("Mark");
+  for (int i = 0; i < 4; ++i)
+  {
+    marks->InsertNextValue(10 + i);
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  mesh->GetPointData()->AddArray(marks);
+  return mesh;
+}
+}
+
+TEST_F(MeshFile, OffInManyDresses)
+{
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const std::vector<std::string> texts = {
+    "OFF\n4 4 6\n" + body,
+    "OFF 4 4 6\n" + body,
+    "4 4 6\n" + body,
+    "# first\n\nOFF # keyword\n# counts\n4 4\n\n" + body,
+    "COFF\n4 4 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 0 0 0 1\n0 0 1 1 1 1 1\n"
+    "3 0 2 1 0.5 0.5 0.5\n3 0 1 3\n3 0 3 2 255\n3 1 2 3\n",
+    "STCNOFF\n4 4 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 "
+    "2 3",
+    "OFF\r\n4 4 6\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n+0 -0 1e0\r\n3 0 2 1\r\n3 0 1 3\r\n3 0 3 2\r\n3 1 "
+    "2 3\r\n",
+  };
+  for (std::size_t i = 0; i < texts.size(); ++i)
+  {
+    vtkSmartPointer<vtkPolyData> mesh;
+    const Status status = readMesh(this->write("a.off", texts[i]), mesh);
+    ASSERT_TRUE(status.ok()) << i << ": " << status.message();
+    EXPECT_EQ(mesh->GetNumberOfPoints(), 4) << i;
+    EXPECT_EQ(mesh->GetNumberOfPolys(), 4) << i;
+    EXPECT_EQ(mesh->GetPoint(3)[2], 1.) << i;
+  }
+}
+
+TEST_F(MeshFile, OffPolygons)
+{
+  vtkNew<vtkPolyData> mesh;
+  const std::string file = this->write(
+    "a.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n5 0 1 2 4 3\n2 0 1\n1 4\n");
+  ASSERT_TRUE(readOff(file, mesh).ok());
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  EXPECT_EQ(mesh->GetPolys()->GetMaxCellSize(), 5);
+}
+
+TEST_F(MeshFile, RoundTrips)
+{
+  const auto mesh = makeTetrahedron();
+  for (const std::string& extension : meshFileExtensions())
+  {
+    const std::string file = this->Folder + "/mesh" + extension;
+    ASSERT_TRUE(writeMesh(mesh, file, extension).ok()) << extension;
+    vtkSmartPointer<vtkPolyData> back;
+    const Status status = readMesh(file, back);
+    ASSERT_TRUE(status.ok()) << status.message();
+    EXPECT_EQ(back->GetNumberOfPolys(), 4) << extension;
+    EXPECT_EQ(back->GetNumberOfPoints(), extension == ".stl" ? 12 : 4) << extension;
+    if (extension == ".off" || extension == ".vtp" || extension == ".vtk")
+    {
+      EXPECT_EQ(back->GetPoint(0)[2], 1e7 + 0.1) << extension << " keeps doubles";
+    }
+    vtkDataArray* marks = back->GetPointData()->GetArray("Mark");
+    EXPECT_EQ(marks != nullptr, extension == ".vtp" || extension == ".vtk") << extension;
+    if (marks)
+    {
+      EXPECT_EQ(marks->GetComponent(3, 0), 13.);
+    }
+  }
+}
+
+TEST_F(MeshFile, PlyIsBinaryWithDoubles)
+{
+  const std::string file = this->Folder + "/mesh.ply";
+  ASSERT_TRUE(writeMesh(makeTetrahedron(), file, ".ply").ok());
+  std::ifstream stream(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::size_t body = text.find("end_header\n") + 11;
+  EXPECT_NE(text.find("property double z"), std::string::npos);
+  EXPECT_EQ(text.size() - body, 4u * 24 + 4u * 13);
+}
+
+TEST_F(MeshFile, OutputsAppearTogetherOrNotAtAll)
+{
+  const std::string first = this->write("first", "old");
+  const std::string second = this->Folder + "/second";
+  const std::string folder = this->Folder + "/folder";
+  const auto writeAll = [&](OutputFiles& files) {
+    std::string now;
+    std::ofstream(files.aside(first)) << "new";
+    std::ofstream(files.aside(second)) << "new";
+    ASSERT_TRUE(files.asideFolder(folder, now).ok());
+    std::ofstream(now + "/inside") << "new";
+  };
+  const auto content = [](const std::string& file) {
+    std::ifstream stream(file);
+    std::string word;
+    stream >> word;
+    return word;
+  };
+  {
+    OutputFiles files;
+    writeAll(files);
+  }
+  EXPECT_EQ(content(first), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(this->Folder), {}), 1);
+  {
+    OutputFiles files;
+    writeAll(files);
+    ASSERT_TRUE(files.commit().ok());
+  }
+  EXPECT_EQ(content(first), "new");
+  EXPECT_EQ(content(second), "new");
+  EXPECT_EQ(content(folder + "/inside"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(this->Folder), {}), 3);
+  EXPECT_FALSE(OutputFiles::check(this->Folder + "/none/file").ok());
+  EXPECT_FALSE(OutputFiles::check(folder).ok());
+  EXPECT_FALSE(OutputFiles::check(first, true).ok());
+}
+
+TEST_F(MeshFile, ADeviceIsNotReplaced)
+{
+  OutputFiles files;
+  EXPECT_EQ(files.aside("/dev/null"), "/dev/null");
+  EXPECT_TRUE(files.commit().ok());
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}

@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line's contract: options, help, version, wrong usage."""
+import json
+import os
+import pty
+import subprocess
+import unittest
+
+from stipple_program import STIPPLE, ProgramTest
+
+OPTIONS = """--points --importance --importance-image --importance-array --gamma --transfer --gradation --minimum-density
+--feature-angle --feature-edges --constraints --charts --map-size --map-backend --connectivity --smoothing --iterations
+--pattern --subdivisions --report --picture --save-charts --save-maps --save-samples --threads --quiet --verbose --version
+--help""".split()
+
+
+class CommandLine(ProgramTest):
+    def test_help_names_every_option(self):
+        out = self.succeed("--help")
+        for option in OPTIONS:
+            self.assertIn(f"  {option}", out)
+        self.assertLess(max(map(len, out.splitlines())), 110)
+
+    def test_help_wins_over_what_is_wrong(self):
+        self.assertIn("usage: stipple INPUT -o OUTPUT", self.succeed("a.off", "--help"))
+
+    def test_version_names_the_libraries(self):
+        out = self.succeed("--version")
+        self.assertRegex(out, r"(?s)stipple \d+\.\d+\.\d+\nVTK 9\.\d.*CGAL \d.*OpenGL renderer: .+")
+
+    def test_wrong_usage(self):
+        cube = self.cube()
+        out = self.folder / "out.ply"
+        cases = [
+            ([], "no input file"),
+            ([cube], "no output file"),
+            ([cube, "-o"], "-o needs FILE"),
+            ([cube, cube, "-o", out], "two input files"),
+            ([cube, "-o", out, "--point", 10], "unknown option '--point'; did you mean '--points'"),
+            ([cube, "-o", out, "--feature-angel", 10], "did you mean '--feature-angle'"),
+            ([cube, "-o", out, "--xyzzy"], "unknown option '--xyzzy'"),
+            ([cube, "-o", out, "-x"], "unknown option '-x'"),
+            ([cube, "-o", out, "--points"], "--points needs N"),
+            ([cube, "-o", out, "--points", "0"], "from 1 to 10000000"),
+            ([cube, "-o", out, "--points", "10000001"], "from 1 to 10000000"),
+            ([cube, "-o", out, "--points", "99999999999999999999"], "from 1 to 10000000"),
+            ([cube, "-o", out, "--points", "12.5"], "whole number"),
+            ([cube, "-o", out, "--points", "many"], "whole number"),
+            ([cube, "-o", out, "--points="], "whole number"),
+            ([cube, "-o", out, "--importance", "men"], "did you mean 'mean'"),
+            ([cube, "-o", out, "--importance", "image"], "go together"),
+            ([cube, "-o", out, "--importance", "mean", "--importance-array", "a"], "go together"),
+            ([cube, "-o", out, "--gamma", "nan"], "--gamma needs a number"),
+            ([cube, "-o", out, "--gamma", "-1"], "--gamma needs a number"),
+            ([cube, "-o", out, "--gamma", "1e999"], "--gamma needs a number"),
+            ([cube, "-o", out, "--transfer", "0:1"], "at least two points"),
+            ([cube, "-o", out, "--transfer", "0:0,1"], "'1' is no X:Y"),
+            ([cube, "-o", out, "--transfer", "0:0,0:1"], "ascending"),
+            ([cube, "-o", out, "--transfer", "0:0,2:1"], "outside"),
+            ([cube, "-o", out, "--gradation", "-1"], "from 0 to 100"),
+            ([cube, "-o", out, "--minimum-density", "1.5"], "from 0 to 1"),
+            ([cube, "-o", out, "--feature-angle", "181"], "from 0 to 180"),
+            ([cube, "-o", out, "--charts", "0"], "whole number"),
+            ([cube, "-o", out, "--map-size", "5"], "auto or a whole number"),
+            ([cube, "-o", out, "--map-backend", "vulkan"], "auto, opengl, cpu"),
+            ([cube, "-o", out, "--connectivity", "x"], "none, regularity, aspect"),
+            ([cube, "-o", out, "--smoothing", "laplace"], "none, area, density, lloyd"),
+            ([cube, "-o", out, "--iterations", "-1"], "whole number"),
+            ([cube, "-o", out, "--pattern", "quads"], "quads is not available yet"),
+            ([cube, "-o", out, "--pattern", "semiregular"], "semiregular is not available yet"),
+            ([cube, "-o", out, "--pattern", "hexagons"], "triangles, quads, semiregular"),
+            ([cube, "-o", out, "--subdivisions", "2"], "not available yet"),
+            ([cube, "-o", out, "--threads", "0"], "whole number"),
+            ([cube, "-o", out, "--quiet=1"], "takes no value"),
+            ([cube, "-o", out, "--quiet", "--verbose"], "exclude each other"),
+            ([cube, "-o", out, "--picture-panel", "maps"], "needs --picture"),
+            ([cube, "-o", out, "--picture", "a.jpg"], "must end in .png"),
+            ([cube, "-o", out, "--save-charts", "a.obj"], "must end in .vtpc, .vtp"),
+            ([cube, "-o", out, "--report", out], "output of two options"),
+            ([cube, "-o", self.folder / "out.xyz"], "must end in .ply, .obj, .stl, .off, .vtp, .vtk"),
+            ([self.folder / "in.step", "-o", out], "must end in .ply, .obj, .stl, .off, .vtp, .vtk"),
+        ]
+        for arguments, pattern in cases:
+            with self.subTest(arguments=arguments):
+                self.fail_with(2, pattern, *arguments)
+
+    def test_every_option_is_taken(self):
+        cube = self.cube()
+        out = self.folder / "out.vtp"
+        values = """--points=300 --importance=mean --gamma=0.5 --transfer=0:0.2,1:1 --gradation=1 --minimum-density=0.1
+            --feature-angle=35 --charts=2 --map-size=128 --map-backend=cpu --connectivity=aspect --smoothing=area
+            --iterations=3 --pattern=triangles --threads=1 --quiet""".split()
+        report = self.folder / "report.json"
+        self.succeed(cube, "-o", out, "--report", report, *values)
+        written = json.loads(report.read_text())
+        self.assertEqual(written["points"], 300)
+        self.assertGreaterEqual(written["charts"], 2)
+        self.assertEqual(written["map_backend"], "CPU")
+
+    def test_a_file_named_like_an_option(self):
+        self.file("-x.off", self.cube().read_bytes())
+        self.succeed("-o", "out.ply", "--points", "100", "--", "-x.off", cwd=self.folder)
+
+    def test_silence_in_a_pipe_and_a_bar_on_a_terminal(self):
+        cube = self.cube()
+        self.assertEqual(self.succeed(cube, "-o", self.folder / "a.ply", "--points", "100"), "")
+        leader, follower = pty.openpty()
+        status = subprocess.run(
+            [STIPPLE, cube, "-o", self.folder / "b.ply", "--points", "100"],
+            stderr=follower,
+            env={**os.environ, "TERM": "xterm"},
+            check=False,
+        ).returncode
+        os.close(follower)
+        shown = os.read(leader, 100000).decode()
+        os.close(leader)
+        self.assertEqual(status, 0)
+        self.assertIn("remeshing", shown)
+        self.assertTrue(shown.endswith("\x1b[K"), "the bar is wiped away")
+
+    def test_verbose_tells_seconds(self):
+        cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))
+        # The inserted point shifts the ids of the faces: write them anew.
+        lines = cube.read_text().splitlines()
+        faces = [" ".join(["4"] + [str(int(i) + (int(i) > 0)) for i in line.split()[1:]]) for line in lines[11:]]
+        cube.write_text("\n".join(lines[:11] + faces) + "\n")
+        done = subprocess.run(
+            [STIPPLE, cube, "-o", self.folder / "a.ply", "--points", "100", "--verbose"],
+            capture_output=True, text=True, check=True,
+        )
+        self.assertIn("100 points", done.stderr)
+        self.assertRegex(done.stderr, r"atlas +\d+\.\d+ s")
+        self.assertIn("1 unused_points", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
