@@ -19,7 +19,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   ChartsCore ViewsContext2D
   TestingCore TestingRendering
-  glew opengl
+  glew jsoncpp opengl
   OPTIONAL_COMPONENTS WrappingPythonCore Python PythonInterpreter)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMesh REQUIRED CONFIG)

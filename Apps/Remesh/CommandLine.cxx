@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include "MeshFile.h"
+#include "Session.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
@@ -143,9 +144,7 @@ const std::vector<Group>& groups()
           "what attracts samples: uniform, mean, gaussian, minimum,\nmaximum, total (curvatures), "
           "l2, "
           "image or array (default: uniform)",
-          choice(&Options::importance,
-            { "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image",
-              "array" }) },
+          choice(&Options::importance, importanceNames()) },
         { "--importance-image", "FILE",
           "the image for --importance image (PNG, JPEG, TIFF, VTI, ...)",
           text(&Options::importanceImage) },
@@ -200,7 +199,11 @@ const std::vector<Group>& groups()
         { "--save-samples", "FILE", "samples before they are meshed (.vtp, .vtk or .ply)",
           text(&Options::saveSamples) } } },
     { "General",
-      { { "--threads", "T",
+      { { "--session", "FILE.json",
+          "parameters that stipple-view saved, and its model if there\nis no INPUT; other options "
+          "override them",
+          text(&Options::session) },
+        { "--threads", "T",
           "threads to use, 1 to 1024 (default: all); the output is\nthe same for any",
           integer(&Options::threads, 1, 1024) },
         { "--quiet", "", "no progress, no warnings", flag(&Options::quiet) },
@@ -268,7 +271,7 @@ std::string unknownOption(const std::string& name)
 /// What no single option can tell.
 std::string checkTogether(Options& o, bool importanceGiven)
 {
-  if (o.input.empty())
+  if (o.input.empty() && o.session.empty())
   {
     return "no input file; usage: stipple INPUT -o OUTPUT [options]";
   }
@@ -306,6 +309,7 @@ std::string checkTogether(Options& o, bool importanceGiven)
     return option + " '" + file + "' must end in " + list(extensions);
   };
   for (const std::string& wrong : { wrongExtension("the input", o.input, meshFileExtensions()),
+         wrongExtension("--session", o.session, { ".json" }),
          wrongExtension("the output", o.output, meshFileExtensions()),
          wrongExtension("--picture", o.picture, { ".png" }),
          wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),

@@ -26,12 +26,13 @@ enum class PicturePanel
 /// An option that was not given leaves the filter's own default alone: see the has... flags.
 struct Options
 {
-  std::string input;
+  std::string input;   ///< empty: the session's model
+  std::string session; ///< file of parameters that the options override
   std::string output;
 
   // Sampling
-  int points = 0; ///< 0: as many as the input has
-  std::string importance = "uniform";
+  int points = 0;         ///< 0: as many as the input has
+  std::string importance; ///< empty: the session's, or uniform
   std::string importanceImage;
   std::string importanceArray;
   bool hasGamma = false;
@@ -47,7 +48,7 @@ struct Options
   double featureAngle = 40; ///< degrees
   std::string featureEdges;
   std::string constraints;
-  int charts = 1;
+  int charts = 0;  ///< 0: the session's, or 1
   int mapSize = 0; ///< 0: automatic
   std::string mapBackend = "auto";
 

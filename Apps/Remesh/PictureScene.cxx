@@ -6,16 +6,15 @@
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
 #include "SavedFiles.h"
+#include "SceneActors.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
-#include "vtkLightKit.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -34,35 +33,11 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
 namespace stipple
 {
 namespace
 {
-using Color = std::array<double, 3>;
-constexpr Color Ink = { { 0.16, 0.18, 0.21 } };
-constexpr Color Paper = { { 1., 1., 1. } };
-constexpr Color Clay = { { 0.82, 0.86, 0.91 } };
-constexpr Color Edge = { { 0.24, 0.28, 0.34 } };
-constexpr Color FeatureRed = { { 0.86, 0.10, 0.13 } };
-constexpr Color BoundaryBlue = { { 0.10, 0.32, 0.70 } };
-constexpr Color SampleBlue = { { 0.10, 0.20, 0.42 } };
-
-/// A direction from which most models show three of their sides; y is up.
-constexpr Color ViewFrom = { { 0.55, 0.38, 1.0 } };
-constexpr double ViewAngle = 24;
-
-std::string grouped(long long number)
-{
-  std::string text = std::to_string(number);
-  for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3)
-  {
-    text.insert(i, ",");
-  }
-  return text;
-}
-
 void addText(vtkRenderer* renderer, const std::string& text, int x, int y, int size, bool bold,
   const Color& color = Ink)
 {
@@ -87,50 +62,6 @@ void addLabel(vtkRenderer* renderer, const PanelLayout& layout, const std::strin
   addText(renderer, detail, 16 * s, layout.height - 38 * s, 14 * s, false, { { 0.4, 0.42, 0.46 } });
 }
 
-/// Closer than ResetCamera(), which makes room for the sphere around the bounding box: the surface
-/// just fits.
-void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, const PanelLayout& layout)
-{
-  Vec3 from(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
-  from.normalize();
-  const Vec3 right = Vec3::UnitY().cross(from).normalized();
-  const Vec3 up = from.cross(right);
-  const TriangleSurface triangles = fromPolyData(surface);
-  Eigen::Matrix3d axes;
-  axes << right, up, from;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
-  Vec3 high = -low;
-  for (const Triangle& t : triangles.triangles)
-  {
-    for (const int p : t)
-    {
-      const Vec3 q = axes.transpose() * triangles.points[p];
-      low = low.cwiseMin(q);
-      high = high.cwiseMax(q);
-    }
-  }
-  const Vec3 center = 0.5 * (low + high);
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  const double margin = 1. - 2. * 48. * layout.scale / layout.height; // below the label
-  double distance = 0;
-  for (const Triangle& t : triangles.triangles)
-  {
-    for (const int p : t)
-    {
-      const Vec3 q = axes.transpose() * triangles.points[p] - center;
-      distance =
-        std::max(distance, q.z() + std::max(std::abs(q.x()), std::abs(q.y())) / (margin * tangent));
-    }
-  }
-  const Vec3 focus = axes * center;
-  const Vec3 position = focus + (distance > 0 ? distance : 1.) * from;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(focus.data());
-  camera->SetPosition(position.data());
-  camera->SetViewUp(up.data());
-  camera->SetViewAngle(ViewAngle);
-}
-
 /// Pixels of the picture that a length at the model's centre takes.
 double pixelsOf(double length, vtkRenderer* renderer, const PanelLayout& layout)
 {
@@ -139,100 +70,31 @@ double pixelsOf(double length, vtkRenderer* renderer, const PanelLayout& layout)
   return length / height * layout.height / layout.scale;
 }
 
-double meanEdge(vtkPolyData* mesh)
-{
-  // Of triangles near equilateral, from the area of the surface: two sides of one are enough to
-  // see.
-  const TriangleSurface surface = fromPolyData(mesh);
-  return surface.triangles.empty() ? 0.
-                                   : std::sqrt(4. / std::sqrt(3.) * surface.area() /
-                                       static_cast<double>(surface.triangles.size()));
-}
-
 vtkProperty* addSurface(vtkRenderer* renderer, vtkPolyData* mesh)
 {
-  vtkNew<vtkPolyData> faces; // the bare surface: no array of the user's colours it
-  faces->SetPoints(mesh->GetPoints());
-  faces->SetPolys(mesh->GetPolys());
-  faces->SetStrips(mesh->GetStrips());
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(faces);
+  mapper->SetInputData(bareSurface(mesh));
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  vtkProperty* property = actor->GetProperty();
-  property->SetColor(Clay[0], Clay[1], Clay[2]);
-  property->SetInterpolationToFlat();
-  property->SetAmbient(0.08);
-  property->SetDiffuse(0.92);
+  setSurfaceLook(actor->GetProperty());
   renderer->AddActor(actor);
-  return property;
+  return actor->GetProperty();
 }
 
-/// Edges where they are far enough apart to be seen.
-void showEdges(vtkProperty* property, double pixels, const PanelLayout& layout)
-{
-  if (pixels < 3.)
-  {
-    return;
-  }
-  // The denser the mesh, the fainter its edges: they must not hide the shading.
-  const double strength = std::clamp((pixels - 2.) / 10., 0.35, 1.);
-  property->EdgeVisibilityOn();
-  property->SetEdgeColor(Clay[0] + strength * (Edge[0] - Clay[0]),
-    Clay[1] + strength * (Edge[1] - Clay[1]), Clay[2] + strength * (Edge[2] - Clay[2]));
-  property->SetLineWidth(static_cast<float>(pixels > 8. ? 1. * layout.scale : 0.5 * layout.scale));
-}
-
-/// The polylines of a type, by the cell array BackboneType.
 void addLines(vtkRenderer* renderer, vtkPolyData* lines, int type, const Color& color, double width)
 {
-  vtkDataArray* types = lines ? lines->GetCellData()->GetArray("BackboneType") : nullptr;
-  if (!types)
+  const vtkSmartPointer<vtkPolyData> data = backbonesOfType(lines, type);
+  if (data->GetNumberOfLines() > 0)
   {
-    return;
+    renderer->AddActor(lineActor(data, color, width));
   }
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType first = lines->GetNumberOfVerts();
-  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
-  {
-    if (static_cast<int>(types->GetComponent(first + i, 0)) == type)
-    {
-      vtkIdType size;
-      const vtkIdType* ids;
-      lines->GetLines()->GetCellAtId(i, size, ids);
-      cells->InsertNextCell(size, ids);
-    }
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(lines->GetPoints());
-  data->SetLines(cells);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  actor->GetProperty()->LightingOff();
-  renderer->AddActor(actor);
 }
 
 void addFeatures(vtkRenderer* renderer, vtkPolyData* lines, const PanelLayout& layout)
 {
   addLines(renderer, lines, 1, BoundaryBlue, 2. * layout.scale);
   addLines(renderer, lines, 0, FeatureRed, 2. * layout.scale);
-}
-
-/// A light colour for each chart; neighbours in number are far apart in hue.
-std::array<unsigned char, 3> chartColor(int chart)
-{
-  const double hue = std::fmod(0.58 + 0.618033988749895 * chart, 1.);
-  double rgb[3];
-  vtkMath::HSVToRGB(
-    hue, 0.30 + 0.08 * (chart % 3), 0.96 - 0.06 * ((chart / 3) % 3), rgb, rgb + 1, rgb + 2);
-  return { { static_cast<unsigned char>(255 * rgb[0]), static_cast<unsigned char>(255 * rgb[1]),
-    static_cast<unsigned char>(255 * rgb[2]) } };
 }
 
 void addCharts(vtkRenderer* renderer, const PictureContent& content, const PanelLayout& layout)
@@ -246,9 +108,7 @@ void addCharts(vtkRenderer* renderer, const PictureContent& content, const Panel
   {
     colors->InsertNextTypedTuple(chartColor(static_cast<int>(ids->GetComponent(c, 0))).data());
   }
-  vtkNew<vtkPolyData> faces;
-  faces->SetPoints(surface->GetPoints());
-  faces->SetPolys(surface->GetPolys());
+  const vtkSmartPointer<vtkPolyData> faces = bareSurface(surface);
   faces->GetCellData()->SetScalars(colors);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(faces);
@@ -342,17 +202,15 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
   const PanelLayout& layout)
 {
   renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.85);
-  lights->SetKeyLightWarmth(0.53);
-  lights->AddLightsToRenderer(renderer);
-  aimCamera(renderer, content.before, layout);
+  addLights(renderer);
+  // The margin leaves room for the label.
+  aimCamera(renderer, content.before, 1., 48. * layout.scale / layout.height);
   const auto charts = content.charts->GetNumberOfPartitionedDataSets();
   switch (panel)
   {
     case PicturePanel::Before:
-      showEdges(addSurface(renderer, content.before),
-        pixelsOf(meanEdge(content.before), renderer, layout), layout);
+      setEdgeLook(addSurface(renderer, content.before),
+        pixelsOf(meanEdge(content.before), renderer, layout), layout.scale);
       addFeatures(renderer, content.graph, layout);
       addLabel(renderer, layout, "before",
         grouped(content.before->GetNumberOfPoints()) + " points, " +
@@ -374,8 +232,8 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
         renderer, layout, "samples", grouped(content.samples->GetNumberOfPoints()) + " samples");
       break;
     default:
-      showEdges(addSurface(renderer, content.after),
-        pixelsOf(meanEdge(content.after), renderer, layout), layout);
+      setEdgeLook(addSurface(renderer, content.after),
+        pixelsOf(meanEdge(content.after), renderer, layout), layout.scale);
       addFeatures(renderer, content.lines, layout);
       addLabel(renderer, layout, "after",
         grouped(content.after->GetNumberOfPoints()) + " points, " +

@@ -10,28 +10,22 @@
 #include "PolyDataConversion.h"
 #include "Report.h"
 #include "SavedFiles.h"
+#include "Session.h"
+#include "SessionFile.h"
+#include "SessionParameters.h"
 #include "Terminal.h"
 #include "TextNumbers.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
 #include "vtkConformalAtlas.h"
-#include "vtkControlMap.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
-#include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkSMPTools.h"
-#include "vtkXMLImageDataReader.h"
 
 #include <chrono>
 #include <cstdio>
@@ -93,109 +87,62 @@ Status checkOutputs(const Options& o)
   return o.saveMaps.empty() ? Status::success() : OutputFiles::check(o.saveMaps, true);
 }
 
-Status readImage(const std::string& file, vtkGeometryRemesher* remesher)
+/// The session's parameters, overridden by the options that were given.
+Status makeSession(const Options& o, Session& session)
 {
-  vtkSmartPointer<vtkAlgorithm> reader;
-  if (fileExtension(file) == ".vti")
+  if (!o.session.empty())
   {
-    auto xml = vtkSmartPointer<vtkXMLImageDataReader>::New();
-    xml->SetFileName(file.c_str());
-    reader = xml;
+    if (Status status = readSession(o.session, session); !status.ok())
+    {
+      return status;
+    }
   }
-  else if (auto image = vtkSmartPointer<vtkImageReader2>::Take(
-             vtkImageReader2Factory::CreateImageReader2(file.c_str())))
+  if (!o.input.empty())
   {
-    image->SetFileName(file.c_str());
-    reader = image;
+    session.model = o.input;
   }
-  if (!reader || !std::ifstream(file))
+  if (session.model.empty())
   {
-    return Status::error("cannot read the image '" + file + "'");
+    return Status::error("the session '" + o.session + "' names no model: say which INPUT");
   }
-  ErrorCollector errors(reader);
-  reader->Update();
-  auto* image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!errors.first().empty() || !image || image->GetNumberOfPoints() == 0)
+  session.points = o.points > 0 ? o.points : session.points;
+  if (!o.importance.empty())
   {
-    return Status::error("cannot read the image '" + file + "'");
+    session.importance = o.importance;
+    session.importanceImage = o.importanceImage;
+    session.importanceArray = o.importanceArray;
   }
-  remesher->SetImportanceImage(image);
+  session.gamma = o.hasGamma ? o.gamma : session.gamma;
+  session.transfer = o.transfer.empty() ? session.transfer : o.transfer;
+  session.gradation = o.hasGradation ? o.gradation : session.gradation;
+  session.minimumDensity = o.hasMinimumDensity ? o.minimumDensity : session.minimumDensity;
+  session.featureAngle = o.hasFeatureAngle ? o.featureAngle : session.featureAngle;
+  session.charts = o.charts > 0 ? o.charts : session.charts;
   return Status::success();
 }
 
-Status checkArray(const std::string& name, vtkPolyData* mesh)
-{
-  std::string have;
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
-  {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = data->GetArray(i);
-      if (array && array->GetName())
-      {
-        if (name == array->GetName())
-        {
-          return Status::success();
-        }
-        have += (have.empty() ? "" : ", ") + std::string(array->GetName());
-      }
-    }
-  }
-  return Status::error(
-    "the input has no array '" + name + "'; it has " + (have.empty() ? "none" : have));
-}
-
-Status applyFiles(const Options& o, vtkPolyData* mesh, vtkGeometryRemesher* remesher)
+/// Small files that the options name, in place of what the session has.
+Status readSmallFiles(const Options& o, vtkPolyData* mesh, Session& session)
 {
   if (!o.constraints.empty())
   {
-    std::vector<Vec3> positions;
-    if (Status status = readPositions(o.constraints, positions); !status.ok())
+    session.constraints.clear();
+    if (Status status = readPositions(o.constraints, session.constraints); !status.ok())
     {
       return status;
     }
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const Vec3& p : positions)
-    {
-      points->InsertNextPoint(p.data());
-    }
-    remesher->SetConstraints(points);
   }
   if (!o.featureEdges.empty())
   {
-    std::vector<std::array<long long, 2>> edges;
-    if (Status status = readEdges(o.featureEdges, mesh->GetNumberOfPoints(), edges); !status.ok())
-    {
-      return status;
-    }
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetNumberOfComponents(2);
-    for (const auto& edge : edges)
-    {
-      ids->InsertNextTuple2(static_cast<double>(edge[0]), static_cast<double>(edge[1]));
-    }
-    remesher->SetFeatureEdges(ids);
+    session.featureEdges.clear();
+    return readEdges(o.featureEdges, mesh->GetNumberOfPoints(), session.featureEdges);
   }
-  if (!o.importanceArray.empty())
-  {
-    if (Status status = checkArray(o.importanceArray, mesh); !status.ok())
-    {
-      return status;
-    }
-    remesher->SetImportanceArrayName(o.importanceArray.c_str());
-  }
-  return o.importanceImage.empty() ? Status::success() : readImage(o.importanceImage, remesher);
+  return Status::success();
 }
 
-void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
+/// What is not in a session.
+void applyOptions(const Options& o, vtkGeometryRemesher* remesher)
 {
-  static const std::map<std::string, int> importances = { { "uniform", vtkControlMap::UNIFORM },
-    { "mean", vtkControlMap::MEAN }, { "gaussian", vtkControlMap::GAUSSIAN },
-    { "minimum", vtkControlMap::MINIMUM }, { "maximum", vtkControlMap::MAXIMUM },
-    { "total", vtkControlMap::TOTAL }, { "l2", vtkControlMap::L2 },
-    { "image", vtkControlMap::IMAGE }, { "array", vtkControlMap::ARRAY } };
   static const std::map<std::string, int> backends = { { "auto", vtkGeometryMapRenderer::AUTO },
     { "opengl", vtkGeometryMapRenderer::OPENGL }, { "cpu", vtkGeometryMapRenderer::CPU } };
   static const std::map<std::string, int> swaps = { { "none",
@@ -204,27 +151,8 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   static const std::map<std::string, int> moves = { { "none", vtkRemeshOptimizer::SMOOTHING_NONE },
     { "area", vtkRemeshOptimizer::AREA }, { "density", vtkRemeshOptimizer::DENSITY },
     { "lloyd", vtkRemeshOptimizer::LLOYD } };
-  remesher->SetNumberOfPoints(o.points);
-  remesher->SetImportance(importances.at(o.importance));
-  remesher->SetNumberOfCharts(o.charts);
   remesher->SetMapSize(o.mapSize);
   remesher->SetBackend(backends.at(o.mapBackend));
-  if (o.hasGamma)
-  {
-    remesher->SetGamma(o.gamma);
-  }
-  if (o.hasGradation)
-  {
-    remesher->SetGradation(o.gradation);
-  }
-  if (o.hasMinimumDensity)
-  {
-    remesher->SetMinimumDensity(o.minimumDensity);
-  }
-  if (o.hasFeatureAngle)
-  {
-    remesher->SetFeatureAngle(o.featureAngle);
-  }
   if (!o.connectivity.empty())
   {
     remesher->SetConnectivity(swaps.at(o.connectivity));
@@ -237,15 +165,25 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   {
     remesher->SetNumberOfIterations(o.iterations);
   }
-  if (!o.transfer.empty())
+}
+
+/// All parameters of the filter, from the session and the options.
+Status setUp(const Options& o, Session& session, vtkPolyData* input, vtkGeometryRemesher* remesher)
+{
+  Status status = readSmallFiles(o, input, session);
+  if (status.ok())
   {
-    vtkNew<vtkPiecewiseFunction> function;
-    for (const auto& p : o.transfer)
-    {
-      function->AddPoint(p.first, p.second);
-    }
-    remesher->SetTransferFunction(function);
+    status = checkSession(session, input);
   }
+  if (status.ok() && !session.importanceImage.empty())
+  {
+    vtkSmartPointer<vtkImageData> image;
+    status = readImage(session.importanceImage, image);
+    remesher->SetImportanceImage(image);
+  }
+  applySession(session, remesher);
+  applyOptions(o, remesher);
+  return status;
 }
 
 Status remesh(vtkPolyData* input, const Options& o, vtkGeometryRemesher* remesher, ProgressBar& bar)
@@ -421,28 +359,35 @@ Status drawPicture(
 }
 }
 
-Status run(const Options& o)
+Status run(const Options& given)
 {
-  if (o.threads > 0)
+  if (given.threads > 0)
   {
-    vtkSMPTools::Initialize(o.threads);
+    vtkSMPTools::Initialize(given.threads);
   }
-  if (Status status = checkOutputs(o); !status.ok())
+  if (Status status = checkOutputs(given); !status.ok())
   {
     return status;
   }
-  ProgressBar bar(!o.quiet);
+  ProgressBar bar(!given.quiet);
   bar.show(0, "reading");
   const Stopwatch watch;
   vtkSmartPointer<vtkPolyData> input;
-  if (Status status = readMesh(o.input, input); !status.ok())
+  Session session;
+  Status status = makeSession(given, session);
+  if (status.ok())
+  {
+    status = readMesh(session.model, input);
+  }
+  if (!status.ok())
   {
     return status;
   }
+  Options o = given;
+  o.input = session.model;
   const double load = watch.seconds();
   vtkNew<vtkGeometryRemesher> remesher;
-  applyNumbers(o, remesher);
-  Status status = applyFiles(o, input, remesher);
+  status = setUp(o, session, input, remesher);
   if (status.ok())
   {
     status = remesh(input, o, remesher, bar);

@@ -54,24 +54,30 @@ std::string MessageWatch::firstError() const
   return {};
 }
 
+void CollectingOutputWindow::keep(std::vector<std::string>& list, const char* text)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  list.push_back(sentenceOf(text ? text : ""));
+}
+
 void CollectingOutputWindow::DisplayText(const char* text)
 {
-  this->Warnings.push_back(sentenceOf(text ? text : ""));
+  this->keep(this->Warnings, text);
 }
 
 void CollectingOutputWindow::DisplayErrorText(const char* text)
 {
-  this->Errors.push_back(sentenceOf(text ? text : ""));
+  this->keep(this->Errors, text);
 }
 
 void CollectingOutputWindow::DisplayWarningText(const char* text)
 {
-  this->Warnings.push_back(sentenceOf(text ? text : ""));
+  this->keep(this->Warnings, text);
 }
 
 void CollectingOutputWindow::DisplayGenericWarningText(const char* text)
 {
-  this->Warnings.push_back(sentenceOf(text ? text : ""));
+  this->keep(this->Warnings, text);
 }
 
 ErrorCollector::ErrorCollector(vtkObject* object)

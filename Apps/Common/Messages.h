@@ -7,6 +7,7 @@
 #include "vtkOutputWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ class vtkObject;
 
 namespace stipple
 {
-/// Takes the place of VTK's output window: nothing is printed, everything is kept.
+/// Takes the place of VTK's output window: nothing is printed, everything is kept. Any thread may
+/// speak; what was said is read where no other thread speaks any more.
 class CollectingOutputWindow : public vtkOutputWindow
 {
 public:
@@ -36,6 +38,8 @@ public:
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:
+  void keep(std::vector<std::string>& list, const char* text);
+  std::mutex Mutex;
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 };

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneActors.h"
+
+#include "PolyDataConversion.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkLightKit.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stipple
+{
+std::string grouped(long long number)
+{
+  std::string text = std::to_string(number);
+  for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3)
+  {
+    text.insert(i, ",");
+  }
+  return text;
+}
+
+std::array<unsigned char, 3> chartColor(int chart)
+{
+  const double hue = std::fmod(0.58 + 0.618033988749895 * chart, 1.);
+  double rgb[3];
+  vtkMath::HSVToRGB(
+    hue, 0.30 + 0.08 * (chart % 3), 0.96 - 0.06 * ((chart / 3) % 3), rgb, rgb + 1, rgb + 2);
+  return { { static_cast<unsigned char>(255 * rgb[0]), static_cast<unsigned char>(255 * rgb[1]),
+    static_cast<unsigned char>(255 * rgb[2]) } };
+}
+
+vtkSmartPointer<vtkPolyData> bareSurface(vtkPolyData* mesh)
+{
+  auto faces = vtkSmartPointer<vtkPolyData>::New();
+  faces->SetPoints(mesh->GetPoints());
+  faces->SetPolys(mesh->GetPolys());
+  faces->SetStrips(mesh->GetStrips());
+  return faces;
+}
+
+void setSurfaceLook(vtkProperty* property)
+{
+  property->SetColor(Clay[0], Clay[1], Clay[2]);
+  property->SetInterpolationToFlat();
+  property->SetAmbient(0.08);
+  property->SetDiffuse(0.92);
+}
+
+void setEdgeLook(vtkProperty* property, double pixels, double scale)
+{
+  if (pixels < 3.)
+  {
+    property->EdgeVisibilityOff();
+    return;
+  }
+  // The denser the mesh, the fainter its edges: they must not hide the shading.
+  const double strength = std::clamp((pixels - 2.) / 10., 0.35, 1.);
+  property->EdgeVisibilityOn();
+  property->SetEdgeColor(Clay[0] + strength * (Edge[0] - Clay[0]),
+    Clay[1] + strength * (Edge[1] - Clay[1]), Clay[2] + strength * (Edge[2] - Clay[2]));
+  property->SetLineWidth(static_cast<float>(pixels > 8. ? scale : 0.5 * scale));
+}
+
+vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkDataArray* types = lines ? lines->GetCellData()->GetArray("BackboneType") : nullptr;
+  if (!types)
+  {
+    return data;
+  }
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType first = lines->GetNumberOfVerts();
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    if (static_cast<int>(types->GetComponent(first + i, 0)) == type)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      lines->GetLines()->GetCellAtId(i, size, ids);
+      cells->InsertNextCell(size, ids);
+    }
+  }
+  data->SetPoints(lines->GetPoints());
+  data->SetLines(cells);
+  return data;
+}
+
+vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines, const Color& color, double width)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+double meanEdge(vtkPolyData* mesh)
+{
+  const TriangleSurface surface = fromPolyData(mesh);
+  return surface.triangles.empty() ? 0.
+                                   : std::sqrt(4. / std::sqrt(3.) * surface.area() /
+                                       static_cast<double>(surface.triangles.size()));
+}
+
+void addLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.85);
+  lights->SetKeyLightWarmth(0.53);
+  lights->AddLightsToRenderer(renderer);
+}
+
+void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin)
+{
+  Vec3 from(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
+  from.normalize();
+  const Vec3 right = Vec3::UnitY().cross(from).normalized();
+  const Vec3 up = from.cross(right);
+  const TriangleSurface triangles = fromPolyData(surface);
+  Eigen::Matrix3d axes;
+  axes << right, up, from;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
+  Vec3 high = -low;
+  for (const Triangle& t : triangles.triangles)
+  {
+    for (const int p : t)
+    {
+      const Vec3 q = axes.transpose() * triangles.points[p];
+      low = low.cwiseMin(q);
+      high = high.cwiseMax(q);
+    }
+  }
+  const Vec3 center = 0.5 * (low + high);
+  const double tangent =
+    (1. - 2. * margin) * std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+  double distance = 0;
+  for (const Triangle& t : triangles.triangles)
+  {
+    for (const int p : t)
+    {
+      const Vec3 q = axes.transpose() * triangles.points[p] - center;
+      distance =
+        std::max(distance, q.z() + std::max(std::abs(q.x()) / aspect, std::abs(q.y())) / tangent);
+    }
+  }
+  const Vec3 focus = axes * center;
+  const Vec3 position = focus + (distance > 0 ? distance : 1.) * from;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  camera->SetViewAngle(ViewAngle);
+}
+}
