@@ -88,10 +88,6 @@ struct CommandLine
 
 /// The text of --help: every option in its group, with its unit, range and default.
 [[nodiscard]] std::string helpText();
-
-/// Of some words, the one that was probably meant; empty if none is near.
-[[nodiscard]] std::string nearestWord(
-  const std::string& typed, const std::vector<std::string>& words);
 }
 
 #endif

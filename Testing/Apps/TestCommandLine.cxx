@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 #include "TextNumbers.h"
+#include "Words.h"
 
 #include <gtest/gtest.h>
 

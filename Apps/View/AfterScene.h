@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The right view: the remesh with its edges and feature lines.
+#ifndef stipple_AfterScene_h
+#define stipple_AfterScene_h
+
+#include "ViewState.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace stipple
+{
+class AfterScene
+{
+public:
+  explicit AfterScene(vtkRenderer* renderer);
+  ~AfterScene();
+  AfterScene(const AfterScene&) = delete;
+  AfterScene& operator=(const AfterScene&) = delete;
+
+  void setMesh(vtkPolyData* mesh, vtkPolyData* lines);
+  void setView(const ViewState& view, float lineWidth);
+  /// Pixels per unit of length.
+  void setZoom(double pixelsPerLength);
+
+private:
+  void showRightActors();
+
+  ViewState View;
+  float LineWidth = 1;
+  double Zoom = 0;
+  double MeshEdge = 0;
+  vtkSmartPointer<vtkActor> Mesh;
+  vtkSmartPointer<vtkActor> Lines[3]; ///< sharp, boundary, seam
+};
+}
+
+#endif

@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BeforeScene.h"
+
+#include "AtlasSurface.h"
+#include "SceneActors.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stipple
+{
+namespace
+{
+using Pixel = std::array<unsigned char, 3>;
+constexpr Pixel SurfacePixel = { { 222, 229, 238 } };
+constexpr Pixel SamplePixel = { { 24, 44, 96 } };
+constexpr Color TagOrange = { { 0.93, 0.50, 0.05 } };
+
+vtkImageData* imageOf(vtkPartitionedDataSetCollection* images, std::size_t chart)
+{
+  return images && chart < images->GetNumberOfPartitionedDataSets()
+    ? vtkImageData::SafeDownCast(
+        images->GetPartitionAsDataObject(static_cast<unsigned int>(chart), 0))
+    : nullptr;
+}
+
+/// The chart's surface with its parameters as texture coordinates in [0, 1].
+vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
+{
+  vtkSmartPointer<vtkPolyData> surface = bareSurface(chart);
+  vtkDataArray* uv = chart->GetPointData()->GetArray("UV");
+  vtkDataArray* extent = chart->GetFieldData()->GetArray("ChartExtent");
+  if (uv && extent)
+  {
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetName("TextureCoordinates");
+    coordinates->SetNumberOfComponents(2);
+    coordinates->SetNumberOfTuples(uv->GetNumberOfTuples());
+    for (vtkIdType p = 0; p < uv->GetNumberOfTuples(); ++p)
+    {
+      coordinates->SetTuple2(p, uv->GetComponent(p, 0) / extent->GetComponent(0, 0),
+        uv->GetComponent(p, 1) / extent->GetComponent(0, 1));
+    }
+    surface->GetPointData()->SetTCoords(coordinates);
+  }
+  return surface;
+}
+
+void paintSamples(vtkImageData* halftone, vtkImageData* texture)
+{
+  auto* dots = vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"));
+  const int* size = halftone->GetDimensions();
+  texture->SetDimensions(size);
+  texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
+  for (vtkIdType i = 0; dots && i < dots->GetNumberOfValues(); ++i)
+  {
+    pixels[i] = dots->GetValue(i) == 0 ? SamplePixel : SurfacePixel;
+  }
+  texture->Modified();
+}
+
+/// From white over blue to dark red, by the share of the highest density.
+Pixel densityPixel(double share)
+{
+  static const double stops[5][3] = { { 245, 247, 250 }, { 158, 202, 225 }, { 66, 146, 198 },
+    { 8, 69, 148 }, { 103, 0, 61 } };
+  const double place = std::clamp(share, 0., 1.) * 4;
+  const int stop = std::min(3, static_cast<int>(place));
+  const double t = place - stop;
+  Pixel pixel;
+  for (int k = 0; k < 3; ++k)
+  {
+    pixel[k] = static_cast<unsigned char>((1 - t) * stops[stop][k] + t * stops[stop + 1][k]);
+  }
+  return pixel;
+}
+
+double densityOf(vtkFloatArray* control, vtkFloatArray* area, vtkIdType i)
+{
+  const double a = area->GetValue(i);
+  return a > 0 ? control->GetValue(i) / a : 0;
+}
+}
+
+BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input)
+  : Renderer(renderer)
+  , Input(input)
+  , InputEdge(meanEdge(input))
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(bareSurface(input));
+  this->Surface = vtkSmartPointer<vtkActor>::New();
+  this->Surface->SetMapper(mapper);
+  setSurfaceLook(this->Surface->GetProperty());
+  renderer->AddActor(this->Surface);
+  for (int type = 0; type < 3; ++type)
+  {
+    vtkNew<vtkPolyData> none;
+    this->Lines.push_back(
+      lineActor(none, type == 0 ? FeatureRed : (type == 1 ? BoundaryBlue : Ink), 1));
+    renderer->AddActor(this->Lines.back());
+  }
+  vtkNew<vtkPolyData> none;
+  this->Edges = lineActor(none, TagOrange, 1);
+  this->Brush = lineActor(none, TagOrange, 1);
+  this->Points = lineActor(none, TagOrange, 1);
+  this->Points->GetProperty()->RenderPointsAsSpheresOn();
+  for (vtkActor* actor : { this->Edges.Get(), this->Brush.Get(), this->Points.Get() })
+  {
+    actor->PickableOff();
+    renderer->AddActor(actor);
+  }
+}
+
+BeforeScene::~BeforeScene() = default;
+
+void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph)
+{
+  for (const Chart& chart : this->Charts)
+  {
+    this->Renderer->RemoveActor(chart.actor);
+  }
+  this->Charts.clear();
+  this->Halftones = nullptr;
+  this->Controls = nullptr;
+  for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    Chart chart;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(texturedSurface(chartOf(charts, c)));
+    mapper->ScalarVisibilityOff();
+    chart.actor = vtkSmartPointer<vtkActor>::New();
+    chart.actor->SetMapper(mapper);
+    setSurfaceLook(chart.actor->GetProperty());
+    chart.actor->GetProperty()->SetColor(1, 1, 1);
+    chart.texture = vtkSmartPointer<vtkImageData>::New();
+    chart.texture->SetDimensions(1, 1, 1);
+    chart.texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    std::copy(SurfacePixel.begin(), SurfacePixel.end(),
+      static_cast<unsigned char*>(chart.texture->GetScalarPointer()));
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(chart.texture);
+    texture->SetColorModeToDirectScalars();
+    texture->InterpolateOff();
+    texture->RepeatOff();
+    texture->EdgeClampOn();
+    chart.actor->SetTexture(texture);
+    this->Renderer->AddActor(chart.actor);
+    this->Charts.push_back(chart);
+  }
+  for (int type = 0; type < 3; ++type)
+  {
+    static_cast<vtkPolyDataMapper*>(this->Lines[type]->GetMapper())
+      ->SetInputData(backbonesOfType(graph, type));
+  }
+  this->showRightActors();
+}
+
+void BeforeScene::setPreview(
+  vtkPartitionedDataSetCollection* halftones, vtkPartitionedDataSetCollection* controls)
+{
+  this->Halftones = halftones;
+  this->Controls = controls;
+  this->paintTextures();
+}
+
+void BeforeScene::paintTextures()
+{
+  if (!this->Halftones || this->View.display == Display::Input)
+  {
+    return;
+  }
+  double most = 0;
+  std::vector<std::pair<vtkFloatArray*, vtkFloatArray*>> maps(this->Charts.size());
+  for (std::size_t c = 0; this->View.display == Display::Density && c < this->Charts.size(); ++c)
+  {
+    vtkPointData* data = imageOf(this->Controls, c)->GetPointData();
+    maps[c] = { vtkFloatArray::SafeDownCast(data->GetArray("Control")),
+      vtkFloatArray::SafeDownCast(data->GetArray("AreaDistortion")) };
+    for (vtkIdType i = 0; maps[c].first && i < maps[c].first->GetNumberOfValues(); i += 7)
+    {
+      most = std::max(most, densityOf(maps[c].first, maps[c].second, i));
+    }
+  }
+  for (std::size_t c = 0; c < this->Charts.size(); ++c)
+  {
+    vtkImageData* texture = this->Charts[c].texture;
+    if (this->View.display == Display::Samples)
+    {
+      paintSamples(imageOf(this->Halftones, c), texture);
+      continue;
+    }
+    const bool charts = this->View.display == Display::Charts;
+    vtkImageData* image = imageOf(this->Controls, c);
+    const int one[3] = { 1, 1, 1 };
+    texture->SetDimensions(charts ? one : image->GetDimensions());
+    texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
+    for (vtkIdType i = 0; i < texture->GetNumberOfPoints(); ++i)
+    {
+      pixels[i] = charts
+        ? chartColor(static_cast<int>(c))
+        : densityPixel(densityOf(maps[c].first, maps[c].second, i) / (most > 0 ? most : 1));
+    }
+    texture->Modified();
+  }
+}
+
+void BeforeScene::setView(const ViewState& view, float lineWidth)
+{
+  const bool repaint = view.display != this->View.display;
+  this->View = view;
+  this->LineWidth = lineWidth;
+  if (repaint)
+  {
+    this->paintTextures();
+  }
+  this->showRightActors();
+}
+
+void BeforeScene::showRightActors()
+{
+  const bool charts = this->View.display != Display::Input && !this->Charts.empty();
+  this->Surface->SetVisibility(!charts);
+  for (const Chart& chart : this->Charts)
+  {
+    chart.actor->SetVisibility(charts);
+  }
+  for (int type = 0; type < 3; ++type)
+  {
+    const bool on =
+      type == 2 ? this->View.seams || this->View.display == Display::Charts : this->View.features;
+    auto* lines = vtkPolyData::SafeDownCast(this->Lines[type]->GetMapper()->GetInput());
+    this->Lines[type]->SetVisibility(on && lines && lines->GetNumberOfLines() > 0);
+    this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
+  }
+  this->Edges->GetProperty()->SetLineWidth(4 * this->LineWidth);
+  this->Brush->GetProperty()->SetLineWidth(2 * this->LineWidth);
+  this->Points->GetProperty()->SetPointSize(11 * this->LineWidth);
+  const bool edges = this->View.display == Display::Input;
+  setEdgeLook(
+    this->Surface->GetProperty(), edges ? this->InputEdge * this->Zoom : 0, this->LineWidth);
+}
+
+void BeforeScene::setZoom(double pixelsPerLength)
+{
+  this->Zoom = pixelsPerLength;
+  this->showRightActors();
+}
+
+void BeforeScene::setMarks(const Session& session)
+{
+  vtkNew<vtkPoints> positions;
+  vtkNew<vtkCellArray> vertices;
+  for (const Vec3& p : session.constraints)
+  {
+    const vtkIdType id = positions->InsertNextPoint(p.data());
+    vertices->InsertNextCell(1, &id);
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(positions);
+  points->SetVerts(vertices);
+  static_cast<vtkPolyDataMapper*>(this->Points->GetMapper())->SetInputData(points);
+  this->Points->SetVisibility(!session.constraints.empty());
+  vtkNew<vtkCellArray> lines;
+  for (const auto& edge : session.featureEdges)
+  {
+    const vtkIdType ids[2] = { static_cast<vtkIdType>(edge[0]), static_cast<vtkIdType>(edge[1]) };
+    lines->InsertNextCell(2, ids);
+  }
+  vtkNew<vtkPolyData> edges;
+  edges->SetPoints(this->Input->GetPoints());
+  edges->SetLines(lines);
+  static_cast<vtkPolyDataMapper*>(this->Edges->GetMapper())->SetInputData(edges);
+  this->Edges->SetVisibility(!session.featureEdges.empty());
+}
+
+void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radius)
+{
+  vtkNew<vtkPolyData> circle;
+  if (radius > 0)
+  {
+    constexpr int Steps = 48;
+    Vec3 across = normal.cross(Vec3::UnitX());
+    across = across.norm() < 0.1 ? normal.cross(Vec3::UnitY()) : across;
+    across.normalize();
+    const Vec3 along = normal.cross(across);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(Steps + 1);
+    for (int i = 0; i < Steps; ++i)
+    {
+      const double angle = 2 * 3.14159265358979323846 * i / Steps;
+      const Vec3 p = position + 0.05 * radius * normal +
+        radius * (std::cos(angle) * across + std::sin(angle) * along);
+      points->InsertNextPoint(p.data());
+      lines->InsertCellPoint(i);
+    }
+    lines->InsertCellPoint(0);
+    circle->SetPoints(points);
+    circle->SetLines(lines);
+  }
+  static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circle);
+  this->Brush->SetVisibility(radius > 0);
+}
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+
+#include "OutputFiles.h"
+#include "TextNumbers.h"
+#include "Viewer.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace stipple
+{
+namespace
+{
+constexpr int PreviewFrames = 60;
+
+class Times
+{
+public:
+  void add(double seconds) { this->Milliseconds.push_back(1e3 * seconds); }
+
+  std::string json()
+  {
+    std::sort(this->Milliseconds.begin(), this->Milliseconds.end());
+    const std::size_t n = this->Milliseconds.size();
+    const auto at = [&](double share) {
+      return n == 0
+        ? std::string("null")
+        : shortestText(
+            std::round(10 * this->Milliseconds[static_cast<std::size_t>(share * (n - 1))]) / 10);
+    };
+    return "{ \"frames\": " + std::to_string(n) + ", \"median\": " + at(.5) +
+      ", \"p95\": " + at(.95) + ", \"longest\": " + at(1) + " }";
+  }
+
+private:
+  std::vector<double> Milliseconds;
+};
+
+/// A turn of the loop, its picture included.
+double timeFrame(Viewer& viewer)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  viewer.tick();
+  viewer.window().window()->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+}
+
+Status runBenchmark(Viewer& viewer, const std::string& file)
+{
+  viewer.settle();
+  viewer.edit([](Session& s) { s.importance = "total"; }, true);
+  viewer.settle();
+
+  Times preview;
+  Times sampling;
+  for (int i = 0; i < PreviewFrames; ++i)
+  {
+    const double gamma = 0.1 + 1.4 * i / PreviewFrames;
+    viewer.edit([gamma](Session& s) { s.gamma = gamma; }, false);
+    preview.add(timeFrame(viewer));
+    sampling.add(viewer.previewSeconds());
+  }
+
+  // The slider rests: the mesh is computed while the camera turns.
+  Times camera;
+  viewer.edit([](Session& s) { s.gamma = 0.5; }, true);
+  const Session wanted = viewer.session();
+  viewer.tick();
+  while (viewer.busy())
+  {
+    viewer.window().renderer(ViewerWindow::Before)->GetActiveCamera()->Azimuth(2);
+    viewer.window().touch(ViewerWindow::Views);
+    camera.add(timeFrame(viewer));
+  }
+  viewer.settle();
+
+  Times idle;
+  for (int i = 0; i < PreviewFrames; ++i)
+  {
+    viewer.window().renderer(ViewerWindow::Before)->GetActiveCamera()->Azimuth(2);
+    viewer.window().touch(ViewerWindow::Views);
+    idle.add(timeFrame(viewer));
+  }
+  const int* size = viewer.window().window()->GetSize();
+  OutputFiles files;
+  std::ofstream stream(files.aside(file));
+  stream << "{\n  \"window\": [" << size[0] << ", " << size[1]
+         << "],\n  \"points\": " << wanted.points << ",\n  \"preview_ms\": " << preview.json()
+         << ",\n  \"preview_sampling_ms\": " << sampling.json()
+         << ",\n  \"camera_while_meshing_ms\": " << camera.json()
+         << ",\n  \"camera_ms\": " << idle.json() << "\n}\n";
+  stream.close();
+  return stream ? files.commit() : Status::error("cannot write '" + file + "'");
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the controls and keys can ask for.
+#ifndef stipple_Commands_h
+#define stipple_Commands_h
+
+#include "Session.h"
+#include "ViewState.h"
+
+#include <functional>
+
+namespace stipple
+{
+class Commands
+{
+public:
+  enum class Clear
+  {
+    Paint,
+    Points,
+    Edges
+  };
+  virtual ~Commands() = default;
+
+  /// Changes the session. The mesh follows once `rests`; all changes until then are one for undo.
+  virtual void edit(const std::function<void(Session&)>& change, bool rests) = 0;
+  virtual void changeView(const std::function<void(ViewState&)>& change) = 0;
+  virtual void clear(Clear what) = 0;
+  virtual void undo() = 0;
+  virtual void redo() = 0;
+  virtual void saveMesh() = 0;
+  virtual void savePicture() = 0;
+  virtual void saveSession() = 0;
+};
+}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Something in the window that is looked at and, mostly, handled: a slider, a button, a curve.
+#ifndef stipple_Control_h
+#define stipple_Control_h
+
+#include "Canvas.h"
+
+#include <string>
+
+namespace stipple
+{
+/// Where the pointer is, in window pixels, and what is held down with it.
+struct Pointer
+{
+  float x = 0;
+  float y = 0;
+  bool shift = false;
+  bool control = false;
+  bool secondary = false; ///< the right button
+};
+
+struct KeyStroke
+{
+  std::string symbol; ///< X11's name: "a", "Return", "Escape", ...
+  char letter = 0;    ///< what it types, 0 if nothing
+  bool shift = false;
+  bool control = false;
+};
+
+class Control
+{
+public:
+  explicit Control(const Rect& box = {})
+    : Box(box)
+  {
+  }
+  virtual ~Control() = default;
+  Control(const Control&) = delete;
+  Control& operator=(const Control&) = delete;
+
+  const Rect& box() const { return this->Box; }
+  virtual void setBox(const Rect& box) { this->Box = box; }
+
+  virtual void paint(Canvas& canvas) = 0;
+
+  /// A button went down within the box. True: it is for this control, which gets drag() and
+  /// release() then.
+  virtual bool press(const Pointer&) { return false; }
+  virtual void drag(const Pointer&) {}
+  virtual void release(const Pointer&) {}
+
+  /// The pointer is over it, or no more. True if it looks different then.
+  virtual bool hover(bool over, const Pointer&)
+  {
+    const bool changed = this->Hovered != over;
+    this->Hovered = over;
+    return changed && this->isHandled();
+  }
+
+  /// Whether keys go to it once it was pressed; blur() when something else was.
+  virtual bool wantsKeys() const { return false; }
+  virtual bool key(const KeyStroke&) { return false; }
+  virtual void blur() {}
+
+protected:
+  virtual bool isHandled() const { return true; }
+  Rect Box;
+  bool Hovered = false;
+};
+}
+
+#endif

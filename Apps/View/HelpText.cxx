@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HelpText.h"
+
+namespace stipple
+{
+const std::vector<std::pair<std::string, std::string>>& keyHelp()
+{
+  static const std::vector<std::pair<std::string, std::string>> lines = { { "Camera", "" },
+    { "left button", "turn, both views together" }, { "middle button, Shift", "move" },
+    { "right button, wheel", "zoom" }, { "r", "fit the model into the view" },
+    { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface" }, { "Edit", "" },
+    { "n", "type the number of points; Return takes it" },
+    { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
+    { "Shift with the edge tool", "all edges on the way from the last one" },
+    { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
+    { "Show", "" }, { "d", "next of samples, input, charts, density" },
+    { "l, m", "feature lines, seams" }, { "Files", "" }, { "Ctrl+S", "save the mesh" },
+    { "Ctrl+P", "save a picture of the window" }, { "Ctrl+J", "save the session" },
+    { "q, e", "quit" }, { "h", "this page" } };
+  return lines;
+}
+
+void paintHelp(Canvas& canvas, const Rect& window)
+{
+  const float s = canvas.scale();
+  const auto& lines = keyHelp();
+  const float step = 21 * s;
+  const float width = 560 * s;
+  const float height = step * static_cast<float>(lines.size() + 1) + 44 * s;
+  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
+    width, height };
+  canvas.fill(window, { 30, 36, 46, 110 });
+  canvas.fill(box, shades::Card, 8);
+  canvas.frame(box, shades::Line, 8);
+  float y = box.top() - 26 * s;
+  canvas.text(box.x + 24 * s, y, "Keys", { 15, shades::Accent, Align::Left, true });
+  canvas.text(
+    box.right() - 24 * s, y, "h closes this page", { 11.5F, shades::Quiet, Align::Right });
+  y -= 0.5F * step;
+  for (const auto& line : lines)
+  {
+    y -= step;
+    if (line.second.empty())
+    {
+      canvas.text(box.x + 24 * s, y, line.first, { 11.5F, shades::Quiet, Align::Left, true });
+      continue;
+    }
+    canvas.text(box.x + 24 * s, y, line.first, { 12.5F, shades::Word, Align::Left, true });
+    canvas.text(box.x + 210 * s, y, line.second, { 12.5F });
+  }
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where everything is in a window of some size.
+#ifndef stipple_Layout_h
+#define stipple_Layout_h
+
+#include "Canvas.h"
+
+namespace stipple
+{
+struct Layout
+{
+  float scale = 1; ///< of letters, lines and controls
+  Rect window;
+  Rect before;  ///< the model with the preview
+  Rect after;   ///< the mesh
+  Rect sheet;   ///< the control map
+  Rect curve;   ///< the transfer function
+  Rect figures; ///< the mesh's quality
+  Rect strip;   ///< the last three together
+  Rect panel;   ///< the controls
+  Rect status;  ///< one line at the bottom
+};
+
+[[nodiscard]] Layout makeLayout(int width, int height);
+}
+
+#endif

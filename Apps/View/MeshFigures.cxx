@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFigures.h"
+
+#include "PolyDataConversion.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stipple
+{
+MeshFigures measureFigures(vtkPolyData* mesh)
+{
+  MeshFigures figures;
+  const TriangleSurface surface = fromPolyData(mesh);
+  figures.quality = measureQuality(surface);
+  constexpr double Degrees = 57.29577951308232;
+  std::vector<int> valence(surface.points.size(), 0);
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      // A closed surface has as many edges as triangles at a vertex; at a boundary one more.
+      ++valence[surface.triangles[f][k]];
+      const Vec3 a = surface.point(f, (k + 1) % 3) - surface.point(f, k);
+      const Vec3 b = surface.point(f, (k + 2) % 3) - surface.point(f, k);
+      const double angle = Degrees * std::atan2(a.cross(b).norm(), a.dot(b));
+      ++figures.angles[std::clamp(static_cast<int>(angle / 10.), 0, 17)];
+    }
+  }
+  for (const int v : valence)
+  {
+    ++figures.valences[std::clamp(v - 3, 0, 6)];
+  }
+  return figures;
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The numbers that the window shows of a mesh.
+#ifndef stipple_MeshFigures_h
+#define stipple_MeshFigures_h
+
+#include "MeshQuality.h"
+
+#include <array>
+
+class vtkPolyData;
+
+namespace stipple
+{
+struct MeshFigures
+{
+  MeshQuality quality;
+  std::array<double, 7> valences = {}; ///< vertices of valence 3 or less, 4, ..., 8, 9 or more
+  std::array<double, 18> angles = {};  ///< the triangles' angles, 10 degrees a bar
+};
+
+[[nodiscard]] MeshFigures measureFigures(vtkPolyData* mesh);
+}
+
+#endif

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshWorker.h"
+
+#include "Messages.h"
+#include "SessionParameters.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkConformalAtlas.h"
+#include "vtkControlMap.h"
+#include "vtkGeometryMapRenderer.h"
+#include "vtkGeometryRemesher.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
+namespace stipple
+{
+namespace
+{
+/// vtkGeometryRemesher's progress when its maps are done.
+constexpr double MapsDone = 0.4;
+
+/// The window's thread comes first when there are fewer cores than work.
+void lowerPriority()
+{
+#if defined(__linux__)
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 10);
+#endif
+}
+
+bool sameAtlas(const Session& a, const Session& b)
+{
+  return a.featureAngle == b.featureAngle && a.charts == b.charts &&
+    a.featureEdges == b.featureEdges && a.constraints == b.constraints;
+}
+
+template <typename T>
+vtkSmartPointer<T> copyOf(vtkDataObject* data)
+{
+  auto copy = vtkSmartPointer<T>::New();
+  copy->DeepCopy(data);
+  return copy;
+}
+}
+
+MeshWorker::MeshWorker(vtkPolyData* input, vtkImageData* importanceImage)
+  : Remesher(vtkSmartPointer<vtkGeometryRemesher>::New())
+{
+  this->Remesher->SetInputData(copyOf<vtkPolyData>(input));
+  this->Remesher->SetBackendToCPU(); // OpenGL belongs to the window's thread
+  if (importanceImage)
+  {
+    this->Remesher->SetImportanceImage(copyOf<vtkImageData>(importanceImage));
+  }
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(this);
+  observer->SetCallback(&MeshWorker::onProgress);
+  this->Remesher->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->Thread = std::thread(&MeshWorker::work, this);
+}
+
+MeshWorker::~MeshWorker()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Quit = true;
+    this->Next.reset();
+    this->StopAsked = AtOnce;
+  }
+  this->Wake.notify_all();
+  this->Thread.join();
+}
+
+void MeshWorker::start(const Session& session)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Next = std::make_unique<Session>(session);
+    this->StopAsked =
+      std::max<int>(this->StopAsked, sameAtlas(this->Current, session) ? BeforeTheMesh : AtOnce);
+    this->Mesh.reset();
+    this->Error.clear();
+    this->Busy = true;
+  }
+  this->Wake.notify_all();
+}
+
+void MeshWorker::relax()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Next.reset();
+  this->StopAsked = std::max<int>(this->StopAsked, BeforeTheMesh);
+}
+
+void MeshWorker::cancel()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Next.reset();
+  this->StopAsked = AtOnce;
+}
+
+std::unique_ptr<AtlasResult> MeshWorker::takeAtlas()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::move(this->Atlas);
+}
+
+std::unique_ptr<MeshResult> MeshWorker::takeMesh()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::move(this->Mesh);
+}
+
+std::string MeshWorker::takeError()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  std::string error;
+  error.swap(this->Error);
+  return error;
+}
+
+void MeshWorker::work()
+{
+  lowerPriority();
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  while (!this->Quit)
+  {
+    if (!this->Next)
+    {
+      this->Busy = false;
+      this->Wake.wait(lock, [this] { return this->Next || this->Quit; });
+      continue;
+    }
+    this->Current = *this->Next;
+    this->Next.reset();
+    this->StopAsked = GoOn;
+    this->Fraction = 0.;
+    this->Busy = true;
+    const Session session = this->Current;
+    lock.unlock();
+    this->perform(session);
+    lock.lock();
+  }
+}
+
+void MeshWorker::perform(const Session& session)
+{
+  const double begin = vtkTimerLog::GetUniversalTime();
+  ErrorCollector errors(this->Remesher);
+  applySession(session, this->Remesher);
+  this->Remesher->Update();
+  if (this->StopAsked != GoOn)
+  {
+    return;
+  }
+  if (!errors.first().empty())
+  {
+    // The charts may be fine, and a preview of fewer points possible.
+    this->publishAtlas();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Error = errors.first();
+    return;
+  }
+  auto result = std::make_unique<MeshResult>();
+  result->session = session;
+  result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
+  result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
+  result->figures = measureFigures(result->mesh);
+  result->seconds = vtkTimerLog::GetUniversalTime() - begin;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->StopAsked == GoOn)
+  {
+    this->Mesh = std::move(result);
+  }
+}
+
+void MeshWorker::publishAtlas()
+{
+  vtkDataObject* charts = this->Remesher->GetAtlas()->GetOutputDataObject(0);
+  vtkDataObject* maps = this->Remesher->GetMapRenderer()->GetOutputDataObject(0);
+  const vtkMTimeType time = std::max(charts->GetMTime(), maps->GetMTime());
+  const auto* images = vtkPartitionedDataSetCollection::SafeDownCast(maps);
+  if (time <= this->PublishedTime || !images || images->GetNumberOfPartitionedDataSets() == 0)
+  {
+    return;
+  }
+  this->PublishedTime = time;
+  auto result = std::make_unique<AtlasResult>();
+  result->charts = copyOf<vtkPartitionedDataSetCollection>(charts);
+  result->graph = copyOf<vtkPolyData>(this->Remesher->GetAtlas()->GetOutputDataObject(1));
+  result->maps = copyOf<vtkPartitionedDataSetCollection>(maps);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Atlas = std::move(result);
+}
+
+void MeshWorker::onProgress(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto* self = static_cast<MeshWorker*>(data);
+  auto* remesher = static_cast<vtkGeometryRemesher*>(caller);
+  const double progress = remesher->GetProgress();
+  self->Fraction = progress;
+  if (progress >= MapsDone && self->StopAsked != AtOnce)
+  {
+    self->publishAtlas();
+  }
+  const int stop = self->StopAsked;
+  if (stop == AtOnce || (stop == BeforeTheMesh && progress >= MapsDone))
+  {
+    remesher->SetAbortExecute(1);
+  }
+}
+}

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole pipeline in a thread of its own. No VTK object is ever in two threads: the thread has
+// its own copy of the input, and what it hands over are copies that it forgets.
+#ifndef stipple_MeshWorker_h
+#define stipple_MeshWorker_h
+
+#include "MeshFigures.h"
+#include "Session.h"
+
+#include "vtkSmartPointer.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+class vtkGeometryRemesher;
+class vtkImageData;
+class vtkObject;
+class vtkPartitionedDataSetCollection;
+class vtkPolyData;
+
+namespace stipple
+{
+/// What the preview works on: does not depend on where samples are wanted.
+struct AtlasResult
+{
+  vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
+  vtkSmartPointer<vtkPolyData> graph;
+  vtkSmartPointer<vtkPartitionedDataSetCollection> maps;
+};
+
+struct MeshResult
+{
+  Session session; ///< that it was made with
+  vtkSmartPointer<vtkPolyData> mesh;
+  vtkSmartPointer<vtkPolyData> lines;
+  MeshFigures figures;
+  double seconds = 0;
+};
+
+class MeshWorker
+{
+public:
+  /// Both are copied.
+  MeshWorker(vtkPolyData* input, vtkImageData* importanceImage);
+  ~MeshWorker(); ///< stops what runs
+  MeshWorker(const MeshWorker&) = delete;
+  MeshWorker& operator=(const MeshWorker&) = delete;
+
+  /// Meshes this next; what runs is stopped, unless it still makes charts or maps that the new
+  /// session needs as well.
+  void start(const Session& session);
+  /// Stops what runs before its mesh is done; charts and maps are still finished.
+  void relax();
+  /// Stops everything at once.
+  void cancel();
+
+  [[nodiscard]] bool busy() const { return this->Busy; }
+  [[nodiscard]] double progress() const { return this->Fraction; }
+
+  /// What is done since it was asked last; null if nothing.
+  [[nodiscard]] std::unique_ptr<AtlasResult> takeAtlas();
+  [[nodiscard]] std::unique_ptr<MeshResult> takeMesh();
+  /// The sentence of what failed; empty if nothing did.
+  [[nodiscard]] std::string takeError();
+
+private:
+  enum Stop
+  {
+    GoOn,
+    BeforeTheMesh, ///< once charts and maps are done
+    AtOnce
+  };
+  static void onProgress(vtkObject* caller, unsigned long event, void* self, void* callData);
+  void work();
+  void perform(const Session& session);
+  void publishAtlas();
+
+  vtkSmartPointer<vtkGeometryRemesher> Remesher; ///< the thread's
+  unsigned long PublishedTime = 0;               ///< the thread's
+  Session Current;                               ///< written under the mutex
+  std::mutex Mutex;
+  std::condition_variable Wake;
+  std::unique_ptr<Session> Next;
+  std::unique_ptr<AtlasResult> Atlas;
+  std::unique_ptr<MeshResult> Mesh;
+  std::string Error;
+  bool Quit = false;
+  std::atomic<int> StopAsked{ GoOn };
+  std::atomic<bool> Busy{ false };
+  std::atomic<double> Fraction{ 0. };
+  std::thread Thread; ///< last: begins when the rest is there
+};
+}
+
+#endif

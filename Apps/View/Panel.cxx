@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace stipple
+{
+namespace
+{
+constexpr int ArrayWord = 7;         // of the importances
+constexpr double SliderPoints = 5e4; // most that the slider gives; more can be typed
+
+Slider::Format format(const char* pattern)
+{
+  return [pattern](double value) {
+    char text[48];
+    std::snprintf(text, sizeof(text), pattern, value);
+    return std::string(text);
+  };
+}
+
+/// Two digits that count, as a whole number.
+double rounded(double value)
+{
+  const double unit = std::pow(10., std::max(0., std::floor(std::log10(value)) - 1));
+  return std::round(value / unit) * unit;
+}
+}
+
+template <typename T, typename... Arguments>
+T* Panel::make(Arguments&&... arguments)
+{
+  auto control = std::make_unique<T>(std::forward<Arguments>(arguments)...);
+  T* result = control.get();
+  this->Owned.push_back(std::move(control));
+  return result;
+}
+
+Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arrays, bool hasImage)
+  : Model(std::move(model))
+  , Arrays(std::move(arrays))
+{
+  this->addSampling(commands, hasImage);
+  this->addFeatures(commands);
+  this->addPointer(commands);
+  this->addShow(commands);
+  this->addCommands(commands);
+}
+
+void Panel::heading(const std::string& text)
+{
+  this->Rows.push_back({ {}, text, 18, 2 });
+}
+
+void Panel::row(std::vector<Control*> controls, float height, float space)
+{
+  this->Rows.push_back({ std::move(controls), "", height, space });
+}
+
+void Panel::addSampling(Commands& commands, bool hasImage)
+{
+  this->Number = this->make<NumberField>("Number of points", 1, 10'000'000,
+    [&commands](int points) { commands.edit([points](Session& s) { s.points = points; }, true); });
+  Slider::Range range{ 100, SliderPoints };
+  range.logarithmic = true;
+  this->PointsSlider = this->make<Slider>(
+    "", range, [](double) { return std::string(); },
+    [&commands](double value, bool rests) {
+      const int points = static_cast<int>(rounded(value));
+      // A press that moves nothing keeps a number that was typed.
+      commands.edit(
+        [points, value](
+          Session& s) { s.points = std::abs(value - s.points) < 1 ? s.points : points; },
+        rests);
+    });
+  this->Importance = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "uniform", "mean", "Gauss", "minimum", "maximum", "total", "L2",
+      hasImage ? "image" : "array" },
+    4, [this, &commands, hasImage](int word) {
+      commands.edit(
+        [this, word, hasImage](Session& s) {
+          if (word < ArrayWord)
+          {
+            s.importance = importanceNames()[word];
+            return;
+          }
+          s.importance = hasImage ? "image" : "array";
+          if (!hasImage)
+          {
+            // One more press, the next array.
+            const auto now = std::find(this->Arrays.begin(), this->Arrays.end(), s.importanceArray);
+            s.importanceArray = now == this->Arrays.end() || now + 1 == this->Arrays.end()
+              ? this->Arrays.front()
+              : *(now + 1);
+          }
+        },
+        true);
+    });
+  this->Importance->setEnabled(ArrayWord, hasImage || !this->Arrays.empty());
+  this->Gamma = this->make<Slider>("Gamma", Slider::Range{ 0, 3, 1, false, 0.01 }, format("%.2f"),
+    [&commands](double value, bool rests) {
+      commands.edit([value](Session& s) { s.gamma = value; }, rests);
+    });
+  this->Gradation = this->make<Slider>("Gradation", Slider::Range{ 0, 10, 2, false, 0.05 },
+    format("%.2f %%"), [&commands](double value, bool rests) {
+      commands.edit([value](Session& s) { s.gradation = value; }, rests);
+    });
+  this->Floor = this->make<Slider>("Least density", Slider::Range{ 0, 1, 2, false, 0.005 },
+    format("%.3f"), [&commands](double value, bool rests) {
+      commands.edit([value](Session& s) { s.minimumDensity = value; }, rests);
+    });
+  this->row({ this->Number }, 27, 2);
+  this->row({ this->PointsSlider }, 20, 6);
+  this->heading("Importance");
+  this->row({ this->Importance }, 54, 6);
+  this->row({ this->Gamma }, 34);
+  this->row({ this->Gradation }, 34);
+  this->row({ this->Floor }, 34, 8);
+}
+
+void Panel::addFeatures(Commands& commands)
+{
+  this->Angle = this->make<Slider>(
+    "Feature angle", Slider::Range{ 0, 180, 1, false, 1 },
+    [](double value) { return value >= 180 ? std::string("none") : format("%.0f\u00b0")(value); },
+    [&commands](double value, bool rests) {
+      commands.edit([value](Session& s) { s.featureAngle = value; }, rests);
+    });
+  Slider::Range range{ 1, 200 };
+  range.logarithmic = true;
+  range.step = 1;
+  this->Charts = this->make<Slider>(
+    "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
+      commands.edit([value](Session& s) { s.charts = static_cast<int>(value); }, rests);
+    });
+  this->heading("Features and charts");
+  this->row({ this->Angle }, 34);
+  this->row({ this->Charts }, 34, 8);
+}
+
+void Panel::addPointer(Commands& commands)
+{
+  this->Tools = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "camera", "brush", "point", "edge" }, 4, [&commands](int word) {
+      commands.changeView([word](ViewState& v) { v.tool = static_cast<Tool>(word); });
+    });
+  this->Radius = this->make<Slider>("Brush", Slider::Range{ 0.5, 30, 2, false, 0.1 },
+    format("%.1f %%"), [&commands](double value, bool) {
+      commands.changeView([value](ViewState& v) { v.brushRadius = value; });
+    });
+  Slider::Range range{ 0.1, 10 };
+  range.logarithmic = true;
+  this->Strength =
+    this->make<Slider>("Density", range, format("\u00d7%.2g"), [&commands](double value, bool) {
+      commands.changeView(
+        [value](ViewState& v) { v.brushStrength = std::stod(format("%.2g")(value)); });
+    });
+  this->Clearing = this->make<Choice>(Choice::Kind::Commands,
+    std::vector<std::string>{ "clear paint", "points", "edges" }, 3,
+    [&commands](int word) { commands.clear(static_cast<Commands::Clear>(word)); });
+  this->heading("Pointer");
+  this->row({ this->Tools }, 27, 6);
+  this->row({ this->Radius, this->Strength }, 34, 6);
+  this->row({ this->Clearing }, 27, 8);
+}
+
+void Panel::addShow(Commands& commands)
+{
+  this->Displays = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "samples", "input", "charts", "density" }, 4, [&commands](int word) {
+      commands.changeView([word](ViewState& v) { v.display = static_cast<Display>(word); });
+    });
+  this->Overlays = this->make<Choice>(Choice::Kind::Several,
+    std::vector<std::string>{ "feature lines", "seams" }, 2, [&commands](int word) {
+      commands.changeView([word](ViewState& v) {
+        bool& on = word == 0 ? v.features : v.seams;
+        on = !on;
+      });
+    });
+  this->heading("Show");
+  this->row({ this->Displays }, 27);
+  this->row({ this->Overlays }, 27, 12);
+}
+
+void Panel::addCommands(Commands& commands)
+{
+  this->Undoing = this->make<Choice>(Choice::Kind::Commands,
+    std::vector<std::string>{ "undo", "redo", "help" }, 3, [&commands](int word) {
+      if (word == 2)
+      {
+        commands.changeView([](ViewState& v) { v.help = !v.help; });
+        return;
+      }
+      word == 0 ? commands.undo() : commands.redo();
+    });
+  auto* saving = this->make<Choice>(Choice::Kind::Commands,
+    std::vector<std::string>{ "save mesh", "picture", "session" }, 3, [&commands](int word) {
+      word == 0 ? commands.saveMesh()
+                : (word == 1 ? commands.savePicture() : commands.saveSession());
+    });
+  this->row({ this->Undoing }, 27);
+  this->row({ saving }, 27);
+}
+
+void Panel::setBox(const Rect& box, float scale)
+{
+  this->Box = box;
+  this->Headings.clear();
+  const Rect inner = { box.x + 14 * scale, box.y, box.w - 28 * scale, box.h };
+  float y = box.top() - 54 * scale;
+  for (const Row& row : this->Rows)
+  {
+    y -= row.height * scale;
+    const Rect place{ inner.x, y, inner.w, row.height * scale };
+    if (row.controls.empty())
+    {
+      this->Headings.emplace_back(place, row.heading);
+    }
+    const float gap = 14 * scale;
+    const auto count = static_cast<float>(row.controls.size());
+    const float width = (place.w - gap * (count - 1)) / std::max(1.F, count);
+    for (std::size_t i = 0; i < row.controls.size(); ++i)
+    {
+      row.controls[i]->setBox(
+        { place.x + static_cast<float>(i) * (width + gap), y, width, place.h });
+    }
+    y -= row.space * scale;
+  }
+}
+
+void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRedo)
+{
+  this->Number->setValue(s.points);
+  Slider::Range range{ 100, std::max<double>(SliderPoints, s.points) };
+  range.logarithmic = true;
+  this->PointsSlider->setRange(range);
+  this->PointsSlider->setValue(s.points);
+  const auto& names = importanceNames();
+  const auto kind =
+    static_cast<int>(std::find(names.begin(), names.end(), s.importance) - names.begin());
+  this->Importance->choose(std::min(kind, ArrayWord));
+  if (s.importance == "array")
+  {
+    this->Importance->setWord(ArrayWord, s.importanceArray);
+  }
+  this->Gamma->setValue(s.gamma);
+  this->Gradation->setValue(s.gradation);
+  this->Floor->setValue(s.minimumDensity);
+  this->Angle->setValue(s.featureAngle);
+  this->Charts->setValue(s.charts);
+  this->Tools->choose(static_cast<int>(v.tool));
+  this->Radius->setValue(v.brushRadius);
+  this->Strength->setValue(v.brushStrength);
+  this->Clearing->setEnabled(1, !s.constraints.empty());
+  this->Clearing->setEnabled(2, !s.featureEdges.empty());
+  this->Displays->choose(static_cast<int>(v.display));
+  this->Overlays->setOn(0, v.features);
+  this->Overlays->setOn(1, v.seams);
+  this->Undoing->setEnabled(0, canUndo);
+  this->Undoing->setEnabled(1, canRedo);
+  this->Undoing->setOn(2, v.help);
+}
+
+void Panel::paint(Canvas& canvas)
+{
+  const float s = canvas.scale();
+  canvas.fill(this->Box, shades::Ground);
+  canvas.line(this->Box.x + 0.5F, this->Box.y, this->Box.x + 0.5F, this->Box.top(), shades::Line);
+  const float left = this->Box.x + 14 * s;
+  canvas.text(left, this->Box.top() - 18 * s, "stipple", { 16, shades::Accent, Align::Left, true });
+  const TextLook quiet{ 12, shades::Quiet, Align::Right };
+  canvas.text(this->Box.right() - 14 * s, this->Box.top() - 18 * s,
+    canvas.fitted(this->Model, this->Box.w - 110 * s, quiet), quiet);
+  canvas.line(left, this->Box.top() - 38 * s, this->Box.right() - 14 * s, this->Box.top() - 38 * s,
+    shades::Line);
+  for (const auto& heading : this->Headings)
+  {
+    canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
+      { 11, shades::Quiet, Align::Left, true });
+  }
+  for (const auto& control : this->Owned)
+  {
+    control->paint(canvas);
+  }
+}
+
+std::vector<Control*> Panel::controls()
+{
+  std::vector<Control*> list;
+  for (const auto& control : this->Owned)
+  {
+    list.push_back(control.get());
+  }
+  return list;
+}
+}

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The column of controls on the right.
+#ifndef stipple_Panel_h
+#define stipple_Panel_h
+
+#include "Choice.h"
+#include "Commands.h"
+#include "NumberField.h"
+#include "Slider.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stipple
+{
+class Panel
+{
+public:
+  /// `model` is shown; `arrays` can be importances.
+  Panel(Commands& commands, std::string model, std::vector<std::string> arrays, bool hasImage);
+
+  void setBox(const Rect& box, float scale);
+  void show(const Session& session, const ViewState& view, bool canUndo, bool canRedo);
+  void paint(Canvas& canvas);
+  std::vector<Control*> controls();
+  NumberField& points() { return *this->Number; }
+
+private:
+  struct Row
+  {
+    std::vector<Control*> controls; ///< side by side; none: a heading
+    std::string heading;
+    float height;
+    float space; ///< below
+  };
+  template <typename T, typename... Arguments>
+  T* make(Arguments&&... arguments);
+  void addSampling(Commands& commands, bool hasImage);
+  void addFeatures(Commands& commands);
+  void addPointer(Commands& commands);
+  void addShow(Commands& commands);
+  void addCommands(Commands& commands);
+  void heading(const std::string& text);
+  void row(std::vector<Control*> controls, float height, float space = 4);
+
+  std::string Model;
+  std::vector<std::string> Arrays;
+  Rect Box;
+  std::vector<std::unique_ptr<Control>> Owned;
+  std::vector<Row> Rows;
+  std::vector<std::pair<Rect, std::string>> Headings;
+
+  NumberField* Number = nullptr;
+  Slider* PointsSlider = nullptr;
+  Choice* Importance = nullptr;
+  Slider* Gamma = nullptr;
+  Slider* Gradation = nullptr;
+  Slider* Floor = nullptr;
+  Slider* Angle = nullptr;
+  Slider* Charts = nullptr;
+  Choice* Tools = nullptr;
+  Slider* Radius = nullptr;
+  Slider* Strength = nullptr;
+  Choice* Clearing = nullptr;
+  Choice* Displays = nullptr;
+  Choice* Overlays = nullptr;
+  Choice* Undoing = nullptr;
+};
+}
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Preview.h"
+
+#include "MeshWorker.h"
+#include "Messages.h"
+#include "SessionParameters.h"
+
+#include "vtkControlMap.h"
+#include "vtkErrorDiffusionSampler.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+Preview::Preview()
+{
+  this->Sampler->SetInputConnection(0, this->Control->GetOutputPort(0));
+}
+
+Preview::~Preview() = default;
+
+void Preview::setAtlas(const AtlasResult& atlas)
+{
+  for (vtkControlMap* control : { this->Control.Get(), this->RawImportance.Get() })
+  {
+    control->SetInputDataObject(0, atlas.maps);
+    control->SetInputDataObject(1, atlas.charts);
+  }
+  this->Sampler->SetInputDataObject(1, atlas.charts);
+  this->Sampler->SetInputDataObject(2, atlas.graph);
+  this->Ready = true;
+}
+
+void Preview::setImportanceImage(vtkImageData* image)
+{
+  this->Control->SetImportanceImage(image);
+  this->RawImportance->SetImportanceImage(image);
+}
+
+Status Preview::update(const Session& session, int points)
+{
+  applyControl(session, this->Control);
+  this->Sampler->SetNumberOfSamples(points);
+  ErrorCollector controlErrors(this->Control);
+  ErrorCollector samplerErrors(this->Sampler);
+  this->Sampler->Update();
+  const std::string& sentence =
+    controlErrors.first().empty() ? samplerErrors.first() : controlErrors.first();
+  return sentence.empty() ? Status::success() : Status::error(sentence);
+}
+
+vtkPartitionedDataSetCollection* Preview::controls()
+{
+  return vtkPartitionedDataSetCollection::SafeDownCast(this->Control->GetOutputDataObject(0));
+}
+
+vtkPartitionedDataSetCollection* Preview::halftones()
+{
+  return this->Sampler->GetHalftones();
+}
+
+vtkPolyData* Preview::samples()
+{
+  return vtkPolyData::SafeDownCast(this->Sampler->GetOutputDataObject(0));
+}
+
+std::vector<double> Preview::importanceHistogram(const Session& session, int bars)
+{
+  std::vector<double> histogram(bars, 0.);
+  if (!this->Ready)
+  {
+    return histogram;
+  }
+  Session raw;
+  raw.importance = session.importance;
+  raw.importanceArray = session.importanceArray;
+  raw.importanceImage = session.importanceImage;
+  raw.minimumDensity = 0;
+  applyControl(raw, this->RawImportance);
+  ErrorCollector errors(this->RawImportance);
+  this->RawImportance->Update();
+  auto* images =
+    vtkPartitionedDataSetCollection::SafeDownCast(this->RawImportance->GetOutputDataObject(0));
+  const unsigned int charts = images ? images->GetNumberOfPartitionedDataSets() : 0;
+  // Control / AreaDistortion is the importance up to one factor: its largest value is 1.
+  double most = 0;
+  for (const bool counting : { false, true })
+  {
+    for (unsigned int c = 0; c < charts; ++c)
+    {
+      auto* image = vtkImageData::SafeDownCast(images->GetPartitionAsDataObject(c, 0));
+      auto* control = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control"));
+      auto* area = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("AreaDistortion"));
+      if (!control || !area)
+      {
+        return histogram;
+      }
+      const double pixel = image->GetSpacing()[0] * image->GetSpacing()[1];
+      for (vtkIdType i = 0; i < control->GetNumberOfValues(); ++i)
+      {
+        const double a = area->GetValue(i);
+        const double importance = a > 0 ? control->GetValue(i) / a : 0;
+        if (!counting)
+        {
+          most = std::max(most, importance);
+        }
+        else if (most > 0)
+        {
+          const int bar = static_cast<int>(importance / most * bars);
+          histogram[std::clamp(bar, 0, bars - 1)] += a * pixel;
+        }
+      }
+    }
+  }
+  return histogram;
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of the pipeline that follows a slider: control map and error diffusion (paper 3.3), on
+// the charts and maps that the worker made. Belongs to the window's thread.
+#ifndef stipple_Preview_h
+#define stipple_Preview_h
+
+#include "Progress.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkControlMap;
+class vtkErrorDiffusionSampler;
+class vtkImageData;
+class vtkPartitionedDataSetCollection;
+class vtkPolyData;
+
+namespace stipple
+{
+struct AtlasResult;
+struct Session;
+
+class Preview
+{
+public:
+  Preview();
+  ~Preview();
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
+
+  void setAtlas(const AtlasResult& atlas);
+  void setImportanceImage(vtkImageData* image);
+  bool hasAtlas() const { return this->Ready; }
+
+  /// Samples anew what changed; `points` is the exact number.
+  [[nodiscard]] Status update(const Session& session, int points);
+
+  /// Of the last update that succeeded.
+  vtkPartitionedDataSetCollection* controls();
+  vtkPartitionedDataSetCollection* halftones();
+  vtkPolyData* samples();
+
+  /// How much of the surface has which importance, before the transfer function, in bars over
+  /// [0, 1]; computed anew only if the kind of importance changed.
+  [[nodiscard]] std::vector<double> importanceHistogram(const Session& session, int bars);
+
+private:
+  bool Ready = false;
+  vtkNew<vtkControlMap> Control;
+  vtkNew<vtkErrorDiffusionSampler> Sampler;
+  vtkNew<vtkControlMap> RawImportance; ///< without transfer function, gamma and filters
+};
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Slider.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stipple
+{
+namespace
+{
+constexpr float KnobRadius = 6.5F;
+}
+
+Slider::Slider(std::string label, const Range& range, Format format, Change change)
+  : Label(std::move(label))
+  , Limits(range)
+  , Text(std::move(format))
+  , Changed(std::move(change))
+  , Value(range.low)
+{
+}
+
+double Slider::placeOf(double value) const
+{
+  const Range& r = this->Limits;
+  const double v = std::clamp(value, r.low, r.high);
+  return r.logarithmic ? std::log(v / r.low) / std::log(r.high / r.low)
+                       : std::pow((v - r.low) / (r.high - r.low), 1. / r.power);
+}
+
+double Slider::valueAt(double place) const
+{
+  const Range& r = this->Limits;
+  const double p = std::clamp(place, 0., 1.);
+  const double v = r.logarithmic ? r.low * std::pow(r.high / r.low, p)
+                                 : r.low + (r.high - r.low) * std::pow(p, r.power);
+  return r.step > 0 ? std::clamp(std::round(v / r.step) * r.step, r.low, r.high) : v;
+}
+
+void Slider::paint(Canvas& canvas)
+{
+  const float s = canvas.scale();
+  this->Scale = s;
+  const float upper = this->Box.top() - 9 * s;
+  canvas.text(this->Box.x, upper, this->Label);
+  canvas.text(this->Box.right(), upper, this->Text(this->Value),
+    { 12, this->Held ? shades::Accent : shades::Word, Align::Right, true });
+  const float y = this->Box.y + 9 * s;
+  const float left = this->Box.x + KnobRadius * s;
+  const float length = this->Box.w - 2 * KnobRadius * s;
+  const float x = left + length * static_cast<float>(this->placeOf(this->Value));
+  canvas.fill({ left, y - 2 * s, length, 4 * s }, shades::Line, 2);
+  canvas.fill({ left, y - 2 * s, x - left, 4 * s }, shades::Accent, 2);
+  canvas.disc(x, y, KnobRadius, this->Held || this->Hovered ? shades::AccentSoft : shades::Card,
+    shades::Accent);
+}
+
+bool Slider::press(const Pointer& pointer)
+{
+  if (pointer.secondary)
+  {
+    return false;
+  }
+  this->Held = true;
+  this->drag(pointer);
+  return true;
+}
+
+void Slider::drag(const Pointer& pointer)
+{
+  const float margin = KnobRadius * this->Scale;
+  const double value =
+    this->valueAt((pointer.x - this->Box.x - margin) / (this->Box.w - 2 * margin));
+  if (value != this->Value)
+  {
+    this->Value = value;
+    this->Changed(value, false);
+  }
+}
+
+void Slider::release(const Pointer&)
+{
+  this->Held = false;
+  this->Changed(this->Value, true);
+}
+}

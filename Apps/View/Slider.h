@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef stipple_Slider_h
+#define stipple_Slider_h
+
+#include "Control.h"
+
+#include <functional>
+
+namespace stipple
+{
+/// A value along a line: its name above on the left, the value on the right.
+class Slider : public Control
+{
+public:
+  struct Range
+  {
+    double low = 0;
+    double high = 1;
+    double power = 1; ///< place along the line to this power; more than 1: finer at its low end
+    bool logarithmic = false; ///< instead; low must be positive
+    double step = 0;          ///< values are multiples of this; 0: any
+  };
+  using Format = std::function<std::string(double)>;
+  /// Called with the value while it is dragged, and once more with `rests` when it is let go.
+  using Change = std::function<void(double value, bool rests)>;
+
+  Slider(std::string label, const Range& range, Format format, Change change);
+
+  void setRange(const Range& range) { this->Limits = range; }
+  void setValue(double value) { this->Value = value; }
+  double value() const { return this->Value; }
+
+  void paint(Canvas& canvas) override;
+  bool press(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+
+private:
+  double placeOf(double value) const; ///< 0 to 1
+  double valueAt(double place) const;
+
+  std::string Label;
+  Range Limits;
+  Format Text;
+  Change Changed;
+  double Value = 0;
+  bool Held = false;
+  float Scale = 1; ///< of the last painting
+};
+}
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePicker.h"
+
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+  const Vec3 ab = b - a;
+  const double length = ab.squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(ab) / length, 0., 1.) : 0.;
+  return (a + t * ab - p).norm();
+}
+}
+
+SurfacePicker::SurfacePicker(vtkPolyData* input)
+  : Input(vtkSmartPointer<vtkPolyData>::New())
+{
+  this->Input->SetPoints(input->GetPoints());
+  this->Input->SetPolys(input->GetPolys());
+  this->Input->SetStrips(input->GetStrips());
+  this->Input->BuildLinks();
+  this->Locator->SetDataSet(this->Input);
+  this->Locator->BuildLocator();
+}
+
+SurfacePicker::~SurfacePicker() = default;
+
+bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, SurfacePlace& place) const
+{
+  double ends[2][4];
+  for (int end = 0; end < 2; ++end)
+  {
+    renderer->SetDisplayPoint(x, y, end);
+    renderer->DisplayToWorld();
+    renderer->GetWorldPoint(ends[end]);
+    for (int k = 0; k < 3; ++k)
+    {
+      ends[end][k] /= ends[end][3];
+    }
+  }
+  double t;
+  double position[3];
+  double parameter[3];
+  int part;
+  vtkIdType cell = -1;
+  vtkNew<vtkGenericCell> face;
+  if (!this->Locator->IntersectWithLine(
+        ends[0], ends[1], 0., t, position, parameter, part, cell, face) ||
+    cell < 0)
+  {
+    return false;
+  }
+  place.position = Vec3(position);
+  vtkNew<vtkIdList> ids;
+  this->Input->GetCellPoints(cell, ids);
+  const vtkIdType size = ids->GetNumberOfIds();
+  double nearestEdge = std::numeric_limits<double>::max();
+  double nearestPoint = nearestEdge;
+  Vec3 normal = Vec3::Zero();
+  for (vtkIdType k = 0; k < size; ++k)
+  {
+    const vtkIdType p = ids->GetId(k);
+    const vtkIdType q = ids->GetId((k + 1) % size);
+    const Vec3 a(this->Input->GetPoint(p));
+    const Vec3 b(this->Input->GetPoint(q));
+    normal += (a - place.position).cross(b - place.position);
+    if (const double d = distanceToSegment(place.position, a, b); d < nearestEdge)
+    {
+      nearestEdge = d;
+      place.edge = { { std::min(p, q), std::max(p, q) } };
+    }
+    if (const double d = (a - place.position).norm(); d < nearestPoint)
+    {
+      nearestPoint = d;
+      place.point = p;
+    }
+  }
+  place.normal = normal.norm() > 0 ? normal.normalized() : Vec3::UnitZ();
+  return true;
+}
+
+std::vector<std::array<vtkIdType, 2>> SurfacePicker::shortestPath(
+  vtkIdType from, vtkIdType to) const
+{
+  // Dijkstra over the faces' sides.
+  using Entry = std::pair<double, vtkIdType>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  std::unordered_map<vtkIdType, double> distance = { { from, 0. } };
+  std::unordered_map<vtkIdType, vtkIdType> before;
+  front.push({ 0., from });
+  vtkNew<vtkIdList> cells;
+  vtkNew<vtkIdList> ids;
+  while (!front.empty() && front.top().second != to)
+  {
+    const auto [d, p] = front.top();
+    front.pop();
+    if (d > distance[p])
+    {
+      continue;
+    }
+    this->Input->GetPointCells(p, cells);
+    for (vtkIdType c = 0; c < cells->GetNumberOfIds(); ++c)
+    {
+      this->Input->GetCellPoints(cells->GetId(c), ids);
+      const vtkIdType size = ids->GetNumberOfIds();
+      const vtkIdType corner = ids->IsId(p);
+      for (const vtkIdType side : { (corner + 1) % size, (corner + size - 1) % size })
+      {
+        const vtkIdType q = ids->GetId(side);
+        const double length =
+          d + (Vec3(this->Input->GetPoint(p)) - Vec3(this->Input->GetPoint(q))).norm();
+        const auto known = distance.find(q);
+        if (known == distance.end() || length < known->second)
+        {
+          distance[q] = length;
+          before[q] = p;
+          front.push({ length, q });
+        }
+      }
+    }
+  }
+  std::vector<std::array<vtkIdType, 2>> path;
+  for (vtkIdType p = to; p != from;)
+  {
+    const auto step = before.find(p);
+    if (step == before.end())
+    {
+      return {};
+    }
+    path.push_back({ { std::min(p, step->second), std::max(p, step->second) } });
+    p = step->second;
+  }
+  return path;
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Places on the input surface under the pointer, and paths along its edges.
+#ifndef stipple_SurfacePicker_h
+#define stipple_SurfacePicker_h
+
+#include "Geometry.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+class vtkPolyData;
+class vtkRenderer;
+class vtkStaticCellLocator;
+
+namespace stipple
+{
+struct SurfacePlace
+{
+  Vec3 position = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();                  ///< of the face
+  std::array<vtkIdType, 2> edge = { { 0, 0 } }; ///< the face's nearest one, smaller point id first
+  vtkIdType point = 0;                          ///< the face's nearest one
+};
+
+class SurfacePicker
+{
+public:
+  explicit SurfacePicker(vtkPolyData* input);
+  ~SurfacePicker();
+  SurfacePicker(const SurfacePicker&) = delete;
+  SurfacePicker& operator=(const SurfacePicker&) = delete;
+
+  /// What the ray through a window's pixel hits first.
+  [[nodiscard]] bool pick(vtkRenderer* renderer, double x, double y, SurfacePlace& place) const;
+
+  /// Edges of the shortest way between two points of the input; empty if there is none.
+  [[nodiscard]] std::vector<std::array<vtkIdType, 2>> shortestPath(
+    vtkIdType from, vtkIdType to) const;
+
+private:
+  vtkSmartPointer<vtkPolyData> Input;
+  vtkNew<vtkStaticCellLocator> Locator;
+};
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How the window shows and what the pointer does: not part of the session, not undone.
+#ifndef stipple_ViewState_h
+#define stipple_ViewState_h
+
+namespace stipple
+{
+/// What the left button does on the surface.
+enum class Tool
+{
+  Camera,
+  Brush,
+  Point, ///< constraints
+  Edge   ///< feature edges
+};
+
+/// What the left view shows.
+enum class Display
+{
+  Samples, ///< the halftone as a texture
+  Input,   ///< the input with its edges
+  Charts,
+  Density ///< samples wanted per area of the surface
+};
+
+struct ViewState
+{
+  Tool tool = Tool::Camera;
+  Display display = Display::Samples;
+  bool features = true;
+  bool seams = false;
+  double brushRadius = 5;   ///< percent of the bounding box's diagonal
+  double brushStrength = 4; ///< factor on the density
+  bool help = false;
+};
+}
+
+#endif

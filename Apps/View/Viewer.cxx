@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The viewer's life: opening, the loop, preview and mesh.
+#include "Viewer.h"
+
+#include "HelpText.h"
+#include "OutputFiles.h"
+#include "PolyDataConversion.h"
+#include "SceneActors.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkPNGWriter.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+namespace stipple
+{
+namespace
+{
+constexpr int TickMilliseconds = 10;
+constexpr int CurveBars = 48;
+/// A slider that is held still rests after this.
+constexpr std::chrono::milliseconds RestTime(300);
+
+std::vector<std::string> arraysOf(vtkPolyData* input)
+{
+  std::vector<std::string> names;
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(input->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(input->GetCellData()) })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      if (vtkDataArray* array = data->GetArray(i); array && array->GetName())
+      {
+        names.emplace_back(array->GetName());
+      }
+    }
+  }
+  return names;
+}
+}
+
+Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
+  const ViewerFiles& files, int width, int height)
+  : Input(input)
+  , Diagonal(input->GetLength())
+  , Now(session)
+  , Files(files)
+  , Window(width, height)
+  , BeforeSide(this->Window.renderer(ViewerWindow::Before), input)
+  , AfterSide(this->Window.renderer(ViewerWindow::After))
+  , Picker(input)
+  , Controls(*this, std::filesystem::path(session.model).filename().string(), arraysOf(input),
+      image != nullptr)
+  , Sheet([](const Vec3&, bool, bool) {})
+  , Curve([this](const CurveEditor::Points& points, bool rests) {
+    this->edit([&points](Session& s) { s.transfer = points; }, rests);
+  })
+  , MeshAt(Clock::now())
+  , Worker(input, image)
+{
+  this->Sampling.setImportanceImage(image);
+  this->connect();
+  this->showSession();
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::connect()
+{
+  this->Interactor->SetRenderWindow(this->Window.window());
+  this->Interactor->SetInteractorStyle(this->Style);
+  // VTK's style asks for a frame after every event; tick() draws one for all of them.
+  this->Interactor->EnableRenderOff();
+  this->Style->SetHandler(this);
+  this->Style->AutoAdjustCameraClippingRangeOff(); // the window does
+  const auto observe = [this](unsigned long event,
+                         void (*function)(vtkObject*, unsigned long, void*, void*)) {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(function);
+    this->Interactor->AddObserver(event, command);
+  };
+  observe(vtkCommand::RenderEvent, [](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<Viewer*>(self)->updateZoom();
+    static_cast<Viewer*>(self)->Window.touch(ViewerWindow::Views);
+  });
+  observe(vtkCommand::TimerEvent,
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->tick(); });
+  observe(vtkCommand::ConfigureEvent, [](vtkObject*, unsigned long, void* self, void*) {
+    auto* viewer = static_cast<Viewer*>(self);
+    if (viewer->Window.resize())
+    {
+      viewer->placeControls();
+    }
+  });
+  observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<Viewer*>(self)->Window.touch(ViewerWindow::All);
+  });
+  this->Window.setPainter(
+    ViewerWindow::Before, [this](Canvas& canvas) { this->paintView(canvas, true); });
+  this->Window.setPainter(
+    ViewerWindow::After, [this](Canvas& canvas) { this->paintView(canvas, false); });
+  this->Window.setPainter(
+    ViewerWindow::PanelPart, [this](Canvas& canvas) { this->Controls.paint(canvas); });
+  this->Window.setPainter(
+    ViewerWindow::Strip, [this](Canvas& canvas) { this->paintStrip(canvas); });
+  this->Window.setPainter(
+    ViewerWindow::Status, [this](Canvas& canvas) { this->paintStatus(canvas); });
+  this->Window.setPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
+    if (this->View.help)
+    {
+      paintHelp(canvas, this->Window.layout().window);
+    }
+  });
+}
+
+void Viewer::open()
+{
+  this->placeControls();
+  this->resetCamera();
+  this->Window.draw();
+  this->Interactor->Initialize();
+  // A window manager may have given another size.
+  if (this->Window.resize())
+  {
+    this->placeControls();
+  }
+  this->Interactor->CreateRepeatingTimer(TickMilliseconds);
+}
+
+void Viewer::run()
+{
+  this->Interactor->Start();
+}
+
+void Viewer::resetCamera()
+{
+  const Rect& view = this->Window.layout().before;
+  aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
+    40 * this->Window.layout().scale / view.h);
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+}
+
+void Viewer::updateZoom()
+{
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  const double height = 2. * camera->GetDistance() *
+    std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const double zoom = this->Window.layout().before.h / height;
+  this->BeforeSide.setZoom(zoom / this->Window.layout().scale);
+  this->AfterSide.setZoom(zoom / this->Window.layout().scale);
+}
+
+void Viewer::tick()
+{
+  this->takeResults();
+  if (this->PreviewIsOld && this->Sampling.hasAtlas())
+  {
+    this->updatePreview();
+  }
+  if (this->MeshWanted && Clock::now() >= this->MeshAt)
+  {
+    this->startMeshing();
+  }
+  const double progress = this->Worker.busy() ? this->Worker.progress() : -1;
+  if (std::abs(progress - this->ShownProgress) > 0.005)
+  {
+    this->ShownProgress = progress;
+    this->Window.touch(ViewerWindow::Status);
+  }
+  if (this->Window.dirty())
+  {
+    this->Window.draw();
+  }
+}
+
+void Viewer::settle()
+{
+  do
+  {
+    this->tick();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty());
+  this->tick();
+}
+
+void Viewer::takeResults()
+{
+  if (const auto atlas = this->Worker.takeAtlas())
+  {
+    this->Sampling.setAtlas(*atlas);
+    this->BeforeSide.setAtlas(atlas->charts, atlas->graph);
+    this->Sheet.setCharts(atlas->charts);
+    this->HistogramOf.clear();
+    this->PreviewIsOld = true;
+    this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip);
+  }
+  if (auto mesh = this->Worker.takeMesh())
+  {
+    this->Mesh = std::move(mesh);
+    this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines);
+    this->Figures.setFigures(this->Mesh->figures);
+    this->Figures.setStale(!this->meshIsCurrent());
+    this->Problem.clear();
+    this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+    if (this->SaveWhenDone && this->meshIsCurrent())
+    {
+      this->saveMesh();
+    }
+  }
+  if (const std::string error = this->Worker.takeError(); !error.empty())
+  {
+    this->Problem = error;
+    this->SaveWhenDone = false;
+    this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
+  }
+}
+
+void Viewer::updatePreview()
+{
+  const auto begin = Clock::now();
+  this->PreviewIsOld = false;
+  const Status status = this->Sampling.update(this->Now, this->Now.points);
+  this->PreviewProblem = status.ok() ? "" : status.message();
+  if (status.ok())
+  {
+    this->BeforeSide.setPreview(this->Sampling.halftones(), this->Sampling.controls());
+    this->Sheet.setControls(this->Sampling.controls());
+  }
+  const std::string importance = this->Now.importance + " " + this->Now.importanceArray;
+  if (importance != this->HistogramOf)
+  {
+    this->HistogramOf = importance;
+    this->Curve.setHistogram(this->Sampling.importanceHistogram(this->Now, CurveBars));
+  }
+  this->PreviewSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip | ViewerWindow::Status);
+}
+
+void Viewer::startMeshing()
+{
+  this->MeshWanted = false;
+  if (!this->meshIsCurrent())
+  {
+    this->Problem.clear();
+    this->Worker.start(this->Now);
+  }
+  this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+}
+
+void Viewer::changed(bool rests)
+{
+  this->PreviewIsOld = true;
+  this->Problem.clear();
+  this->say("");
+  this->Worker.relax();
+  this->MeshWanted = true;
+  this->MeshAt = Clock::now() + (rests ? Clock::duration::zero() : Clock::duration(RestTime));
+  this->showSession();
+}
+
+void Viewer::showSession()
+{
+  this->Controls.show(
+    this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
+  this->Curve.setPoints(this->Now.transfer);
+  this->Curve.setGamma(this->Now.gamma);
+  this->Figures.setStale(!this->meshIsCurrent());
+  this->BeforeSide.setMarks(this->Now);
+  this->Window.touch(ViewerWindow::All);
+}
+
+void Viewer::say(const std::string& sentence, bool alarm)
+{
+  this->Message = sentence;
+  this->MessageAlarm = alarm;
+  this->Window.touch(ViewerWindow::Status);
+}
+
+Status Viewer::writePicture(const std::string& file)
+{
+  if (Status status = OutputFiles::check(file); !status.ok())
+  {
+    return status;
+  }
+  OutputFiles files;
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window.window());
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(files.aside(file).c_str());
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? files.commit()
+                                     : Status::error("cannot write '" + file + "'");
+}
+}

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The program's heart: a session that the controls edit, a preview that follows it at once, a
+// worker that makes its mesh, and a window that shows all three.
+//
+// Nothing is computed or drawn within an event: events note what changed, tick() (a timer) does it,
+// so that a queue of mouse moves costs one frame.
+#ifndef stipple_Viewer_h
+#define stipple_Viewer_h
+
+#include "AfterScene.h"
+#include "BeforeScene.h"
+#include "Commands.h"
+#include "ControlSheet.h"
+#include "CurveEditor.h"
+#include "FiguresView.h"
+#include "History.h"
+#include "MeshWorker.h"
+#include "Panel.h"
+#include "Preview.h"
+#include "SurfacePicker.h"
+#include "ViewerWindow.h"
+#include "vtkViewerStyle.h"
+
+#include "vtkNew.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+class vtkRenderWindowInteractor;
+
+namespace stipple
+{
+struct ViewerFiles
+{
+  std::string mesh;
+  std::string picture;
+  std::string session;
+};
+
+class Viewer
+  : public Commands
+  , public PointerHandler
+{
+public:
+  /// `session.model` names the input; `image` is its importance image or null.
+  Viewer(vtkPolyData* input, vtkImageData* image, const Session& session, const ViewerFiles& files,
+    int width, int height);
+  ~Viewer() override;
+
+  vtkRenderWindowInteractor* interactor() { return this->Interactor; }
+
+  /// Opens the window and handles events until it is closed.
+  void run();
+  /// Opens the window.
+  void open();
+  /// One turn of the loop: takes what the worker has done, previews, starts meshing, draws.
+  void tick();
+  /// Ticks until the mesh is that of the session, or failed, and everything is drawn.
+  void settle();
+  /// The window's picture as it is.
+  [[nodiscard]] Status writePicture(const std::string& file);
+
+  const Session& session() const { return this->Now; }
+  bool meshIsCurrent() const { return this->Mesh && this->Mesh->session == this->Now; }
+  bool busy() const { return this->Worker.busy(); }
+  bool hasPreview() const { return this->Sampling.hasAtlas(); }
+  double previewSeconds() const { return this->PreviewSeconds; }
+  ViewerWindow& window() { return this->Window; }
+  /// Looks at the model as at the beginning.
+  void resetCamera();
+
+  // Commands
+  void edit(const std::function<void(Session&)>& change, bool rests) override;
+  void changeView(const std::function<void(ViewState&)>& change) override;
+  void clear(Clear what) override;
+  void undo() override;
+  void redo() override;
+  void saveMesh() override;
+  void savePicture() override;
+  void saveSession() override;
+
+  // PointerHandler
+  bool press(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void hover(const Pointer& pointer) override;
+  bool key(const KeyStroke& stroke) override;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  // The session and what follows from it
+  void changed(bool rests);
+  void showSession();
+  void takeResults();
+  void updatePreview();
+  void startMeshing();
+  void say(const std::string& sentence, bool alarm = false);
+
+  // The window
+  void connect();
+  void placeControls();
+  void updateZoom();
+  void paintView(Canvas& canvas, bool before);
+  void paintStrip(Canvas& canvas);
+  void paintStatus(Canvas& canvas);
+
+  // The pointer
+  [[nodiscard]] bool pick(const Pointer& pointer, SurfacePlace& place);
+  void useTool(const SurfacePlace& place, const Pointer& pointer);
+  void togglePoint(const SurfacePlace& place);
+  void tagEdges(const SurfacePlace& place, bool path);
+  Control* controlAt(const Pointer& pointer);
+  void setFocus(Control* control);
+  int partOf(const Control* control) const;
+  bool commandKey(const KeyStroke& stroke);
+
+  vtkSmartPointer<vtkPolyData> Input;
+  double Diagonal;
+  Session Now;
+  Session EditBase; ///< before the edit that goes on
+  bool Editing = false;
+  History Edits;
+  ViewState View;
+  ViewerFiles Files;
+
+  ViewerWindow Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkViewerStyle> Style;
+  BeforeScene BeforeSide;
+  AfterScene AfterSide;
+  SurfacePicker Picker;
+  Panel Controls;
+  ControlSheet Sheet;
+  CurveEditor Curve;
+  FiguresView Figures;
+  Control* Captured = nullptr;
+  Control* Focus = nullptr;
+  Control* Under = nullptr;
+  vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
+
+  Preview Sampling;
+  bool PreviewIsOld = false;
+  std::string PreviewProblem;
+  double PreviewSeconds = 0;
+  std::string HistogramOf; ///< the importance that the curve's histogram is of
+  std::unique_ptr<MeshResult> Mesh;
+  std::string Problem; ///< what failed for the session of now
+  bool MeshWanted = true;
+  Clock::time_point MeshAt; ///< when, at the earliest
+  bool SaveWhenDone = false;
+  std::string Message;
+  bool MessageAlarm = false;
+  double ShownProgress = -1;
+
+  MeshWorker Worker; ///< last: stops first
+};
+}
+
+#endif

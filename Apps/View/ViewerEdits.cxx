@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the controls and keys ask the viewer for.
+#include "Viewer.h"
+
+#include "MeshFile.h"
+#include "OutputFiles.h"
+#include "SceneActors.h"
+#include "SessionFile.h"
+
+#include "vtkPolyData.h"
+
+#include <filesystem>
+
+namespace stipple
+{
+namespace
+{
+std::string fileName(const std::string& file)
+{
+  return std::filesystem::path(file).filename().string();
+}
+}
+
+void Viewer::edit(const std::function<void(Session&)>& change, bool rests)
+{
+  const Session before = this->Now;
+  change(this->Now);
+  if (!this->Editing)
+  {
+    this->EditBase = before;
+    this->Editing = true;
+  }
+  if (rests)
+  {
+    this->Editing = false;
+    if (this->Now != this->EditBase)
+    {
+      this->Edits.add(this->EditBase);
+    }
+  }
+  if (this->Now != before)
+  {
+    this->changed(rests);
+  }
+  else if (rests)
+  {
+    // The value came with the last move; now it rests.
+    this->MeshAt = Clock::now();
+    this->showSession();
+  }
+}
+
+void Viewer::changeView(const std::function<void(ViewState&)>& change)
+{
+  const bool help = this->View.help;
+  change(this->View);
+  if (this->View.help != help)
+  {
+    this->Window.showOverlay(this->View.help);
+  }
+  const float lines = this->Window.layout().scale;
+  this->BeforeSide.setView(this->View, lines);
+  this->AfterSide.setView(this->View, lines);
+  if (this->View.tool != Tool::Brush)
+  {
+    this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
+  }
+  this->LastTagged = this->View.tool == Tool::Edge ? this->LastTagged : -1;
+  this->showSession();
+}
+
+void Viewer::clear(Clear what)
+{
+  this->edit(
+    [what](Session& s) {
+      if (what == Clear::Points)
+      {
+        s.constraints.clear();
+      }
+      else if (what == Clear::Edges)
+      {
+        s.featureEdges.clear();
+      }
+    },
+    true);
+}
+
+void Viewer::undo()
+{
+  if (this->Edits.canUndo() && !this->Editing)
+  {
+    this->Edits.undo(this->Now);
+    this->changed(true);
+  }
+}
+
+void Viewer::redo()
+{
+  if (this->Edits.canRedo() && !this->Editing)
+  {
+    this->Edits.redo(this->Now);
+    this->changed(true);
+  }
+}
+
+void Viewer::saveMesh()
+{
+  if (!this->meshIsCurrent())
+  {
+    this->SaveWhenDone = true;
+    this->say(fileName(this->Files.mesh) + " will be written when the mesh is done.");
+    return;
+  }
+  this->SaveWhenDone = false;
+  Status status = OutputFiles::check(this->Files.mesh);
+  OutputFiles files;
+  if (status.ok())
+  {
+    status =
+      writeMesh(this->Mesh->mesh, files.aside(this->Files.mesh), fileExtension(this->Files.mesh));
+  }
+  if (status.ok())
+  {
+    status = files.commit();
+  }
+  this->say(status.ok() ? "Wrote " + fileName(this->Files.mesh) + ": " +
+        grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points, " +
+        grouped(this->Mesh->mesh->GetNumberOfPolys()) + " triangles."
+                        : status.message(),
+    !status.ok());
+}
+
+void Viewer::savePicture()
+{
+  if (this->Window.dirty())
+  {
+    this->Window.draw();
+  }
+  const Status status = this->writePicture(this->Files.picture);
+  this->say(
+    status.ok() ? "Wrote " + fileName(this->Files.picture) + "." : status.message(), !status.ok());
+}
+
+void Viewer::saveSession()
+{
+  Status status = OutputFiles::check(this->Files.session);
+  OutputFiles files;
+  if (status.ok())
+  {
+    status = writeSession(this->Now, files.aside(this->Files.session), this->Files.session);
+  }
+  if (status.ok())
+  {
+    status = files.commit();
+  }
+  this->say(
+    status.ok() ? "Wrote " + fileName(this->Files.session) + "." : status.message(), !status.ok());
+}
+}

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What is written into the window's parts, and where.
+#include "Viewer.h"
+
+#include "SceneActors.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace stipple
+{
+namespace
+{
+constexpr float Pad = 14;
+constexpr float TitleHeight = 32;
+
+/// What of a cell of the strip is below its title.
+Rect content(const Rect& cell, float s)
+{
+  return { cell.x + Pad * s, cell.y + 8 * s, cell.w - 2 * Pad * s,
+    cell.h - (TitleHeight + 10) * s };
+}
+
+std::string countOf(long long number, const char* what)
+{
+  return grouped(number) + " " + what;
+}
+}
+
+void Viewer::placeControls()
+{
+  const Layout& l = this->Window.layout();
+  this->Controls.setBox(l.panel, l.scale);
+  this->Sheet.setBox(content(l.sheet, l.scale));
+  this->Curve.setBox(content(l.curve, l.scale));
+  this->Figures.setBox(content(l.figures, l.scale));
+  this->BeforeSide.setView(this->View, l.scale);
+  this->AfterSide.setView(this->View, l.scale);
+  this->updateZoom();
+}
+
+void Viewer::paintView(Canvas& canvas, bool before)
+{
+  const float s = canvas.scale();
+  const Layout& l = this->Window.layout();
+  const Rect& view = before ? l.before : l.after;
+  std::string title;
+  std::string detail;
+  if (before)
+  {
+    const char* titles[] = { "samples", "input", "charts", "density" };
+    const bool ready = this->Sampling.hasAtlas();
+    title = ready ? titles[static_cast<int>(this->View.display)] : "input";
+    detail = !ready || this->View.display == Display::Input
+      ? countOf(this->Input->GetNumberOfPoints(), "points, ") +
+        countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "faces")
+      : countOf(this->Sampling.samples()->GetNumberOfPoints(), "samples");
+  }
+  else
+  {
+    title = "mesh";
+    detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "points, ") +
+        countOf(this->Mesh->mesh->GetNumberOfPolys(), "triangles")
+                        : "";
+  }
+  const float y = view.top() - 18 * s;
+  canvas.text(view.x + Pad * s, y, title, { 15, shades::Word, Align::Left, true });
+  const float x =
+    view.x + Pad * s + canvas.textWidth(title, { 15, shades::Word, Align::Left, true });
+  canvas.text(x + 10 * s, y, detail, { 12, shades::Quiet });
+  if (!before && !this->meshIsCurrent())
+  {
+    const bool waiting = this->Worker.busy() || this->MeshWanted;
+    const std::string note = waiting ? "updating ..." : "not up to date";
+    canvas.text(view.right() - Pad * s, y, note,
+      { 12, waiting ? shades::Accent : shades::Alarm, Align::Right, true });
+  }
+  if (!before)
+  {
+    canvas.line(view.x + 0.5F, view.y, view.x + 0.5F, view.top(), shades::Line);
+  }
+}
+
+void Viewer::paintStrip(Canvas& canvas)
+{
+  const float s = canvas.scale();
+  const Layout& l = this->Window.layout();
+  canvas.fill(l.strip, shades::Ground);
+  canvas.line(l.strip.x, l.strip.top() - 0.5F, l.strip.right(), l.strip.top() - 0.5F, shades::Line);
+  const std::pair<const Rect*, std::pair<const char*, const char*>> titles[] = {
+    { &l.sheet, { "control map", "dark: many samples" } },
+    { &l.curve,
+      { "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "" } },
+    { &l.figures, { "mesh quality", "" } }
+  };
+  for (const auto& title : titles)
+  {
+    const float y = title.first->top() - 18 * s;
+    const TextLook look{ 13, shades::Word, Align::Left, true };
+    canvas.text(title.first->x + Pad * s, y, title.second.first, look);
+    canvas.text(
+      title.first->right() - Pad * s, y, title.second.second, { 11, shades::Quiet, Align::Right });
+    if (title.first->x > 0)
+    {
+      canvas.line(title.first->x + 0.5F, l.strip.y + 10 * s, title.first->x + 0.5F,
+        l.strip.top() - 10 * s, shades::Line);
+    }
+  }
+  this->Sheet.paint(canvas);
+  this->Curve.paint(canvas);
+  this->Figures.paint(canvas);
+}
+
+void Viewer::paintStatus(Canvas& canvas)
+{
+  const float s = canvas.scale();
+  const Rect& bar = this->Window.layout().status;
+  const float y = bar.y + 0.5F * bar.h;
+  canvas.fill(bar, { 228, 231, 236 });
+  canvas.line(bar.x, bar.top() - 0.5F, bar.right(), bar.top() - 0.5F, shades::Line);
+  std::string words = this->Message;
+  bool alarm = this->MessageAlarm;
+  for (const std::string& problem : { this->PreviewProblem, this->Problem })
+  {
+    words = problem.empty() ? words : problem;
+    alarm = alarm || !problem.empty();
+  }
+  const bool busy = this->Worker.busy();
+  if (words.empty())
+  {
+    char text[128];
+    std::snprintf(text, sizeof(text), "Mesh in %.2f s, preview in %.0f ms.",
+      this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->PreviewSeconds);
+    words = busy ? (this->Sampling.hasAtlas() ? "Meshing; Esc stops it."
+                                              : "Cutting into charts; Esc stops it.")
+                 : (this->Mesh ? text : "");
+  }
+  const float right = bar.right() - Pad * s;
+  const std::string hint = "h: keys";
+  canvas.text(right, y, hint, { 11.5F, shades::Quiet, Align::Right });
+  float end = right - 70 * s;
+  if (busy)
+  {
+    const Rect line{ end - 160 * s, y - 3 * s, 160 * s, 6 * s };
+    canvas.fill(line, shades::Line, 3);
+    canvas.fill(
+      { line.x, line.y, line.w * static_cast<float>(std::clamp(this->Worker.progress(), 0.02, 1.)),
+        line.h },
+      shades::Accent, 3);
+    end = line.x - 12 * s;
+  }
+  const TextLook look{ 12, alarm ? shades::Alarm : shades::Word };
+  canvas.text(bar.x + Pad * s, y, canvas.fitted(words, end - bar.x - Pad * s, look), look);
+}
+}

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The pointer and the keys.
+#include "Viewer.h"
+
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+/// A constraint this near to the pointer is taken away, not doubled; of the diagonal.
+constexpr double NearPoint = 0.012;
+}
+
+Control* Viewer::controlAt(const Pointer& pointer)
+{
+  std::vector<Control*> all = this->Controls.controls();
+  all.insert(all.end(), { &this->Sheet, &this->Curve, &this->Figures });
+  for (Control* control : all)
+  {
+    if (control->box().has(pointer.x, pointer.y))
+    {
+      return control;
+    }
+  }
+  return nullptr;
+}
+
+int Viewer::partOf(const Control* control) const
+{
+  return control == &this->Sheet || control == &this->Curve || control == &this->Figures
+    ? ViewerWindow::Strip
+    : ViewerWindow::PanelPart;
+}
+
+void Viewer::setFocus(Control* control)
+{
+  if (this->Focus && this->Focus != control)
+  {
+    Control* before = this->Focus;
+    this->Focus = nullptr;
+    before->blur();
+    this->Window.touch(this->partOf(before));
+  }
+  this->Focus = control;
+}
+
+bool Viewer::press(const Pointer& pointer)
+{
+  if (this->View.help)
+  {
+    this->changeView([](ViewState& v) { v.help = false; });
+    return true;
+  }
+  Control* control = this->controlAt(pointer);
+  this->setFocus(control && control->wantsKeys() ? control : nullptr);
+  if (control)
+  {
+    this->Captured = control->press(pointer) ? control : nullptr;
+    this->Window.touch(this->partOf(control));
+    return true;
+  }
+  const Layout& layout = this->Window.layout();
+  const bool inView =
+    layout.before.has(pointer.x, pointer.y) || layout.after.has(pointer.x, pointer.y);
+  SurfacePlace place;
+  if (inView && !pointer.secondary && this->View.tool != Tool::Camera && this->pick(pointer, place))
+  {
+    this->useTool(place, pointer);
+    return true;
+  }
+  return !inView;
+}
+
+void Viewer::drag(const Pointer& pointer)
+{
+  if (this->Captured)
+  {
+    this->Captured->drag(pointer);
+    this->Window.touch(this->partOf(this->Captured));
+  }
+}
+
+void Viewer::release(const Pointer& pointer)
+{
+  if (this->Captured)
+  {
+    Control* control = this->Captured;
+    this->Captured = nullptr;
+    control->release(pointer);
+    this->Window.touch(this->partOf(control));
+  }
+}
+
+void Viewer::hover(const Pointer& pointer)
+{
+  Control* control = this->controlAt(pointer);
+  if (this->Under && this->Under != control && this->Under->hover(false, pointer))
+  {
+    this->Window.touch(this->partOf(this->Under));
+  }
+  this->Under = control;
+  if (control && control->hover(true, pointer))
+  {
+    this->Window.touch(this->partOf(control));
+  }
+  if (this->View.tool == Tool::Brush)
+  {
+    SurfacePlace place;
+    const bool on = !control && this->pick(pointer, place);
+    this->BeforeSide.setBrush(
+      place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
+    this->Window.touch(ViewerWindow::Before);
+  }
+}
+
+bool Viewer::pick(const Pointer& pointer, SurfacePlace& place)
+{
+  const Layout& layout = this->Window.layout();
+  const bool before = layout.before.has(pointer.x, pointer.y);
+  return (before || layout.after.has(pointer.x, pointer.y)) &&
+    this->Picker.pick(this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After),
+      pointer.x, pointer.y, place);
+}
+
+void Viewer::useTool(const SurfacePlace& place, const Pointer& pointer)
+{
+  if (this->View.tool == Tool::Point)
+  {
+    this->togglePoint(place);
+  }
+  else if (this->View.tool == Tool::Edge)
+  {
+    this->tagEdges(place, pointer.shift);
+  }
+}
+
+void Viewer::togglePoint(const SurfacePlace& place)
+{
+  const double near = NearPoint * this->Diagonal;
+  this->edit(
+    [&](Session& s) {
+      const auto old = std::find_if(s.constraints.begin(), s.constraints.end(),
+        [&](const Vec3& p) { return (p - place.position).norm() < near; });
+      if (old != s.constraints.end())
+      {
+        s.constraints.erase(old);
+      }
+      else
+      {
+        s.constraints.push_back(place.position);
+      }
+    },
+    true);
+}
+
+void Viewer::tagEdges(const SurfacePlace& place, bool path)
+{
+  std::vector<std::array<vtkIdType, 2>> edges = { place.edge };
+  if (path && this->LastTagged >= 0)
+  {
+    edges = this->Picker.shortestPath(this->LastTagged, place.point);
+  }
+  this->LastTagged = place.point;
+  this->edit(
+    [&](Session& s) {
+      for (const auto& edge : edges)
+      {
+        const std::array<long long, 2> tag = { { edge[0], edge[1] } };
+        const auto old = std::find(s.featureEdges.begin(), s.featureEdges.end(), tag);
+        if (old == s.featureEdges.end())
+        {
+          s.featureEdges.push_back(tag);
+        }
+        else if (!path)
+        {
+          s.featureEdges.erase(old);
+        }
+      }
+    },
+    true);
+}
+
+bool Viewer::key(const KeyStroke& stroke)
+{
+  if (this->Focus)
+  {
+    const bool taken = this->Focus->key(stroke);
+    this->Window.touch(ViewerWindow::PanelPart);
+    if (!this->Controls.points().hasFocus())
+    {
+      this->Focus = nullptr;
+    }
+    if (taken)
+    {
+      return true;
+    }
+  }
+  if (stroke.control)
+  {
+    return this->commandKey(stroke);
+  }
+  const auto setTool = [this](Tool tool) {
+    this->changeView([tool](ViewState& v) { v.tool = tool; });
+    return true;
+  };
+  const std::string& key = stroke.symbol;
+  if (key == "v" || key == "b" || key == "k" || key == "x")
+  {
+    return setTool(key == "v" ? Tool::Camera
+        : key == "b"          ? Tool::Brush
+        : key == "k"          ? Tool::Point
+                              : Tool::Edge);
+  }
+  if (key == "h")
+  {
+    this->changeView([](ViewState& v) { v.help = !v.help; });
+  }
+  else if (key == "d")
+  {
+    this->changeView([](ViewState& v) {
+      v.display = static_cast<Display>((static_cast<int>(v.display) + 1) % 4);
+    });
+  }
+  else if (key == "l")
+  {
+    this->changeView([](ViewState& v) { v.features = !v.features; });
+  }
+  else if (key == "m")
+  {
+    this->changeView([](ViewState& v) { v.seams = !v.seams; });
+  }
+  else if (key == "n")
+  {
+    this->Controls.points().focus();
+    this->setFocus(&this->Controls.points());
+    this->Window.touch(ViewerWindow::PanelPart);
+  }
+  else if (key == "Return" || key == "KP_Enter")
+  {
+    this->MeshWanted = true;
+    this->MeshAt = Clock::now();
+  }
+  else if (key == "Escape")
+  {
+    if (this->View.help)
+    {
+      this->changeView([](ViewState& v) { v.help = false; });
+    }
+    else if (this->Worker.busy() || this->MeshWanted)
+    {
+      this->Worker.cancel();
+      this->MeshWanted = false;
+      this->SaveWhenDone = false;
+      this->say("Stopped. Return makes the mesh.");
+    }
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+bool Viewer::commandKey(const KeyStroke& stroke)
+{
+  if (stroke.symbol == "z" || stroke.symbol == "Z")
+  {
+    stroke.shift ? this->redo() : this->undo();
+  }
+  else if (stroke.symbol == "y")
+  {
+    this->redo();
+  }
+  else if (stroke.symbol == "s")
+  {
+    this->saveMesh();
+  }
+  else if (stroke.symbol == "p")
+  {
+    this->savePicture();
+  }
+  else if (stroke.symbol == "j")
+  {
+    this->saveSession();
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+}

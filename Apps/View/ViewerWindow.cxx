@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerWindow.h"
+
+#include "SceneActors.h"
+
+#include "vtkMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+namespace stipple
+{
+ViewerWindow::ViewerWindow(int width, int height)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  this->Window->SetSize(width, height);
+  this->Window->SetWindowName("stipple");
+  this->Window->SetMultiSamples(4);
+  this->Window->SetNumberOfLayers(2);
+  for (int i = 0; i < NumberOfParts; ++i)
+  {
+    const int part = 1 << i;
+    vtkRenderer* renderer = this->Renderers[i];
+    const Shade& ground = part & Views ? shades::Card : shades::Ground;
+    renderer->SetBackground(ground.r / 255., ground.g / 255., ground.b / 255.);
+    renderer->SetInteractive((part & Views) != 0);
+    renderer->SetLayer(part == Overlay ? 1 : 0);
+    this->Window->AddRenderer(renderer);
+  }
+  for (const Part part : { Before, After })
+  {
+    addLights(this->renderer(part));
+  }
+  this->renderer(After)->SetActiveCamera(this->renderer(Before)->GetActiveCamera());
+  this->Places = makeLayout(width, height);
+  this->place();
+}
+
+ViewerWindow::~ViewerWindow() = default;
+
+vtkRenderer* ViewerWindow::renderer(Part part)
+{
+  int index = 0;
+  while ((1 << index) != part)
+  {
+    ++index;
+  }
+  return this->Renderers[index];
+}
+
+Rect ViewerWindow::rectOf(const Layout& l, int index)
+{
+  const Rect rects[NumberOfParts] = { l.before, l.after, l.strip, l.panel, l.status, l.window };
+  return rects[index];
+}
+
+void ViewerWindow::place()
+{
+  const Rect& all = this->Places.window;
+  for (int i = 0; i < NumberOfParts; ++i)
+  {
+    const Rect part = rectOf(this->Places, i);
+    this->Renderers[i]->SetViewport(
+      part.x / all.w, part.y / all.h, part.right() / all.w, part.top() / all.h);
+    if (this->Items[i])
+    {
+      this->Items[i]->SetPlace(part, this->Places.scale);
+    }
+  }
+  this->touch(All);
+}
+
+void ViewerWindow::setPainter(Part part, const vtkControlItem::Painter& painter)
+{
+  int index = 0;
+  while ((1 << index) != part)
+  {
+    ++index;
+  }
+  this->Items[index] = vtkControlItem::AddTo(this->Renderers[index], painter);
+  this->Items[index]->SetPlace(rectOf(this->Places, index), this->Places.scale);
+}
+
+void ViewerWindow::showOverlay(bool on)
+{
+  this->OverlayOn = on;
+  this->touch(All);
+}
+
+bool ViewerWindow::resize()
+{
+  const int* size = this->Window->GetSize();
+  if (size[0] == static_cast<int>(this->Places.window.w) &&
+    size[1] == static_cast<int>(this->Places.window.h))
+  {
+    return false;
+  }
+  this->Places = makeLayout(size[0], size[1]);
+  this->place();
+  return true;
+}
+
+void ViewerWindow::draw()
+{
+  // What lies below the overlay is drawn with it.
+  const int parts = this->OverlayOn ? All : this->Dirty & ~Overlay;
+  for (int i = 0; i < NumberOfParts; ++i)
+  {
+    this->Renderers[i]->SetDraw((parts & (1 << i)) != 0);
+    if (parts & (1 << i) & Views)
+    {
+      this->Renderers[i]->ResetCameraClippingRange();
+    }
+  }
+  this->Dirty = 0;
+  this->Window->Render();
+}
+}

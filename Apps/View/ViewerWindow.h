@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The window and its parts. Each part is a renderer of its own, and only those that changed are
+// drawn again: that is what keeps a frame short without graphics hardware.
+#ifndef stipple_ViewerWindow_h
+#define stipple_ViewerWindow_h
+
+#include "Layout.h"
+#include "vtkControlItem.h"
+
+#include "vtkNew.h"
+
+#include <array>
+
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace stipple
+{
+class ViewerWindow
+{
+public:
+  enum Part
+  {
+    Before = 1,
+    After = 2,
+    Strip = 4,
+    PanelPart = 8,
+    Status = 16,
+    Overlay = 32, ///< over all others
+    Views = Before | After,
+    All = 63
+  };
+
+  /// The window is not open before draw().
+  ViewerWindow(int width, int height);
+  ~ViewerWindow();
+  ViewerWindow(const ViewerWindow&) = delete;
+  ViewerWindow& operator=(const ViewerWindow&) = delete;
+
+  vtkRenderWindow* window() { return this->Window; }
+  vtkRenderer* renderer(Part part);
+  const Layout& layout() const { return this->Places; }
+  /// What paints over a view, or all of another part.
+  void setPainter(Part part, const vtkControlItem::Painter& painter);
+  void showOverlay(bool on);
+
+  /// Takes the window's size; true if it changed.
+  bool resize();
+  /// Parts to draw next time.
+  void touch(int parts) { this->Dirty |= parts; }
+  bool dirty() const { return this->Dirty != 0; }
+  void draw();
+
+private:
+  static constexpr int NumberOfParts = 6;
+  static Rect rectOf(const Layout& layout, int index);
+  void place();
+
+  vtkNew<vtkRenderWindow> Window;
+  std::array<vtkNew<vtkRenderer>, NumberOfParts> Renderers;
+  std::array<vtkControlItem*, NumberOfParts> Items = {};
+  Layout Places;
+  int Dirty = All;
+  bool OverlayOn = false;
+};
+}
+
+#endif
