@@ -13,7 +13,7 @@
 
 namespace stipple
 {
-AfterScene::AfterScene(vtkRenderer* renderer)
+AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
 {
   vtkNew<vtkPolyData> none;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -22,6 +22,7 @@ AfterScene::AfterScene(vtkRenderer* renderer)
   this->Mesh = vtkSmartPointer<vtkActor>::New();
   this->Mesh->SetMapper(mapper);
   setSurfaceLook(this->Mesh->GetProperty());
+  this->Mesh->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Mesh);
   for (int type = 0; type < 3; ++type)
   {

@@ -17,7 +17,8 @@ namespace stipple
 class AfterScene
 {
 public:
-  explicit AfterScene(vtkRenderer* renderer);
+  /// `solid`: the back of the surface is never seen.
+  AfterScene(vtkRenderer* renderer, bool solid);
   ~AfterScene();
   AfterScene(const AfterScene&) = delete;
   AfterScene& operator=(const AfterScene&) = delete;

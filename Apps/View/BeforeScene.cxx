@@ -63,18 +63,79 @@ vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
   return surface;
 }
 
-void paintSamples(vtkImageData* halftone, vtkImageData* texture)
+/// A disc for each sample of the halftone, its size a share of the distance to the next samples: on
+/// the surface all look alike, whatever the map does to lengths. `samplesPerControl` is the number
+/// of samples over the integral of the control map.
+void paintSamples(
+  vtkImageData* halftone, vtkImageData* controls, double samplesPerControl, vtkImageData* texture)
 {
+  constexpr int Zoom = 2; // texture pixels a pixel of the halftone
+  constexpr double Share = 0.24;
   auto* dots = vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"));
+  auto* control = vtkFloatArray::SafeDownCast(controls->GetPointData()->GetArray("Control"));
   const int* size = halftone->GetDimensions();
-  texture->SetDimensions(size);
+  const int* controlSize = controls->GetDimensions();
+  const int width = Zoom * size[0];
+  const int height = Zoom * size[1];
+  texture->SetDimensions(width, height, 1);
   texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
-  for (vtkIdType i = 0; dots && i < dots->GetNumberOfValues(); ++i)
+  std::fill_n(pixels, texture->GetNumberOfPoints(), SurfacePixel);
+  const double pixelLength =
+    std::sqrt(halftone->GetSpacing()[0] * halftone->GetSpacing()[1]) / Zoom;
+  for (vtkIdType i = 0; dots && control && i < dots->GetNumberOfValues(); ++i)
   {
-    pixels[i] = dots->GetValue(i) == 0 ? SamplePixel : SurfacePixel;
+    if (dots->GetValue(i) != 0)
+    {
+      continue;
+    }
+    const auto column = static_cast<int>(i % size[0]);
+    const auto row = static_cast<int>(i / size[0]);
+    const double wanted = samplesPerControl *
+      control->GetValue(static_cast<vtkIdType>(row) * controlSize[1] / size[1] * controlSize[0] +
+        static_cast<vtkIdType>(column) * controlSize[0] / size[0]);
+    const double radius =
+      std::clamp(wanted > 0 ? Share / std::sqrt(wanted) / pixelLength : 0., 0.8, 12.);
+    const double x = Zoom * (column + 0.5);
+    const double y = Zoom * (row + 0.5);
+    const int reach = static_cast<int>(radius + 1.5);
+    for (int py = std::max(0, static_cast<int>(y) - reach);
+         py <= std::min(height - 1, static_cast<int>(y) + reach); ++py)
+    {
+      for (int px = std::max(0, static_cast<int>(x) - reach);
+           px <= std::min(width - 1, static_cast<int>(x) + reach); ++px)
+      {
+        const double cover =
+          std::clamp(radius + 0.5 - std::hypot(px + 0.5 - x, py + 0.5 - y), 0., 1.);
+        Pixel& pixel = pixels[static_cast<vtkIdType>(py) * width + px];
+        for (int k = 0; cover > 0 && k < 3; ++k)
+        {
+          pixel[k] = std::min(pixel[k],
+            static_cast<unsigned char>(
+              SurfacePixel[k] + cover * (SamplePixel[k] - SurfacePixel[k])));
+        }
+      }
+    }
   }
   texture->Modified();
+}
+
+/// Integral of the control map over all charts.
+double integralOf(vtkPartitionedDataSetCollection* controls)
+{
+  double sum = 0;
+  for (std::size_t c = 0; c < controls->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    vtkImageData* image = imageOf(controls, c);
+    auto* control = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control"));
+    double part = 0;
+    for (vtkIdType i = 0; control && i < control->GetNumberOfValues(); ++i)
+    {
+      part += control->GetValue(i);
+    }
+    sum += part * image->GetSpacing()[0] * image->GetSpacing()[1];
+  }
+  return sum;
 }
 
 /// From white over blue to dark red, by the share of the highest density.
@@ -100,9 +161,10 @@ double densityOf(vtkFloatArray* control, vtkFloatArray* area, vtkIdType i)
 }
 }
 
-BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input)
+BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   : Renderer(renderer)
   , Input(input)
+  , Solid(solid)
   , InputEdge(meanEdge(input))
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -110,6 +172,7 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input)
   this->Surface = vtkSmartPointer<vtkActor>::New();
   this->Surface->SetMapper(mapper);
   setSurfaceLook(this->Surface->GetProperty());
+  this->Surface->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Surface);
   for (int type = 0; type < 3; ++type)
   {
@@ -151,6 +214,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     chart.actor->SetMapper(mapper);
     setSurfaceLook(chart.actor->GetProperty());
     chart.actor->GetProperty()->SetColor(1, 1, 1);
+    chart.actor->GetProperty()->SetBackfaceCulling(this->Solid);
     chart.texture = vtkSmartPointer<vtkImageData>::New();
     chart.texture->SetDimensions(1, 1, 1);
     chart.texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -159,7 +223,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     vtkNew<vtkTexture> texture;
     texture->SetInputData(chart.texture);
     texture->SetColorModeToDirectScalars();
-    texture->InterpolateOff();
+    texture->InterpolateOn();
     texture->RepeatOff();
     texture->EdgeClampOn();
     chart.actor->SetTexture(texture);
@@ -174,9 +238,10 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
   this->showRightActors();
 }
 
-void BeforeScene::setPreview(
-  vtkPartitionedDataSetCollection* halftones, vtkPartitionedDataSetCollection* controls)
+void BeforeScene::setPreview(vtkPartitionedDataSetCollection* halftones,
+  vtkPartitionedDataSetCollection* controls, long long numberOfSamples)
 {
+  this->NumberOfSamples = static_cast<double>(numberOfSamples);
   this->Halftones = halftones;
   this->Controls = controls;
   this->paintTextures();
@@ -188,6 +253,8 @@ void BeforeScene::paintTextures()
   {
     return;
   }
+  const double integral = integralOf(this->Controls);
+  const double samplesPerControl = integral > 0 ? this->NumberOfSamples / integral : 0;
   double most = 0;
   std::vector<std::pair<vtkFloatArray*, vtkFloatArray*>> maps(this->Charts.size());
   for (std::size_t c = 0; this->View.display == Display::Density && c < this->Charts.size(); ++c)
@@ -205,7 +272,8 @@ void BeforeScene::paintTextures()
     vtkImageData* texture = this->Charts[c].texture;
     if (this->View.display == Display::Samples)
     {
-      paintSamples(imageOf(this->Halftones, c), texture);
+      paintSamples(
+        imageOf(this->Halftones, c), imageOf(this->Controls, c), samplesPerControl, texture);
       continue;
     }
     const bool charts = this->View.display == Display::Charts;

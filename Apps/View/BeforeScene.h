@@ -23,15 +23,16 @@ namespace stipple
 class BeforeScene
 {
 public:
-  BeforeScene(vtkRenderer* renderer, vtkPolyData* input);
+  /// `solid`: the back of the surface is never seen.
+  BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid);
   ~BeforeScene();
   BeforeScene(const BeforeScene&) = delete;
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
   /// New samples: halftones and control images.
-  void setPreview(
-    vtkPartitionedDataSetCollection* halftones, vtkPartitionedDataSetCollection* controls);
+  void setPreview(vtkPartitionedDataSetCollection* halftones,
+    vtkPartitionedDataSetCollection* controls, long long numberOfSamples);
   void setView(const ViewState& view, float lineWidth);
   /// Constraints, tagged edges.
   void setMarks(const Session& session);
@@ -51,10 +52,12 @@ private:
 
   vtkRenderer* Renderer;
   vtkPolyData* Input;
+  bool Solid;
   double InputEdge;
   ViewState View;
   float LineWidth = 1;
   double Zoom = 0;
+  double NumberOfSamples = 0;
   std::vector<Chart> Charts;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;

@@ -71,7 +71,7 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
 
   // The slider rests: the mesh is computed while the camera turns.
   Times camera;
-  viewer.edit([](Session& s) { s.gamma = 0.5; }, true);
+  viewer.edit([](Session& s) { s.gamma = 0.7; }, true);
   const Session wanted = viewer.session();
   viewer.tick();
   while (viewer.busy())

@@ -7,83 +7,143 @@
 #include "vtkImageData.h"
 #include "vtkPen.h"
 #include "vtkRect.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <tuple>
 
 namespace stipple
 {
-std::vector<float> Canvas::outline(const Rect& box, float radius) const
+namespace
 {
-  constexpr int Steps = 5;
-  constexpr float QuarterTurn = 1.57079633F;
-  const float r = std::min({ radius, 0.5F * box.w, 0.5F * box.h });
-  std::vector<float> points;
-  const float centers[4][2] = { { box.right() - r, box.top() - r }, { box.x + r, box.top() - r },
-    { box.x + r, box.y + r }, { box.right() - r, box.y + r } };
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    for (int step = 0; step <= (r > 0 ? Steps : 0); ++step)
-    {
-      const float angle = QuarterTurn * (corner + static_cast<float>(step) / Steps);
-      points.push_back(centers[corner][0] + r * std::cos(angle));
-      points.push_back(centers[corner][1] + r * std::sin(angle));
-    }
-  }
-  return points;
+/// Boxes and words come again in every frame.
+template <typename Key, typename Value>
+using Cache = std::map<Key, Value>;
+constexpr std::size_t CacheLimit = 2000;
+
+std::uint32_t packed(const Shade& s)
+{
+  return static_cast<std::uint32_t>(s.r) << 24 | static_cast<std::uint32_t>(s.g) << 16 |
+    static_cast<std::uint32_t>(s.b) << 8 | s.a;
 }
 
-void Canvas::fill(const Rect& box, const Shade& shade, float radius)
+/// How far a pixel's centre is inside a box with round corners.
+float depthInside(float x, float y, float w, float h, float radius)
+{
+  const float dx = std::max({ radius - x, x - (w - radius), 0.F });
+  const float dy = std::max({ radius - y, y - (h - radius), 0.F });
+  const float corner = radius - std::hypot(dx, dy);
+  return dx > 0 && dy > 0 ? corner : std::min({ x, y, w - x, h - y });
+}
+
+vtkSmartPointer<vtkImageData> drawBox(
+  int w, int h, const Shade& fill, const Shade& border, float radius, float width)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(w, h, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < h; ++y)
+  {
+    for (int x = 0; x < w; ++x, pixel += 4)
+    {
+      const float depth = depthInside(x + 0.5F, y + 0.5F, static_cast<float>(w),
+        static_cast<float>(h), std::min({ radius, 0.5F * w, 0.5F * h }));
+      const float cover = std::clamp(depth + 0.5F, 0.F, 1.F);
+      const float inner = std::clamp(depth - width + 0.5F, 0.F, 1.F);
+      const auto mixed = [inner](unsigned char outside, unsigned char inside) {
+        return static_cast<unsigned char>(std::lround(
+          (1 - inner) * static_cast<float>(outside) + inner * static_cast<float>(inside)));
+      };
+      pixel[0] = mixed(border.r, fill.r);
+      pixel[1] = mixed(border.g, fill.g);
+      pixel[2] = mixed(border.b, fill.b);
+      pixel[3] = static_cast<unsigned char>(std::lround(cover * mixed(border.a, fill.a)));
+    }
+  }
+  return image;
+}
+}
+
+void Canvas::fill(const Rect& box, const Shade& shade)
 {
   this->Painter->GetPen()->SetLineType(vtkPen::NO_PEN);
   this->Painter->GetBrush()->SetColor(shade.r, shade.g, shade.b, shade.a);
-  std::vector<float> points = this->outline(box, radius * this->Scale);
-  this->Painter->DrawPolygon(points.data(), static_cast<int>(points.size() / 2));
+  const float x = std::round(box.x);
+  const float y = std::round(box.y);
+  this->Painter->DrawRect(x, y, std::round(box.right()) - x, std::round(box.top()) - y);
 }
 
-void Canvas::frame(const Rect& box, const Shade& shade, float radius, float width)
+void Canvas::box(const Rect& box, const Shade& fill, const Shade& border, float radius, float width)
 {
-  vtkPen* pen = this->Painter->GetPen();
-  pen->SetLineType(vtkPen::SOLID_LINE);
-  pen->SetColor(shade.r, shade.g, shade.b, shade.a);
-  pen->SetWidth(width * this->Scale);
-  std::vector<float> points = this->outline(box.inset(0.5F), radius * this->Scale);
-  points.push_back(points[0]);
-  points.push_back(points[1]);
-  this->Painter->DrawPoly(points.data(), static_cast<int>(points.size() / 2));
+  using Key = std::tuple<int, int, std::uint32_t, std::uint32_t, float, float>;
+  static Cache<Key, vtkSmartPointer<vtkImageData>> cache;
+  const float x = std::round(box.x);
+  const float y = std::round(box.y);
+  const int w = std::max(1, static_cast<int>(std::round(box.right()) - x));
+  const int h = std::max(1, static_cast<int>(std::round(box.top()) - y));
+  if (cache.size() > CacheLimit)
+  {
+    cache.clear();
+  }
+  vtkSmartPointer<vtkImageData>& image =
+    cache[Key(w, h, packed(fill), packed(border), radius * this->Scale, width * this->Scale)];
+  if (!image)
+  {
+    image = drawBox(w, h, fill, border, radius * this->Scale, width * this->Scale);
+  }
+  this->image({ x, y, static_cast<float>(w), static_cast<float>(h) }, image);
 }
 
-void Canvas::line(float x0, float y0, float x1, float y1, const Shade& shade, float width)
+void Canvas::disc(float x, float y, float radius, const Shade& fill, const Shade& border)
 {
-  this->polyline({ { x0, y0 }, { x1, y1 } }, shade, width);
+  const float d = 2 * std::round(radius * this->Scale);
+  this->box({ x - 0.5F * d, y - 0.5F * d, d, d }, fill, border, radius, 2);
+}
+
+void Canvas::rule(float x0, float y0, float x1, float y1, const Shade& shade)
+{
+  const float width = std::max(1.F, std::floor(this->Scale));
+  const float x = std::floor(std::min(x0, x1));
+  const float y = std::floor(std::min(y0, y1));
+  this->fill(
+    { x, y, y0 == y1 ? std::abs(x1 - x0) : width, y0 == y1 ? width : std::abs(y1 - y0) }, shade);
 }
 
 void Canvas::polyline(
   const std::vector<std::pair<float, float>>& points, const Shade& shade, float width)
 {
-  vtkPen* pen = this->Painter->GetPen();
-  pen->SetLineType(vtkPen::SOLID_LINE);
-  pen->SetColor(shade.r, shade.g, shade.b, shade.a);
-  pen->SetWidth(width * this->Scale);
-  std::vector<float> places;
-  for (const auto& p : points)
+  // Each piece fades out over a pixel on both sides.
+  this->Painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+  this->Painter->GetBrush()->SetColor(shade.r, shade.g, shade.b, shade.a);
+  const float half = 0.5F * width * this->Scale;
+  const float offsets[4] = { -half - 0.5F, -half + 0.5F, half - 0.5F, half + 0.5F };
+  const unsigned char alphas[4] = { 0, shade.a, shade.a, 0 };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
-    places.push_back(p.first);
-    places.push_back(p.second);
+    const float dx = points[i + 1].first - points[i].first;
+    const float dy = points[i + 1].second - points[i].second;
+    const float length = std::hypot(dx, dy);
+    for (int band = 0; length > 0 && band < 3; ++band)
+    {
+      float corners[8];
+      unsigned char colors[16];
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const auto& end = points[i + (corner == 1 || corner == 2 ? 1 : 0)];
+        const int side = band + (corner >= 2 ? 1 : 0);
+        corners[2 * corner] = end.first - offsets[side] * dy / length;
+        corners[2 * corner + 1] = end.second + offsets[side] * dx / length;
+        const unsigned char color[4] = { shade.r, shade.g, shade.b, alphas[side] };
+        std::copy_n(color, 4, colors + 4 * corner);
+      }
+      this->Painter->DrawPolygon(corners, 4, colors, 4);
+    }
   }
-  if (points.size() > 1)
-  {
-    this->Painter->DrawPoly(places.data(), static_cast<int>(points.size()));
-  }
-}
-
-void Canvas::disc(float x, float y, float radius, const Shade& fill, const Shade& border)
-{
-  const float r = radius * this->Scale;
-  const Rect box{ x - r, y - r, 2 * r, 2 * r };
-  this->fill(box, border, radius);
-  this->fill(box.inset(1.5F * this->Scale), fill, radius);
 }
 
 void Canvas::image(const Rect& box, vtkImageData* image)
@@ -123,12 +183,24 @@ float Canvas::textWidth(const std::string& words, const TextLook& look)
   {
     return 0;
   }
+  using Key = std::tuple<std::string, long, bool>;
+  static Cache<Key, float> cache;
+  if (cache.size() > CacheLimit)
+  {
+    cache.clear();
+  }
+  const Key key(words, std::lround(look.size * this->Scale), look.bold);
+  const auto known = cache.find(key);
+  if (known != cache.end())
+  {
+    return known->second;
+  }
   TextLook left = look;
   left.align = Align::Left;
   this->useText(left);
   float bounds[4];
   this->Painter->ComputeStringBounds(words.c_str(), bounds);
-  return bounds[2];
+  return cache[key] = bounds[2];
 }
 
 std::string Canvas::fitted(const std::string& words, float width, const TextLook& look)

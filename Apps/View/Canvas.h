@@ -83,12 +83,16 @@ public:
 
   float scale() const { return this->Scale; }
 
-  void fill(const Rect& box, const Shade& shade, float radius = 0);
-  void frame(const Rect& box, const Shade& shade, float radius = 0, float width = 1);
-  void line(float x0, float y0, float x1, float y1, const Shade& shade, float width = 1);
+  /// Edges are moved to whole pixels.
+  void fill(const Rect& box, const Shade& shade);
+  /// With smooth round corners and a border.
+  void box(const Rect& box, const Shade& fill, const Shade& border, float radius, float width = 1);
+  void disc(float x, float y, float radius, const Shade& fill, const Shade& border);
+  /// A horizontal or vertical line, one pixel wide at scale 1.
+  void rule(float x0, float y0, float x1, float y1, const Shade& shade);
+  /// A smooth line.
   void polyline(
     const std::vector<std::pair<float, float>>& points, const Shade& shade, float width = 1);
-  void disc(float x, float y, float radius, const Shade& fill, const Shade& border);
   /// The whole image fills the box.
   void image(const Rect& box, vtkImageData* image);
 
@@ -101,7 +105,6 @@ public:
 
 private:
   void useText(const TextLook& look);
-  std::vector<float> outline(const Rect& box, float radius) const;
 
   vtkContext2D* Painter;
   float Scale;

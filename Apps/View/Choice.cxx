@@ -60,16 +60,11 @@ void Choice::paint(Canvas& canvas)
     const Rect box = this->cellBox(word);
     const bool down = word == this->Pressed && word == this->Under;
     const bool on = cell.on && cell.enabled;
-    canvas.fill(box,
-      on                      ? shades::Accent
-        : down                ? shades::AccentSoft
-        : word == this->Under ? shades::Hover
-                              : shades::Card,
-      4);
-    if (!on)
-    {
-      canvas.frame(box, shades::Line, 4);
-    }
+    const Shade& ground = on ? shades::Accent
+      : down                 ? shades::AccentSoft
+      : word == this->Under  ? shades::Hover
+                             : shades::Card;
+    canvas.box(box, ground, on ? shades::Accent : shades::Line, 4);
     const TextLook look{ 11.5F,
       on                ? shades::Card
         : !cell.enabled ? shades::Faint

@@ -112,7 +112,8 @@ void ControlSheet::setBox(const Rect& box)
   Control::setBox(box);
 }
 
-/// Rows of tiles, the highest first; false if they do not fit.
+/// Each tile, the highest first, as high up as it fits below those before it; false if the picture
+/// is too small.
 bool ControlSheet::arrange(double scale, int width, int height)
 {
   this->Tiles.clear();
@@ -127,25 +128,27 @@ bool ControlSheet::arrange(double scale, int width, int height)
   }
   std::stable_sort(
     this->Tiles.begin(), this->Tiles.end(), [](const Tile& a, const Tile& b) { return a.h > b.h; });
-  int x = 0;
-  int top = height;
-  int rowHeight = 0;
+  std::vector<int> free(static_cast<std::size_t>(width), height); // of every column, up to where
   for (Tile& tile : this->Tiles)
   {
-    if (x > 0 && x + tile.w > width)
+    int best = -1;
+    for (int x = 0; x + tile.w <= width; ++x)
     {
-      x = 0;
-      top -= rowHeight + Gap;
-      rowHeight = 0;
+      const int columns = std::min(tile.w + Gap, width - x);
+      const int top = *std::min_element(free.begin() + x, free.begin() + x + columns);
+      if (top > best)
+      {
+        best = top;
+        tile.x = x;
+      }
     }
-    tile.x = x;
-    tile.y = top - tile.h;
-    x += tile.w + Gap;
-    rowHeight = std::max(rowHeight, tile.h);
-    if (tile.w > width || tile.y < 0)
+    tile.y = best - tile.h;
+    if (tile.y < 0)
     {
       return false;
     }
+    const int columns = std::min(tile.w + Gap, width - tile.x);
+    std::fill_n(free.begin() + tile.x, columns, tile.y - Gap);
   }
   return true;
 }

@@ -42,8 +42,8 @@ void CurveEditor::setPoints(const Points& points)
 Rect CurveEditor::plot() const
 {
   const float margin = 0.045F * this->Box.h;
-  return { this->Box.x + margin, this->Box.y + 3.2F * margin, this->Box.w - 2 * margin,
-    this->Box.h - 4.2F * margin };
+  return { this->Box.x + margin, this->Box.y + 3.4F * margin, this->Box.w - 2 * margin,
+    this->Box.h - 4.4F * margin };
 }
 
 std::pair<float, float> CurveEditor::placeOf(const std::pair<double, double>& point) const
@@ -81,7 +81,7 @@ void CurveEditor::paint(Canvas& canvas)
 {
   const float s = canvas.scale();
   const Rect p = this->plot();
-  canvas.fill(p, shades::Card);
+  canvas.box({ p.x - 1, p.y - 1, p.w + 2, p.h + 2 }, shades::Card, shades::Line, 0);
   const double most =
     this->Bars.empty() ? 0 : *std::max_element(this->Bars.begin(), this->Bars.end());
   const float width = p.w / static_cast<float>(std::max<std::size_t>(1, this->Bars.size()));
@@ -92,7 +92,6 @@ void CurveEditor::paint(Canvas& canvas)
     canvas.fill({ p.x + static_cast<float>(i) * width, p.y, std::max(1.F, width - 1), height },
       { 214, 220, 229 });
   }
-  canvas.frame(p, shades::Line);
   std::vector<std::pair<float, float>> line;
   if (this->Gamma != 1)
   {
@@ -119,7 +118,7 @@ void CurveEditor::paint(Canvas& canvas)
     canvas.disc(place.first, place.second, 5,
       static_cast<int>(i) == this->Held ? shades::AccentSoft : shades::Card, shades::Accent);
   }
-  const float y = p.y - 9 * s;
+  const float y = this->Box.y + 3 * s;
   canvas.text(p.x, y, "flat", { 10.5F, shades::Quiet });
   canvas.text(p.x + 0.5F * p.w, y, "importance", { 10.5F, shades::Quiet, Align::Center });
   canvas.text(p.right(), y, "most", { 10.5F, shades::Quiet, Align::Right });

@@ -39,7 +39,7 @@ void barChart(Canvas& canvas, const Rect& box, const std::string& title,
         shade);
     }
   }
-  canvas.line(plot.x, plot.y, plot.right(), plot.y, shades::Faint);
+  canvas.rule(plot.x, plot.y, plot.right(), plot.y, shades::Faint);
   for (const auto& label : labels)
   {
     canvas.text(plot.x + label.first * width, box.y + 7 * s, label.second,

@@ -31,8 +31,7 @@ void paintHelp(Canvas& canvas, const Rect& window)
   const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
     width, height };
   canvas.fill(window, { 30, 36, 46, 110 });
-  canvas.fill(box, shades::Card, 8);
-  canvas.frame(box, shades::Line, 8);
+  canvas.box(box, shades::Card, shades::Line, 8);
   float y = box.top() - 26 * s;
   canvas.text(box.x + 24 * s, y, "Keys", { 15, shades::Accent, Align::Left, true });
   canvas.text(

@@ -24,8 +24,8 @@ void NumberField::paint(Canvas& canvas)
   canvas.text(this->Box.x, middle, this->Label);
   const float width = 0.46F * this->Box.w;
   const Rect field{ this->Box.right() - width, this->Box.y, width, this->Box.h };
-  canvas.fill(field, shades::Card, 4);
-  canvas.frame(field, this->Focused ? shades::Accent : shades::Line, 4, this->Focused ? 1.5F : 1);
+  canvas.box(field, shades::Card, this->Focused ? shades::Accent : shades::Line, 4,
+    this->Focused ? 1.5F : 1);
   const float right = field.right() - 8 * s;
   const std::string text = this->Focused ? this->Typed : grouped(this->Value);
   const TextLook look{ 13, shades::Word, Align::Right, true };
@@ -33,12 +33,12 @@ void NumberField::paint(Canvas& canvas)
   {
     const float w = canvas.textWidth(text, look);
     canvas.fill(
-      { right - w - 2 * s, field.y + 5 * s, w + 4 * s, field.h - 10 * s }, shades::AccentSoft, 2);
+      { right - w - 2 * s, field.y + 5 * s, w + 4 * s, field.h - 10 * s }, shades::AccentSoft);
   }
   canvas.text(right, middle, text, look);
   if (this->Focused)
   {
-    canvas.line(right + 2 * s, field.y + 6 * s, right + 2 * s, field.top() - 6 * s, shades::Accent);
+    canvas.rule(right + 2 * s, field.y + 6 * s, right + 2 * s, field.top() - 6 * s, shades::Accent);
   }
 }
 

@@ -77,8 +77,8 @@ void Panel::addSampling(Commands& commands, bool hasImage)
         rests);
     });
   this->Importance = this->make<Choice>(Choice::Kind::One,
-    std::vector<std::string>{ "uniform", "mean", "Gauss", "minimum", "maximum", "total", "L2",
-      hasImage ? "image" : "array" },
+    std::vector<std::string>{
+      "uniform", "mean", "Gauss", "min", "max", "total", "L2", hasImage ? "image" : "array" },
     4, [this, &commands, hasImage](int word) {
       commands.edit(
         [this, word, hasImage](Session& s) {
@@ -113,12 +113,12 @@ void Panel::addSampling(Commands& commands, bool hasImage)
       commands.edit([value](Session& s) { s.minimumDensity = value; }, rests);
     });
   this->row({ this->Number }, 27, 2);
-  this->row({ this->PointsSlider }, 20, 6);
+  this->row({ this->PointsSlider }, 20, 12);
   this->heading("Importance");
-  this->row({ this->Importance }, 54, 6);
+  this->row({ this->Importance }, 54, 8);
   this->row({ this->Gamma }, 34);
   this->row({ this->Gradation }, 34);
-  this->row({ this->Floor }, 34, 8);
+  this->row({ this->Floor }, 34, 14);
 }
 
 void Panel::addFeatures(Commands& commands)
@@ -138,7 +138,7 @@ void Panel::addFeatures(Commands& commands)
     });
   this->heading("Features and charts");
   this->row({ this->Angle }, 34);
-  this->row({ this->Charts }, 34, 8);
+  this->row({ this->Charts }, 34, 14);
 }
 
 void Panel::addPointer(Commands& commands)
@@ -164,7 +164,7 @@ void Panel::addPointer(Commands& commands)
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);
   this->row({ this->Radius, this->Strength }, 34, 6);
-  this->row({ this->Clearing }, 27, 8);
+  this->row({ this->Clearing }, 27, 14);
 }
 
 void Panel::addShow(Commands& commands)
@@ -182,7 +182,7 @@ void Panel::addShow(Commands& commands)
     });
   this->heading("Show");
   this->row({ this->Displays }, 27);
-  this->row({ this->Overlays }, 27, 12);
+  this->row({ this->Overlays }, 27, 18);
 }
 
 void Panel::addCommands(Commands& commands)
@@ -246,6 +246,11 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   {
     this->Importance->setWord(ArrayWord, s.importanceArray);
   }
+  const bool uniform = s.importance == "uniform";
+  for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
+  {
+    slider->setEnabled(!uniform);
+  }
   this->Gamma->setValue(s.gamma);
   this->Gradation->setValue(s.gradation);
   this->Floor->setValue(s.minimumDensity);
@@ -264,26 +269,36 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   this->Undoing->setOn(2, v.help);
 }
 
-void Panel::paint(Canvas& canvas)
+void Panel::paint(Canvas& canvas, bool upper)
 {
   const float s = canvas.scale();
-  canvas.fill(this->Box, shades::Ground);
-  canvas.line(this->Box.x + 0.5F, this->Box.y, this->Box.x + 0.5F, this->Box.top(), shades::Line);
   const float left = this->Box.x + 14 * s;
-  canvas.text(left, this->Box.top() - 18 * s, "stipple", { 16, shades::Accent, Align::Left, true });
-  const TextLook quiet{ 12, shades::Quiet, Align::Right };
-  canvas.text(this->Box.right() - 14 * s, this->Box.top() - 18 * s,
-    canvas.fitted(this->Model, this->Box.w - 110 * s, quiet), quiet);
-  canvas.line(left, this->Box.top() - 38 * s, this->Box.right() - 14 * s, this->Box.top() - 38 * s,
-    shades::Line);
+  const float right = this->Box.right() - 14 * s;
+  const float middle = this->Box.y + 0.45F * this->Box.h;
+  if (upper)
+  {
+    canvas.fill(this->Box, shades::Ground);
+    canvas.rule(this->Box.x, this->Box.y, this->Box.x, this->Box.top(), shades::Line);
+    const float y = this->Box.top() - 19 * s;
+    canvas.text(left, y, "stipple", { 16, shades::Accent, Align::Left, true });
+    const TextLook quiet{ 12, shades::Quiet, Align::Right };
+    canvas.text(right, y, canvas.fitted(this->Model, this->Box.w - 110 * s, quiet), quiet);
+    canvas.rule(left, this->Box.top() - 38 * s, right, this->Box.top() - 38 * s, shades::Line);
+  }
   for (const auto& heading : this->Headings)
   {
-    canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
-      { 11, shades::Quiet, Align::Left, true });
+    if ((heading.first.y > middle) == upper)
+    {
+      canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
+        { 11, shades::Quiet, Align::Left, true });
+    }
   }
   for (const auto& control : this->Owned)
   {
-    control->paint(canvas);
+    if ((control->box().y > middle) == upper)
+    {
+      control->paint(canvas);
+    }
   }
 }
 

@@ -23,7 +23,9 @@ public:
 
   void setBox(const Rect& box, float scale);
   void show(const Session& session, const ViewState& view, bool canUndo, bool canRedo);
-  void paint(Canvas& canvas);
+  /// In two halves: VTK's painter keeps 50 words, and makes each anew in every frame if there are
+  /// more.
+  void paint(Canvas& canvas, bool upper);
   std::vector<Control*> controls();
   NumberField& points() { return *this->Number; }
 

@@ -43,22 +43,28 @@ void Slider::paint(Canvas& canvas)
   const float s = canvas.scale();
   this->Scale = s;
   const float upper = this->Box.top() - 9 * s;
-  canvas.text(this->Box.x, upper, this->Label);
+  const Shade strong = this->Enabled ? shades::Accent : shades::Faint;
+  canvas.text(
+    this->Box.x, upper, this->Label, { 12, this->Enabled ? shades::Word : shades::Faint });
   canvas.text(this->Box.right(), upper, this->Text(this->Value),
-    { 12, this->Held ? shades::Accent : shades::Word, Align::Right, true });
+    { 12,
+      !this->Enabled ? shades::Faint
+        : this->Held ? shades::Accent
+                     : shades::Word,
+      Align::Right, true });
   const float y = this->Box.y + 9 * s;
   const float left = this->Box.x + KnobRadius * s;
   const float length = this->Box.w - 2 * KnobRadius * s;
   const float x = left + length * static_cast<float>(this->placeOf(this->Value));
-  canvas.fill({ left, y - 2 * s, length, 4 * s }, shades::Line, 2);
-  canvas.fill({ left, y - 2 * s, x - left, 4 * s }, shades::Accent, 2);
-  canvas.disc(x, y, KnobRadius, this->Held || this->Hovered ? shades::AccentSoft : shades::Card,
-    shades::Accent);
+  canvas.fill({ left, y - 2 * s, length, 4 * s }, shades::Line);
+  canvas.fill({ left, y - 2 * s, x - left, 4 * s }, strong);
+  canvas.disc(x, y, KnobRadius,
+    this->Enabled && (this->Held || this->Hovered) ? shades::AccentSoft : shades::Card, strong);
 }
 
 bool Slider::press(const Pointer& pointer)
 {
-  if (pointer.secondary)
+  if (pointer.secondary || !this->Enabled)
   {
     return false;
   }

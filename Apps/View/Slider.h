@@ -29,12 +29,17 @@ public:
 
   void setRange(const Range& range) { this->Limits = range; }
   void setValue(double value) { this->Value = value; }
+  /// Disabled: faint, and not to be dragged.
+  void setEnabled(bool enabled) { this->Enabled = enabled; }
   double value() const { return this->Value; }
 
   void paint(Canvas& canvas) override;
   bool press(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
+
+protected:
+  bool isHandled() const override { return this->Enabled; }
 
 private:
   double placeOf(double value) const; ///< 0 to 1
@@ -46,6 +51,7 @@ private:
   Change Changed;
   double Value = 0;
   bool Held = false;
+  bool Enabled = true;
   float Scale = 1; ///< of the last painting
 };
 }

@@ -29,6 +29,9 @@ constexpr int DefaultPoints = 5000;
 
 Status makeSession(const ViewOptions& o, Session& session)
 {
+  // Something to see when gamma is moved.
+  session.importance = "total";
+  session.gamma = 0.5;
   if (!o.session.empty())
   {
     if (Status status = readSession(o.session, session); !status.ok())

@@ -34,6 +34,22 @@ constexpr int TickMilliseconds = 10;
 constexpr int CurveBars = 48;
 /// A slider that is held still rests after this.
 constexpr std::chrono::milliseconds RestTime(300);
+/// Lines become smooth when nothing has moved for this long.
+constexpr std::chrono::milliseconds CalmTime(150);
+
+/// One closed surface that faces outwards: half of its triangles need not be drawn.
+bool isSolid(vtkPolyData* input)
+{
+  TriangleSurface surface = fromPolyData(input);
+  surface.connect();
+  const SurfaceTopology topology = surface.topology();
+  double volume = 0;
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    volume += surface.point(f, 0).dot(surface.point(f, 1).cross(surface.point(f, 2)));
+  }
+  return topology.manifold && topology.components == 1 && topology.boundaryLoops == 0 && volume > 0;
+}
 
 std::vector<std::string> arraysOf(vtkPolyData* input)
 {
@@ -57,11 +73,12 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   const ViewerFiles& files, int width, int height)
   : Input(input)
   , Diagonal(input->GetLength())
+  , Solid(isSolid(input))
   , Now(session)
   , Files(files)
   , Window(width, height)
-  , BeforeSide(this->Window.renderer(ViewerWindow::Before), input)
-  , AfterSide(this->Window.renderer(ViewerWindow::After))
+  , BeforeSide(this->Window.renderer(ViewerWindow::Before), input, this->Solid)
+  , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(input)
   , Controls(*this, std::filesystem::path(session.model).filename().string(), arraysOf(input),
       image != nullptr)
@@ -110,17 +127,20 @@ void Viewer::connect()
   observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->Window.touch(ViewerWindow::All);
   });
-  this->Window.setPainter(
+  this->Window.addPainter(
     ViewerWindow::Before, [this](Canvas& canvas) { this->paintView(canvas, true); });
-  this->Window.setPainter(
+  this->Window.addPainter(
     ViewerWindow::After, [this](Canvas& canvas) { this->paintView(canvas, false); });
-  this->Window.setPainter(
-    ViewerWindow::PanelPart, [this](Canvas& canvas) { this->Controls.paint(canvas); });
-  this->Window.setPainter(
+  for (const bool upper : { true, false })
+  {
+    this->Window.addPainter(ViewerWindow::PanelPart,
+      [this, upper](Canvas& canvas) { this->Controls.paint(canvas, upper); });
+  }
+  this->Window.addPainter(
     ViewerWindow::Strip, [this](Canvas& canvas) { this->paintStrip(canvas); });
-  this->Window.setPainter(
+  this->Window.addPainter(
     ViewerWindow::Status, [this](Canvas& canvas) { this->paintStatus(canvas); });
-  this->Window.setPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
+  this->Window.addPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
     if (this->View.help)
     {
       paintHelp(canvas, this->Window.layout().window);
@@ -132,7 +152,7 @@ void Viewer::open()
 {
   this->placeControls();
   this->resetCamera();
-  this->Window.draw();
+  this->Window.draw(false);
   this->Interactor->Initialize();
   // A window manager may have given another size.
   if (this->Window.resize())
@@ -185,7 +205,12 @@ void Viewer::tick()
   }
   if (this->Window.dirty())
   {
-    this->Window.draw();
+    this->Window.draw(false);
+    this->LastFrame = Clock::now();
+  }
+  else if (this->Window.rough() && Clock::now() - this->LastFrame > CalmTime)
+  {
+    this->Window.draw(true);
   }
 }
 
@@ -195,7 +220,7 @@ void Viewer::settle()
   {
     this->tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty());
+  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty() || this->Window.rough());
   this->tick();
 }
 
@@ -215,7 +240,7 @@ void Viewer::takeResults()
     this->Mesh = std::move(mesh);
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines);
     this->Figures.setFigures(this->Mesh->figures);
-    this->Figures.setStale(!this->meshIsCurrent());
+    this->showStale();
     this->Problem.clear();
     this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
@@ -239,7 +264,8 @@ void Viewer::updatePreview()
   this->PreviewProblem = status.ok() ? "" : status.message();
   if (status.ok())
   {
-    this->BeforeSide.setPreview(this->Sampling.halftones(), this->Sampling.controls());
+    this->BeforeSide.setPreview(this->Sampling.halftones(), this->Sampling.controls(),
+      this->Sampling.samples()->GetNumberOfPoints());
     this->Sheet.setControls(this->Sampling.controls());
   }
   const std::string importance = this->Now.importance + " " + this->Now.importanceArray;
@@ -280,9 +306,20 @@ void Viewer::showSession()
     this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.transfer);
   this->Curve.setGamma(this->Now.gamma);
-  this->Figures.setStale(!this->meshIsCurrent());
   this->BeforeSide.setMarks(this->Now);
-  this->Window.touch(ViewerWindow::All);
+  this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip | ViewerWindow::PanelPart);
+  this->showStale();
+}
+
+void Viewer::showStale()
+{
+  const bool stale = !this->meshIsCurrent();
+  if (stale != this->ShownStale)
+  {
+    this->ShownStale = stale;
+    this->Figures.setStale(stale);
+    this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+  }
 }
 
 void Viewer::say(const std::string& sentence, bool alarm)

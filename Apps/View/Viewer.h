@@ -104,6 +104,7 @@ private:
   void placeControls();
   void updateZoom();
   void paintView(Canvas& canvas, bool before);
+  void showStale();
   void paintStrip(Canvas& canvas);
   void paintStatus(Canvas& canvas);
 
@@ -119,6 +120,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Input;
   double Diagonal;
+  bool Solid;
   Session Now;
   Session EditBase; ///< before the edit that goes on
   bool Editing = false;
@@ -150,10 +152,12 @@ private:
   std::string Problem; ///< what failed for the session of now
   bool MeshWanted = true;
   Clock::time_point MeshAt; ///< when, at the earliest
+  Clock::time_point LastFrame;
   bool SaveWhenDone = false;
   std::string Message;
   bool MessageAlarm = false;
   double ShownProgress = -1;
+  bool ShownStale = false;
 
   MeshWorker Worker; ///< last: stops first
 };

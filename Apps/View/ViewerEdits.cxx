@@ -66,6 +66,7 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
   {
     this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
   }
+  this->Window.touch(ViewerWindow::Views);
   this->LastTagged = this->View.tool == Tool::Edge ? this->LastTagged : -1;
   this->showSession();
 }
@@ -133,9 +134,9 @@ void Viewer::saveMesh()
 
 void Viewer::savePicture()
 {
-  if (this->Window.dirty())
+  if (this->Window.dirty() || this->Window.rough())
   {
-    this->Window.draw();
+    this->Window.draw(true);
   }
   const Status status = this->writePicture(this->Files.picture);
   this->say(

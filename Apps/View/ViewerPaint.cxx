@@ -81,7 +81,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
   }
   if (!before)
   {
-    canvas.line(view.x + 0.5F, view.y, view.x + 0.5F, view.top(), shades::Line);
+    canvas.rule(view.x + 0.5F, view.y, view.x + 0.5F, view.top(), shades::Line);
   }
 }
 
@@ -90,7 +90,7 @@ void Viewer::paintStrip(Canvas& canvas)
   const float s = canvas.scale();
   const Layout& l = this->Window.layout();
   canvas.fill(l.strip, shades::Ground);
-  canvas.line(l.strip.x, l.strip.top() - 0.5F, l.strip.right(), l.strip.top() - 0.5F, shades::Line);
+  canvas.rule(l.strip.x, l.strip.top() - 1, l.strip.right(), l.strip.top() - 1, shades::Line);
   const std::pair<const Rect*, std::pair<const char*, const char*>> titles[] = {
     { &l.sheet, { "control map", "dark: many samples" } },
     { &l.curve,
@@ -106,7 +106,7 @@ void Viewer::paintStrip(Canvas& canvas)
       title.first->right() - Pad * s, y, title.second.second, { 11, shades::Quiet, Align::Right });
     if (title.first->x > 0)
     {
-      canvas.line(title.first->x + 0.5F, l.strip.y + 10 * s, title.first->x + 0.5F,
+      canvas.rule(title.first->x + 0.5F, l.strip.y + 10 * s, title.first->x + 0.5F,
         l.strip.top() - 10 * s, shades::Line);
     }
   }
@@ -121,7 +121,7 @@ void Viewer::paintStatus(Canvas& canvas)
   const Rect& bar = this->Window.layout().status;
   const float y = bar.y + 0.5F * bar.h;
   canvas.fill(bar, { 228, 231, 236 });
-  canvas.line(bar.x, bar.top() - 0.5F, bar.right(), bar.top() - 0.5F, shades::Line);
+  canvas.rule(bar.x, bar.top() - 1, bar.right(), bar.top() - 1, shades::Line);
   std::string words = this->Message;
   bool alarm = this->MessageAlarm;
   for (const std::string& problem : { this->PreviewProblem, this->Problem })
@@ -146,11 +146,11 @@ void Viewer::paintStatus(Canvas& canvas)
   if (busy)
   {
     const Rect line{ end - 160 * s, y - 3 * s, 160 * s, 6 * s };
-    canvas.fill(line, shades::Line, 3);
+    canvas.fill(line, shades::Line);
     canvas.fill(
       { line.x, line.y, line.w * static_cast<float>(std::clamp(this->Worker.progress(), 0.02, 1.)),
         line.h },
-      shades::Accent, 3);
+      shades::Accent);
     end = line.x - 12 * s;
   }
   const TextLook look{ 12, alarm ? shades::Alarm : shades::Word };

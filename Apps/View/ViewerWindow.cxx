@@ -15,7 +15,7 @@ ViewerWindow::ViewerWindow(int width, int height)
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   this->Window->SetSize(width, height);
   this->Window->SetWindowName("stipple");
-  this->Window->SetMultiSamples(4);
+  this->Window->SetMultiSamples(0); // four times as slow without graphics hardware; see draw()
   this->Window->SetNumberOfLayers(2);
   for (int i = 0; i < NumberOfParts; ++i)
   {
@@ -62,23 +62,23 @@ void ViewerWindow::place()
     const Rect part = rectOf(this->Places, i);
     this->Renderers[i]->SetViewport(
       part.x / all.w, part.y / all.h, part.right() / all.w, part.top() / all.h);
-    if (this->Items[i])
+    for (vtkControlItem* item : this->Items[i])
     {
-      this->Items[i]->SetPlace(part, this->Places.scale);
+      item->SetPlace(part, this->Places.scale);
     }
   }
   this->touch(All);
 }
 
-void ViewerWindow::setPainter(Part part, const vtkControlItem::Painter& painter)
+void ViewerWindow::addPainter(Part part, const vtkControlItem::Painter& painter)
 {
   int index = 0;
   while ((1 << index) != part)
   {
     ++index;
   }
-  this->Items[index] = vtkControlItem::AddTo(this->Renderers[index], painter);
-  this->Items[index]->SetPlace(rectOf(this->Places, index), this->Places.scale);
+  this->Items[index].push_back(vtkControlItem::AddTo(this->Renderers[index], painter));
+  this->Items[index].back()->SetPlace(rectOf(this->Places, index), this->Places.scale);
 }
 
 void ViewerWindow::showOverlay(bool on)
@@ -100,15 +100,19 @@ bool ViewerWindow::resize()
   return true;
 }
 
-void ViewerWindow::draw()
+void ViewerWindow::draw(bool calm)
 {
   // What lies below the overlay is drawn with it.
   const int parts = this->OverlayOn ? All : this->Dirty & ~Overlay;
+  const int smoothed = calm ? this->Rough | (parts & Views) : 0;
+  this->Rough = (this->Rough | (parts & Views)) & ~smoothed;
   for (int i = 0; i < NumberOfParts; ++i)
   {
-    this->Renderers[i]->SetDraw((parts & (1 << i)) != 0);
-    if (parts & (1 << i) & Views)
+    const int part = 1 << i;
+    this->Renderers[i]->SetDraw(((parts | smoothed) & part) != 0);
+    if ((parts | smoothed) & part & Views)
     {
+      this->Renderers[i]->SetUseFXAA((smoothed & part) != 0);
       this->Renderers[i]->ResetCameraClippingRange();
     }
   }

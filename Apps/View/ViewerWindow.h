@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <vector>
 
 class vtkRenderWindow;
 class vtkRenderer;
@@ -42,7 +43,7 @@ public:
   vtkRenderer* renderer(Part part);
   const Layout& layout() const { return this->Places; }
   /// What paints over a view, or all of another part.
-  void setPainter(Part part, const vtkControlItem::Painter& painter);
+  void addPainter(Part part, const vtkControlItem::Painter& painter);
   void showOverlay(bool on);
 
   /// Takes the window's size; true if it changed.
@@ -50,7 +51,10 @@ public:
   /// Parts to draw next time.
   void touch(int parts) { this->Dirty |= parts; }
   bool dirty() const { return this->Dirty != 0; }
-  void draw();
+  /// Also smooths the lines of views, if calm; that costs time.
+  void draw(bool calm);
+  /// Views were drawn that are not smooth.
+  bool rough() const { return this->Rough != 0; }
 
 private:
   static constexpr int NumberOfParts = 6;
@@ -59,9 +63,10 @@ private:
 
   vtkNew<vtkRenderWindow> Window;
   std::array<vtkNew<vtkRenderer>, NumberOfParts> Renderers;
-  std::array<vtkControlItem*, NumberOfParts> Items = {};
+  std::array<std::vector<vtkControlItem*>, NumberOfParts> Items;
   Layout Places;
   int Dirty = All;
+  int Rough = 0;
   bool OverlayOn = false;
 };
 }
