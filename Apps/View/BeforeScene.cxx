@@ -11,6 +11,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -63,27 +64,90 @@ vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
   return surface;
 }
 
-/// A disc for each sample of the halftone, its size a share of the distance to the next samples: on
-/// the surface all look alike, whatever the map does to lengths. `samplesPerControl` is the number
-/// of samples over the integral of the control map.
-void paintSamples(
-  vtkImageData* halftone, vtkImageData* controls, double samplesPerControl, vtkImageData* texture)
+/// Lengths on the surface of steps in the parameter plane, for every triangle of a chart.
+std::vector<SurfaceMetric> metricsOf(vtkPolyData* chart)
+{
+  std::vector<SurfaceMetric> metrics;
+  vtkDataArray* uvs = chart->GetPointData()->GetArray("UV");
+  vtkCellArray* cells = chart->GetPolys();
+  for (vtkIdType f = 0; uvs && f < cells->GetNumberOfCells(); ++f)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCellAtId(f, size, ids);
+    Eigen::Matrix2d plane;
+    Eigen::Matrix<double, 3, 2> space;
+    for (int k = 0; k < 2; ++k)
+    {
+      plane.col(k) = Vec2(uvs->GetComponent(ids[k + 1], 0) - uvs->GetComponent(ids[0], 0),
+        uvs->GetComponent(ids[k + 1], 1) - uvs->GetComponent(ids[0], 1));
+      space.col(k) = Vec3(chart->GetPoint(ids[k + 1])) - Vec3(chart->GetPoint(ids[0]));
+    }
+    const Eigen::Matrix<double, 3, 2> jacobian = space * plane.inverse();
+    const Eigen::Matrix2d m = jacobian.transpose() * jacobian;
+    metrics.push_back(
+      m.allFinite() ? SurfaceMetric{ m(0, 0), m(0, 1), m(1, 1) } : SurfaceMetric{ 1, 0, 1 });
+  }
+  return metrics;
+}
+
+/// Paints the part of a disc on the surface into the texture; its middle and the metric are in
+/// pixels of the texture.
+void paintDot(vtkImageData* texture, double x, double y, const SurfaceMetric& m, double radius)
+{
+  constexpr double Farthest = 24; // pixels: flat ellipses of a bad map must not cost much
+  const int width = texture->GetDimensions()[0];
+  const int height = texture->GetDimensions()[1];
+  auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
+  const double determinant = std::max(m.uu * m.vv - m.uv * m.uv, 1e-12 * m.uu * m.vv);
+  const int reachX =
+    static_cast<int>(std::min(Farthest, radius * std::sqrt(m.vv / determinant)) + 1.5);
+  const int reachY =
+    static_cast<int>(std::min(Farthest, radius * std::sqrt(m.uu / determinant)) + 1.5);
+  for (int py = std::max(0, static_cast<int>(y) - reachY);
+       py <= std::min(height - 1, static_cast<int>(y) + reachY); ++py)
+  {
+    for (int px = std::max(0, static_cast<int>(x) - reachX);
+         px <= std::min(width - 1, static_cast<int>(x) + reachX); ++px)
+    {
+      const double dx = px + 0.5 - x;
+      const double dy = py + 0.5 - y;
+      const double onSurface = std::sqrt(m.uu * dx * dx + 2 * m.uv * dx * dy + m.vv * dy * dy);
+      const double inPlane = std::sqrt(dx * dx + dy * dy);
+      // Pixels from the rim, on the line through the middle.
+      const double depth = onSurface > 0 ? inPlane * (radius / onSurface - 1) : 1;
+      const double cover = std::clamp(depth + 0.5, 0., 1.);
+      Pixel& pixel = pixels[static_cast<vtkIdType>(py) * width + px];
+      for (int k = 0; cover > 0 && k < 3; ++k)
+      {
+        pixel[k] = std::min(pixel[k],
+          static_cast<unsigned char>(SurfacePixel[k] + cover * (SamplePixel[k] - SurfacePixel[k])));
+      }
+    }
+  }
+}
+
+/// A disc for each sample of the halftone, round on the surface, its size a share of the distance
+/// to the next samples. `samplesPerControl` is the number of samples over the integral of the
+/// control map.
+void paintSamples(vtkImageData* halftone, vtkImageData* controls,
+  const std::vector<SurfaceMetric>& metrics, double samplesPerControl, vtkImageData* texture)
 {
   constexpr int Zoom = 2; // texture pixels a pixel of the halftone
   constexpr double Share = 0.24;
+  constexpr double LeastRadius = 0.9; // texture pixels
   auto* dots = vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"));
   auto* control = vtkFloatArray::SafeDownCast(controls->GetPointData()->GetArray("Control"));
+  auto* faces = vtkIntArray::SafeDownCast(controls->GetPointData()->GetArray("FaceIndex"));
   const int* size = halftone->GetDimensions();
   const int* controlSize = controls->GetDimensions();
-  const int width = Zoom * size[0];
-  const int height = Zoom * size[1];
-  texture->SetDimensions(width, height, 1);
+  texture->SetDimensions(Zoom * size[0], Zoom * size[1], 1);
   texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
-  std::fill_n(pixels, texture->GetNumberOfPoints(), SurfacePixel);
-  const double pixelLength =
-    std::sqrt(halftone->GetSpacing()[0] * halftone->GetSpacing()[1]) / Zoom;
-  for (vtkIdType i = 0; dots && control && i < dots->GetNumberOfValues(); ++i)
+  std::fill_n(reinterpret_cast<Pixel*>(texture->GetScalarPointer()), texture->GetNumberOfPoints(),
+    SurfacePixel);
+  const double du = halftone->GetSpacing()[0] / Zoom;
+  const double dv = halftone->GetSpacing()[1] / Zoom;
+  for (vtkIdType i = 0; dots && control && faces && i < dots->GetNumberOfValues(); ++i)
   {
     if (dots->GetValue(i) != 0)
     {
@@ -91,31 +155,17 @@ void paintSamples(
     }
     const auto column = static_cast<int>(i % size[0]);
     const auto row = static_cast<int>(i / size[0]);
-    const double wanted = samplesPerControl *
-      control->GetValue(static_cast<vtkIdType>(row) * controlSize[1] / size[1] * controlSize[0] +
-        static_cast<vtkIdType>(column) * controlSize[0] / size[0]);
+    const vtkIdType pixel =
+      static_cast<vtkIdType>(row) * controlSize[1] / size[1] * controlSize[0] +
+      static_cast<vtkIdType>(column) * controlSize[0] / size[0];
+    SurfaceMetric m = metrics[faces->GetValue(pixel)];
+    m = { m.uu * du * du, m.uv * du * dv, m.vv * dv * dv };
+    const double area = std::sqrt(std::max(0., m.uu * m.vv - m.uv * m.uv)); // of a pixel
+    const double wanted = samplesPerControl * control->GetValue(pixel) * du * dv;
+    const double largest = std::sqrt(0.5 * (m.uu + m.vv) + std::hypot(0.5 * (m.uu - m.vv), m.uv));
     const double radius =
-      std::clamp(wanted > 0 ? Share / std::sqrt(wanted) / pixelLength : 0., 0.8, 12.);
-    const double x = Zoom * (column + 0.5);
-    const double y = Zoom * (row + 0.5);
-    const int reach = static_cast<int>(radius + 1.5);
-    for (int py = std::max(0, static_cast<int>(y) - reach);
-         py <= std::min(height - 1, static_cast<int>(y) + reach); ++py)
-    {
-      for (int px = std::max(0, static_cast<int>(x) - reach);
-           px <= std::min(width - 1, static_cast<int>(x) + reach); ++px)
-      {
-        const double cover =
-          std::clamp(radius + 0.5 - std::hypot(px + 0.5 - x, py + 0.5 - y), 0., 1.);
-        Pixel& pixel = pixels[static_cast<vtkIdType>(py) * width + px];
-        for (int k = 0; cover > 0 && k < 3; ++k)
-        {
-          pixel[k] = std::min(pixel[k],
-            static_cast<unsigned char>(
-              SurfacePixel[k] + cover * (SamplePixel[k] - SurfacePixel[k])));
-        }
-      }
-    }
+      std::max(wanted > 0 ? Share * std::sqrt(area / wanted) : 0., LeastRadius * largest);
+    paintDot(texture, Zoom * (column + 0.5), Zoom * (row + 0.5), m, radius);
   }
   texture->Modified();
 }
@@ -215,6 +265,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     setSurfaceLook(chart.actor->GetProperty());
     chart.actor->GetProperty()->SetColor(1, 1, 1);
     chart.actor->GetProperty()->SetBackfaceCulling(this->Solid);
+    chart.metrics = metricsOf(chartOf(charts, c));
     chart.texture = vtkSmartPointer<vtkImageData>::New();
     chart.texture->SetDimensions(1, 1, 1);
     chart.texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -272,8 +323,8 @@ void BeforeScene::paintTextures()
     vtkImageData* texture = this->Charts[c].texture;
     if (this->View.display == Display::Samples)
     {
-      paintSamples(
-        imageOf(this->Halftones, c), imageOf(this->Controls, c), samplesPerControl, texture);
+      paintSamples(imageOf(this->Halftones, c), imageOf(this->Controls, c), this->Charts[c].metrics,
+        samplesPerControl, texture);
       continue;
     }
     const bool charts = this->View.display == Display::Charts;

@@ -20,6 +20,14 @@ class vtkRenderer;
 
 namespace stipple
 {
+/// Squared length on the surface of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2.
+struct SurfaceMetric
+{
+  double uu = 1;
+  double uv = 0;
+  double vv = 1;
+};
+
 class BeforeScene
 {
 public:
@@ -46,6 +54,7 @@ private:
   {
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkImageData> texture;
+    std::vector<SurfaceMetric> metrics; ///< by triangle
   };
   void paintTextures();
   void showRightActors();

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 
 namespace stipple
@@ -20,36 +21,51 @@ namespace
 {
 constexpr int PreviewFrames = 60;
 
+struct Frame
+{
+  double seconds = 0;
+  double processor = 0; ///< seconds of all threads; tells more than the clock on a busy machine
+};
+
 class Times
 {
 public:
-  void add(double seconds) { this->Milliseconds.push_back(1e3 * seconds); }
+  void add(const Frame& frame)
+  {
+    this->Milliseconds.push_back(1e3 * frame.seconds);
+    this->Processor.push_back(1e3 * frame.processor);
+  }
 
   std::string json()
   {
-    std::sort(this->Milliseconds.begin(), this->Milliseconds.end());
     const std::size_t n = this->Milliseconds.size();
-    const auto at = [&](double share) {
+    const auto at = [n](std::vector<double>& times, double share) {
+      std::sort(times.begin(), times.end());
       return n == 0
         ? std::string("null")
         : shortestText(
-            std::round(10 * this->Milliseconds[static_cast<std::size_t>(share * (n - 1))]) / 10);
+            std::round(10 * times[static_cast<std::size_t>(share * static_cast<double>(n - 1))]) /
+            10);
     };
-    return "{ \"frames\": " + std::to_string(n) + ", \"median\": " + at(.5) +
-      ", \"p95\": " + at(.95) + ", \"longest\": " + at(1) + " }";
+    return "{ \"frames\": " + std::to_string(n) + ", \"median\": " + at(this->Milliseconds, .5) +
+      ", \"p95\": " + at(this->Milliseconds, .95) + ", \"longest\": " + at(this->Milliseconds, 1) +
+      ", \"processor_median\": " + at(this->Processor, .5) + " }";
   }
 
 private:
   std::vector<double> Milliseconds;
+  std::vector<double> Processor;
 };
 
 /// A turn of the loop, its picture included.
-double timeFrame(Viewer& viewer)
+Frame timeFrame(Viewer& viewer)
 {
   const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock();
   viewer.tick();
   viewer.window().window()->WaitForCompletion();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return { std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+    static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC };
 }
 }
 
@@ -66,7 +82,7 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
     const double gamma = 0.1 + 1.4 * i / PreviewFrames;
     viewer.edit([gamma](Session& s) { s.gamma = gamma; }, false);
     preview.add(timeFrame(viewer));
-    sampling.add(viewer.previewSeconds());
+    sampling.add({ viewer.previewSeconds(), 0 });
   }
 
   // The slider rests: the mesh is computed while the camera turns.

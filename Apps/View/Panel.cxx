@@ -278,7 +278,7 @@ void Panel::paint(Canvas& canvas, bool upper)
   if (upper)
   {
     canvas.fill(this->Box, shades::Ground);
-    canvas.rule(this->Box.x, this->Box.y, this->Box.x, this->Box.top(), shades::Line);
+    canvas.rule(this->Box.x + 1, this->Box.y, this->Box.x + 1, this->Box.top(), shades::Line);
     const float y = this->Box.top() - 19 * s;
     canvas.text(left, y, "stipple", { 16, shades::Accent, Align::Left, true });
     const TextLook quiet{ 12, shades::Quiet, Align::Right };

@@ -81,7 +81,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
   }
   if (!before)
   {
-    canvas.rule(view.x + 0.5F, view.y, view.x + 0.5F, view.top(), shades::Line);
+    canvas.rule(view.x + 1, view.y, view.x + 1, view.top(), shades::Line);
   }
 }
 
