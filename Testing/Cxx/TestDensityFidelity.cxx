@@ -7,9 +7,9 @@
 // and judge none.
 #include "ChartGraph.h"
 #include "ImageRegression.h"
+#include "ModelFile.h"
 #include "SampleSet.h"
 
-#include "vtkCellArray.h"
 #include "vtkControlMap.h"
 #include "vtkDataArray.h"
 #include "vtkErrorDiffusionSampler.h"
@@ -18,14 +18,12 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <random>
@@ -46,41 +44,6 @@ void check(bool condition, const std::string& what)
     std::cerr << "FAILED: " << what << "\n";
     ++failures;
   }
-}
-
-vtkSmartPointer<vtkPolyData> readOff(const std::string& name)
-{
-  std::ifstream file(name);
-  std::string word;
-  vtkIdType points = 0;
-  vtkIdType cells = 0;
-  vtkIdType edges = 0;
-  file >> word >> points >> cells >> edges;
-  vtkNew<vtkPoints> coordinates;
-  coordinates->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < points; ++i)
-  {
-    double p[3] = { 0, 0, 0 };
-    file >> p[0] >> p[1] >> p[2];
-    coordinates->InsertNextPoint(p);
-  }
-  vtkNew<vtkCellArray> polygons;
-  for (vtkIdType i = 0; i < cells; ++i)
-  {
-    int n = 0;
-    file >> n;
-    polygons->InsertNextCell(n);
-    for (int k = 0; k < n; ++k)
-    {
-      vtkIdType p = 0;
-      file >> p;
-      polygons->InsertCellPoint(p);
-    }
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(coordinates);
-  mesh->SetPolys(polygons);
-  return file ? mesh : nullptr;
 }
 
 double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
@@ -362,7 +325,7 @@ int TestDensityFidelity(int argc, char* argv[])
   constexpr int numberOfSamples = 5000;
   for (const std::string& model : models)
   {
-    const auto mesh = readOff(folder + "/" + model + ".off");
+    const auto mesh = testing::readOff(folder + "/" + model + ".off");
     check(mesh != nullptr, "read " + model);
     if (!mesh)
     {
