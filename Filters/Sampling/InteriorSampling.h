@@ -22,8 +22,8 @@ struct InteriorRaster
 };
 
 /// Limits of upsampling a control image that is too coarse for its samples.
-constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
-constexpr double largestRasterSize = 32. * 1024 * 1024; ///< pixels of one chart
+constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in each direction
+constexpr double largestRasterSize = 128. * 1024 * 1024; ///< pixels of one chart
 /// Rasters of all charts together beyond which they are drawn twice rather than kept.
 constexpr double mostKeptPixels = 32. * 1024 * 1024;
 /// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
