@@ -213,6 +213,15 @@ public:
   ///@}
 
   ///@{
+  /// Coefficients of error diffusion, a member of vtkErrorDiffusionSampler::DiffusionMethodType.
+  /// The default is OSTROMOUKHOV.
+  void SetDiffusionMethod(int method);
+  int GetDiffusionMethod();
+  void SetDiffusionMethodToOstromoukhov();
+  void SetDiffusionMethodToZhouFang();
+  ///@}
+
+  ///@{
   /// What edge swaps are for, a member of vtkRemeshOptimizer::ConnectivityType. The default is
   /// vtkRemeshOptimizer's.
   void SetConnectivity(int connectivity);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Serpentine error diffusion of a float image (paper 3.2; Ostromoukhov 2001).
+// Serpentine error diffusion of a float image (paper 3.2).
 #ifndef stipple_ErrorDiffusion_h
 #define stipple_ErrorDiffusion_h
 
+#include "DiffusionCoefficients.h"
 #include "StippleFiltersSamplingModule.h"
 
 #include <vector>
@@ -15,6 +16,7 @@ struct ErrorDiffusionOptions
   double scale = 1.;       ///< factor on every pixel's wanted samples, > 0
   double warmUpDepth = 8.; ///< rows of the flipped copy that run first, in mean sample spacings, >=
                            ///< 0
+  DiffusionMethod method = DiffusionMethod::Ostromoukhov;
 };
 
 /// The pixels (row-major indices, ascending) that become samples. wanted holds the samples that

@@ -309,7 +309,7 @@ void InteriorSampler::sumLeft()
   }
 }
 
-std::vector<Vec2> InteriorSampler::sample(int count)
+std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
 {
   std::vector<Vec2> places;
   if (count <= 0)
@@ -321,6 +321,7 @@ std::vector<Vec2> InteriorSampler::sample(int count)
   {
     ErrorDiffusionOptions options;
     options.scale = count / this->Raster.left;
+    options.method = method;
     std::vector<int> trial;
     for (int pass = 0; pass < 4; ++pass)
     {

@@ -5,6 +5,7 @@
 #define stipple_InteriorSampling_h
 
 #include "ControlImage.h"
+#include "DiffusionCoefficients.h"
 #include "NeighbourGrid.h"
 #include "SamplingDomain.h"
 
@@ -56,7 +57,7 @@ public:
 
   /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
   /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.
-  std::vector<Vec2> sample(int count);
+  std::vector<Vec2> sample(int count, DiffusionMethod method);
 
 private:
   void maskOutside();
