@@ -66,7 +66,7 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
 
 /// The rows [-warmUpRows, height), those below zero being the flipped copy's.
 template <bool modulated>
-void diffuseRows(const float* wanted, int width, int height, int warmUpRows, float scale,
+void diffuseRows(const WantedRow& wanted, int width, int height, int warmUpRows, float scale,
   const DiffusionCoefficients* table, std::vector<int>& samples)
 {
   std::vector<float> lines(2 * (static_cast<std::size_t>(width) + 2), 0.f);
@@ -78,7 +78,7 @@ void diffuseRows(const float* wanted, int width, int height, int warmUpRows, flo
   for (int y = -warmUpRows; y < height; ++y)
   {
     const bool record = y >= 0;
-    const float* w = wanted + static_cast<std::ptrdiff_t>(record ? y : -1 - y) * width;
+    const float* w = wanted(record ? y : -1 - y);
     const int begin = record ? y * width : 0;
     const std::size_t first = samples.size();
     if (forward)
@@ -104,8 +104,8 @@ void diffuseRows(const float* wanted, int width, int height, int warmUpRows, flo
 }
 }
 
-void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffusionOptions& options,
-  std::vector<int>& samples)
+void diffuseErrors(const WantedRow& wanted, int width, int height,
+  const ErrorDiffusionOptions& options, std::vector<int>& samples)
 {
   samples.clear();
   if (width <= 0 || height <= 0)
@@ -116,7 +116,7 @@ void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffus
   for (double depth = 0; depth < options.warmUpDepth && warmUpRows < height; ++warmUpRows)
   {
     float sum = 0;
-    const float* w = wanted + static_cast<std::ptrdiff_t>(warmUpRows) * width;
+    const float* w = wanted(warmUpRows);
     for (int x = 0; x < width; ++x)
     {
       sum += w[x];
@@ -133,5 +133,12 @@ void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffus
   {
     diffuseRows<false>(wanted, width, height, warmUpRows, scale, table, samples);
   }
+}
+
+void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffusionOptions& options,
+  std::vector<int>& samples)
+{
+  diffuseErrors([=](int y) { return wanted + static_cast<std::ptrdiff_t>(y) * width; }, width,
+    height, options, samples);
 }
 }

@@ -24,7 +24,7 @@
  * that node.
  *
  * @warning A control image that is too coarse for its samples is enlarged up to 16 times in each
- * direction and to 128 million pixels a chart; beyond that the filter fails and names the map size
+ * direction and to 512 million pixels a chart; beyond that the filter fails and names the map size
  * that works.
  *
  * @sa vtkControlMap vtkCDTRemesh
