@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConformalMap.h"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include "HarmonicSystem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,129 +12,6 @@ namespace stipple
 {
 namespace
 {
-using SparseMatrix = Eigen::SparseMatrix<double>;
-using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-
-/// The interior's Laplacian, factorized once; serves any boundary.
-class HarmonicSolver
-{
-public:
-  HarmonicSolver(const TriangleSurface& surface, const ChartMesh& chart)
-    : Chart(chart)
-  {
-    this->InteriorIndex.assign(chart.vertices.size(), -1);
-    for (std::size_t v = 0; v < chart.vertices.size(); ++v)
-    {
-      if (!chart.onBoundary[v])
-      {
-        this->InteriorIndex[v] = this->NumberOfInterior++;
-      }
-    }
-    this->Cotangents.resize(chart.triangles.size());
-    for (std::size_t i = 0; i < chart.triangles.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto x = [&](int c) -> const Vec3& {
-          return surface.points[chart.vertices[chart.triangles[i][c % 3]]];
-        };
-        this->Cotangents[i][k] = 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3);
-      }
-    }
-  }
-
-  /// Lower bound of an edge's weight: -infinity for the conformal map, positive for a one-to-one
-  /// map.
-  bool factorize(double smallestWeight)
-  {
-    this->BoundaryTerms.clear();
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(9 * this->Chart.triangles.size());
-    // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
-    std::vector<Eigen::Triplet<double>> edges;
-    edges.reserve(3 * this->Chart.triangles.size());
-    const int n = this->Chart.numberOfVertices();
-    for (std::size_t i = 0; i < this->Chart.triangles.size(); ++i)
-    {
-      const Triangle& t = this->Chart.triangles[i];
-      for (int k = 0; k < 3; ++k)
-      {
-        const int a = t[(k + 1) % 3];
-        const int b = t[(k + 2) % 3];
-        edges.emplace_back(std::min(a, b), std::max(a, b), this->Cotangents[i][k]);
-      }
-    }
-    SparseMatrix weights(n, n);
-    weights.setFromTriplets(edges.begin(), edges.end());
-    for (int column = 0; column < n; ++column)
-    {
-      for (SparseMatrix::InnerIterator it(weights, column); it; ++it)
-      {
-        const int a = this->InteriorIndex[it.row()];
-        const int b = this->InteriorIndex[it.col()];
-        const double w = std::max(it.value(), smallestWeight);
-        if (a >= 0 && b >= 0)
-        {
-          entries.emplace_back(std::max(a, b), std::min(a, b), -w);
-        }
-        if (a >= 0)
-        {
-          entries.emplace_back(a, a, w);
-        }
-        if (b >= 0)
-        {
-          entries.emplace_back(b, b, w);
-        }
-        if ((a >= 0) != (b >= 0))
-        {
-          this->BoundaryTerms.push_back(
-            { a >= 0 ? a : b, static_cast<int>(a >= 0 ? it.col() : it.row()), w });
-        }
-      }
-    }
-    SparseMatrix laplacian(this->NumberOfInterior, this->NumberOfInterior);
-    laplacian.setFromTriplets(entries.begin(), entries.end());
-    this->Cholesky.compute(laplacian);
-    return this->Cholesky.info() == Eigen::Success;
-  }
-
-  /// Interior positions for the given boundary positions (rows of uv are overwritten).
-  void solve(std::vector<Vec2>& uv) const
-  {
-    if (this->NumberOfInterior == 0)
-    {
-      return;
-    }
-    Plane rhs = Plane::Zero(this->NumberOfInterior, 2);
-    for (const BoundaryTerm& term : this->BoundaryTerms)
-    {
-      rhs.row(term.interior) += term.weight * uv[term.boundary].transpose();
-    }
-    const Plane x = this->Cholesky.solve(rhs);
-    for (std::size_t v = 0; v < uv.size(); ++v)
-    {
-      if (this->InteriorIndex[v] >= 0)
-      {
-        uv[v] = x.row(this->InteriorIndex[v]).transpose();
-      }
-    }
-  }
-
-private:
-  struct BoundaryTerm
-  {
-    int interior;
-    int boundary;
-    double weight;
-  };
-  const ChartMesh& Chart;
-  std::vector<int> InteriorIndex;
-  int NumberOfInterior = 0;
-  std::vector<Vec3> Cotangents; // half cotangent of the angle at each corner
-  std::vector<BoundaryTerm> BoundaryTerms;
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> Cholesky;
-};
-
 /// A rectangle and where its corners sit on the boundary, as fractions of the boundary's length.
 struct Placement
 {
@@ -229,6 +105,13 @@ double meanDensity(
   return sum * plane / (total * total);
 }
 
+/// The points as a matrix with a row each.
+auto rows(std::vector<Vec2>& uv)
+{
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<Matrix>(uv.data()->data(), static_cast<Eigen::Index>(uv.size()), 2);
+}
+
 bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
 {
   return std::all_of(chart.triangles.begin(), chart.triangles.end(),
@@ -280,7 +163,7 @@ ConformalMap mapToRectangle(
   {
     area[i] = surface.faceArea(chart.faces[i]);
   }
-  HarmonicSolver solver(surface, chart);
+  HarmonicSystem solver(surface, chart, chart.onBoundary);
   const BoundaryLayout layout(surface, chart);
 
   // One factorization serves every boundary, so several rectangles are tried: an opposite pair of
@@ -310,7 +193,7 @@ ConformalMap mapToRectangle(
     for (const Placement& placement : placements)
     {
       layout.place(placement, uv);
-      solver.solve(uv);
+      solver.solve(rows(uv));
       const bool valid = isValid(chart, uv);
       const double cost = meanDensity(area, chart, uv);
       if ((valid && !map.valid) || (valid == map.valid && cost < best))

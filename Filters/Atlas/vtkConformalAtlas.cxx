@@ -162,6 +162,7 @@ int vtkConformalAtlas::RequestData(
   options.numberOfCharts = this->NumberOfCharts;
   options.maximumDensityRatio = this->MaximumDensityRatio;
   options.square = this->DomainShape == SQUARE;
+  options.placement = static_cast<stipple::BoundaryPlacement>(this->BoundaryPlacement);
   std::vector<stipple::FlatChart> flat;
   if (const stipple::Status status =
         stipple::partitionSurface(surface, options, flat, progressIn(0.1, 0.9));
@@ -196,6 +197,7 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Constraints: " << this->Constraints << "\n";
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "MaximumDensityRatio: " << this->MaximumDensityRatio << "\n";
+  os << indent << "BoundaryPlacement: " << this->BoundaryPlacement << "\n";
   os << indent << "DomainShape: " << (this->DomainShape == SQUARE ? "SQUARE" : "RECTANGLE") << "\n";
   os << indent << "NumberOfWeldedPoints: " << this->NumberOfWeldedPoints << "\n";
   os << indent << "NumberOfUnusedPoints: " << this->NumberOfUnusedPoints << "\n";

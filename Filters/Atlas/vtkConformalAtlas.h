@@ -25,7 +25,7 @@
  * "Closed" (int). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner" (int), and for
  * constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
  *
- * Sections 2.1, 2.2 and 2.4 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH
+ * Sections 2.1, 2.2, 2.4 and 2.5 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH
  * 2002.
  *
  * @warning Triangles so thin that double precision can't tell their orientation in the plane end in
@@ -114,10 +114,30 @@ public:
   /**
    * Bound, greater than 1, on a chart's density ratio: on 99.9 % of a chart's area, A3D / A2D is at
    * most this multiple of the chart's mean. A chart over it is cut open towards its densest places
-   * or split. Maps need about twice this many pixels for every sample. The default is 100.
+   * or split. Maps need about twice this many pixels for every sample. The default is 200.
    */
   vtkSetClampMacro(MaximumDensityRatio, double, 2., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensityRatio, double);
+  ///@}
+
+  /// Where the seam between two charts runs, in the conformal map of both to one rectangle.
+  enum BoundaryPlacementType
+  {
+    AREA_MEDIAN = 0, ///< along the line that halves the charts' area
+    MIDDLE = 1,      ///< along the line halfway across (slips away from curved parts)
+    VORONOI = 2      ///< not smoothed: along edges of the input, between Voronoi cells
+  };
+  ///@{
+  /**
+   * Placement of the seams between charts: AREA_MEDIAN, MIDDLE or VORONOI. Lines of the conformal
+   * map are smooth on the surface; they cut triangles. AREA_MEDIAN makes the charts that
+   * NumberOfCharts and topology ask for alike in area. The default is AREA_MEDIAN.
+   */
+  vtkSetClampMacro(BoundaryPlacement, int, AREA_MEDIAN, VORONOI);
+  vtkGetMacro(BoundaryPlacement, int);
+  void SetBoundaryPlacementToAreaMedian() { this->SetBoundaryPlacement(AREA_MEDIAN); }
+  void SetBoundaryPlacementToMiddle() { this->SetBoundaryPlacement(MIDDLE); }
+  void SetBoundaryPlacementToVoronoi() { this->SetBoundaryPlacement(VORONOI); }
   ///@}
 
   /// Shape of the charts' parameter domain.
@@ -189,6 +209,7 @@ private:
   vtkPoints* Constraints = nullptr;
   int NumberOfCharts = 1;
   double MaximumDensityRatio = 200;
+  int BoundaryPlacement = AREA_MEDIAN;
   int DomainShape = RECTANGLE;
 
   vtkIdType NumberOfWeldedPoints = 0;

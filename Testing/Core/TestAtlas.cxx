@@ -159,13 +159,14 @@ TEST(CutSurface, SplitEdgeKeepsTheSurface)
   EXPECT_EQ(s.topology().euler, 2);
 }
 
-TEST(ChartMesh, NoChordRemains)
+TEST(ChartRegions, NoChordRemains)
 {
   CutSurface s = cutSurface(shapes::saddle(6));
-  std::vector<int> faces(s.numberOfFaces());
-  std::iota(faces.begin(), faces.end(), 0);
-  EXPECT_GT(splitChords(s, faces), 0) << "two corners of a grid are cut off by chords";
-  const ChartMesh chart = extractChart(s, faces);
+  ChartRegions regions(s);
+  const std::size_t before = regions.faces(0).size();
+  regions.splitChords(0);
+  EXPECT_GT(regions.faces(0).size(), before) << "two corners of a grid are cut off by chords";
+  const ChartMesh chart = regions.mesh(0);
   EXPECT_TRUE(chart.isDisk());
   for (std::size_t i = 0; i < chart.faces.size(); ++i)
   {
