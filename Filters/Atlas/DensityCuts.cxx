@@ -203,7 +203,7 @@ private:
   /// runs along a cut.
   int step(int h, const Vec2& target)
   {
-    constexpr double nearest = 0.1; // of an edge's length: closer to a vertex the cut goes there
+    constexpr double nearest = 0.05; // of an edge's length: closer to a vertex the cut goes there
     const int g = this->towards(h, target);
     const Vec2& p = this->UV[g];
     const Vec2& a = this->UV[nextHalfedge(g)];

@@ -207,7 +207,7 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
 /// leaves no thin triangle.
 void snapToVertices(const ChartMesh& mesh, std::vector<double>& value)
 {
-  constexpr double nearest = 0.1; // of an edge's length
+  constexpr double nearest = 0.05; // of an edge's length
   for (const Triangle& t : mesh.triangles)
   {
     for (int k = 0; k < 3; ++k)
@@ -347,7 +347,8 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
 {
   FarSides sides(surface, both);
   HarmonicSystem system(surface, both.mesh, sides.Given);
-  if (!system.factorize(-Infinity))
+  // Slivers can cost the cotangent Laplacian its definiteness.
+  if (!system.factorize(-Infinity) && !system.factorize(1e-2))
   {
     return {};
   }
@@ -424,37 +425,50 @@ bool placeSeam(
 
 namespace
 {
-/// Places every seam between two regions, one after the other.
-void placeSeamsOfPair(ChartRegions& regions, int a, int b, const SeamPlacement& placement)
+/// Share of a seam's length along edges of the input surface: a smooth seam cuts through triangles.
+double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
+{
+  double total = 0;
+  double onInput = 0;
+  for (int h : arc.halfedges)
+  {
+    const double length = (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+    total += length;
+    if (std::max(surface.head(h), surface.tail(h)) < surface.numberOfOriginalPoints)
+    {
+      onInput += length;
+    }
+  }
+  return total > 0 ? onInput / total : 0.;
+}
+
+/// Places every seam between two regions, one after the other, of which more than a share runs along
+/// edges of the input.
+void placeSeamsOfPair(
+  ChartRegions& regions, int a, int b, const SeamPlacement& placement, double leastOnInputEdges = 0)
 {
   // Placing one changes the others' triangles, so that they have to be traced again.
   const std::size_t n = regions.arcs(a, b).size();
   for (std::size_t i = 0; i < n; ++i)
   {
     const std::vector<SeamArc> arcs = regions.arcs(a, b);
-    if (i < arcs.size())
+    if (i < arcs.size() && shareOnInputEdges(regions.surface(), arcs[i]) >= leastOnInputEdges)
     {
       placeSeam(regions, a, b, arcs[i], placement);
     }
   }
 }
-}
 
-Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
+/// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
+Status balanceAreas(ChartRegions& regions, const Progress& progress)
 {
-  if (placement == BoundaryPlacement::Voronoi)
-  {
-    return Status::success();
-  }
-  SeamPlacement how;
-  how.areaFraction = placement == BoundaryPlacement::Middle ? -1 : 0.5;
-  // Seams move by whole triangles until the areas are alike, then triangles are cut, once.
   constexpr int mostSweeps = 8;
   constexpr double alike = 1.15; // ratio of two neighbours' areas
-  bool balanced = placement == BoundaryPlacement::Middle;
-  for (int sweep = 0; sweep < mostSweeps; ++sweep)
+  SeamPlacement how;
+  how.exact = false;
+  bool balanced = false;
+  for (int sweep = 0; sweep < mostSweeps && !balanced; ++sweep)
   {
-    how.exact = balanced || sweep + 1 == mostSweeps;
     balanced = true;
     for (int a = 0; a < regions.size(); ++a)
     {
@@ -465,19 +479,59 @@ Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Prog
       for (int b : regions.laterNeighbours(a))
       {
         const double ratio = regions.area(a) / regions.area(b);
-        if (how.exact || ratio > alike || ratio < 1 / alike)
+        if (ratio > alike || ratio < 1 / alike)
         {
           placeSeamsOfPair(regions, a, b, how);
           balanced = false;
         }
       }
     }
-    if (how.exact)
+  }
+  return Status::success();
+}
+
+/// Cuts triangles along the seams. Moving one drags the ends of others along, and makes regions
+/// neighbours that were not; these are cut again.
+Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Progress& progress)
+{
+  constexpr int mostSweeps = 3;
+  constexpr double jagged = 0.1; // share of input edges from which on a seam is cut again
+  for (int sweep = 0; sweep < mostSweeps; ++sweep)
+  {
+    for (int a = 0; a < regions.size(); ++a)
     {
-      break;
+      if (!report(progress, (sweep + static_cast<double>(a) / regions.size()) / mostSweeps))
+      {
+        return Status::aborted();
+      }
+      for (int b : regions.laterNeighbours(a))
+      {
+        placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged);
+      }
     }
   }
   return Status::success();
+}
+}
+
+Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
+{
+  if (placement == BoundaryPlacement::Voronoi)
+  {
+    return Status::success();
+  }
+  SeamPlacement how;
+  if (placement == BoundaryPlacement::Middle)
+  {
+    how.areaFraction = -1;
+  }
+  else if (const Status status =
+             balanceAreas(regions, [&](double f) { return report(progress, 0.7 * f); });
+           !status.ok())
+  {
+    return status;
+  }
+  return cutSeams(regions, how, [&](double f) { return report(progress, 0.7 + 0.3 * f); });
 }
 
 void smoothSeams(ChartRegions& regions, int a, int b, BoundaryPlacement placement)
