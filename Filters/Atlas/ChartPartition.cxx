@@ -14,8 +14,8 @@ namespace stipple
 {
 namespace
 {
-/// Cuts the surface between farthest-point Voronoi cells, at least one a component, as many as asked
-/// for.
+/// Cuts the surface between farthest-point Voronoi cells, at least one a component, as many as
+/// asked for.
 void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
 {
   VoronoiDiagram diagram(surface);
@@ -47,7 +47,7 @@ void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
 /// first) and the triangle that is farthest from it. Returns the new region.
 int bisect(ChartRegions& regions, int region, int first)
 {
-  regions.closeInnerCuts(region);
+  regions.closeSlits(region);
   const std::vector<int>& faces = regions.faces(region);
   VoronoiDiagram diagram(regions.surface());
   if (first < 0)
@@ -272,8 +272,9 @@ private:
     int densest = -1;
     if (map.valid)
     {
-      densest = chart.mesh.faces[std::max_element(map.density.begin(), map.density.end()) -
-        map.density.begin()];
+      densest =
+        chart.mesh
+          .faces[std::max_element(map.density.begin(), map.density.end()) - map.density.begin()];
     }
     history = {};
     this->split(r, densest);
@@ -296,6 +297,12 @@ private:
       {
         parts.push_back(bisect(this->Regions, parts[i], -1));
       }
+    }
+    // Cutting triangles of small charts could go on for ever; edges run out.
+    constexpr std::size_t leastToSmooth = 500;
+    if (this->Charts[r].mesh.faces.size() < leastToSmooth)
+    {
+      return;
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
@@ -338,6 +345,10 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   if (const Status status = placeSeams(regions, options.placement, part(.15, .4)); !status.ok())
   {
     return status;
+  }
+  for (int r = 0; r < regions.size(); ++r)
+  {
+    regions.closeSlits(r);
   }
   DensityBound bound(regions, options);
   if (const Status status = bound.run(part(.4, 1.)); !status.ok())

@@ -55,16 +55,46 @@ void ChartRegions::cutOpen(int h)
   this->Changed[this->Owner[h / 3]] = 1;
 }
 
-void ChartRegions::closeInnerCuts(int region)
+void ChartRegions::closeSlits(int region)
 {
+  // The only cut at a vertex inside the surface is the end of a slit.
+  const auto isEnd = [this](int h) {
+    int cuts = 0;
+    int g = h;
+    do
+    {
+      cuts += this->Surface.cut[g];
+      if (this->Surface.twin[g] < 0)
+      {
+        return false;
+      }
+      g = nextHalfedge(this->Surface.twin[g]);
+    } while (g != h);
+    return cuts == 1;
+  };
   for (int f : this->Faces[region])
   {
     for (int h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if (this->Surface.cut[h] && this->ownerAcross(h) == region)
+      int slit = h;
+      while (
+        slit >= 0 && this->Surface.cut[slit] && this->ownerAcross(slit) == region && isEnd(slit))
       {
-        this->Surface.setCut(h, false);
+        this->Surface.setCut(slit, false);
         this->Changed[region] = 1;
+        // The slit now ends at the head: find the cut there.
+        const int start = nextHalfedge(slit);
+        int g = start;
+        slit = -1;
+        do
+        {
+          if (this->Surface.cut[g])
+          {
+            slit = g;
+            break;
+          }
+          g = nextHalfedge(this->Surface.twin[g]);
+        } while (g != start);
       }
     }
   }

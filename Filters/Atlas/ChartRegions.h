@@ -35,8 +35,8 @@ public:
   ChartMesh mesh(int region) const { return extractChart(this->Surface, this->Faces[region]); }
   double area(int region) const;
 
-  /// Whether a region's triangles, cuts or boundary changed since its mark was cleared; a new region
-  /// is marked.
+  /// Whether a region's triangles, cuts or boundary changed since its mark was cleared; a new
+  /// region is marked.
   bool isChanged(int region) const { return this->Changed[region]; }
   void clearChanged(int region) { this->Changed[region] = 0; }
 
@@ -44,8 +44,8 @@ public:
   int splitEdge(int h, double t);
   /// Cuts an edge inside a region.
   void cutOpen(int h);
-  /// Removes the cuts that have the region on both sides.
-  void closeInnerCuts(int region);
+  /// Removes the cuts into the region that end inside it: they do not make it a disk.
+  void closeSlits(int region);
   /// Splits every edge inside the region that joins two of its boundary's vertices: on a convex
   /// boundary it would leave a triangle without area.
   void splitChords(int region);

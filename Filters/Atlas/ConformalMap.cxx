@@ -3,6 +3,7 @@
 #include "ConformalMap.h"
 
 #include "HarmonicSystem.h"
+#include "RectangleLayout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,81 +13,6 @@ namespace stipple
 {
 namespace
 {
-/// A rectangle and where its corners sit on the boundary, as fractions of the boundary's length.
-struct Placement
-{
-  std::array<double, 4> corner;
-  Vec2 extent;
-};
-
-class BoundaryLayout
-{
-public:
-  BoundaryLayout(const TriangleSurface& surface, const ChartMesh& chart)
-    : Chart(chart)
-  {
-    const std::size_t n = chart.boundary.size();
-    this->ArcLength.assign(n + 1, 0.);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const Vec3& a = surface.points[chart.vertices[chart.boundary[i]]];
-      const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
-      this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
-    }
-  }
-
-  /// Puts the boundary vertices on the rectangle's sides, by arc length between its corners.
-  void place(const Placement& placement, std::vector<Vec2>& uv) const
-  {
-    const int n = static_cast<int>(this->Chart.boundary.size());
-    const double total = this->ArcLength[n];
-    std::array<int, 4> corner;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double s = (placement.corner[k] - std::floor(placement.corner[k])) * total;
-      const auto next = std::lower_bound(this->ArcLength.begin(), this->ArcLength.end() - 1, s);
-      int i = static_cast<int>(next - this->ArcLength.begin());
-      if (i > 0 && s - this->ArcLength[i - 1] < this->ArcLength[i] - s)
-      {
-        --i;
-      }
-      corner[k] = i % n;
-    }
-    // Corners in cyclic order and on different vertices, whatever the boundary's spacing.
-    for (int k = 1; k < 4; ++k)
-    {
-      const int from = (corner[k] - corner[0] + n) % n;
-      const int least = (corner[k - 1] - corner[0] + n) % n + 1;
-      corner[k] = (corner[0] + std::clamp(k == 0 ? 0 : from, least, n - 4 + k)) % n;
-    }
-    const Vec2& e = placement.extent;
-    const std::array<Vec2, 5> at = { Vec2(0, 0), Vec2(e.x(), 0), e, Vec2(0, e.y()), Vec2(0, 0) };
-    for (int k = 0; k < 4; ++k)
-    {
-      const int begin = corner[k];
-      const int count = (corner[(k + 1) % 4] - begin + n) % n;
-      const auto lengthTo = [&](int j) {
-        const int i = begin + j;
-        return i <= n ? this->ArcLength[i] - this->ArcLength[begin]
-                      : total - this->ArcLength[begin] + this->ArcLength[i - n];
-      };
-      const double side = lengthTo(count);
-      for (int j = 0; j < count; ++j)
-      {
-        const double t = side > 0 ? lengthTo(j) / side : static_cast<double>(j) / count;
-        // Exactly on the side: the coordinate that is constant is copied, not computed.
-        Vec2 p = at[k] + t * (at[k + 1] - at[k]);
-        p[k % 2 == 0 ? 1 : 0] = at[k][k % 2 == 0 ? 1 : 0];
-        uv[this->Chart.boundary[(begin + j) % n]] = p;
-      }
-    }
-  }
-
-private:
-  const ChartMesh& Chart;
-  std::vector<double> ArcLength;
-};
-
 /// Mean over the surface of the density A3D / A2D relative to its least possible value, 1.
 double meanDensity(
   const std::vector<double>& area, const ChartMesh& chart, const std::vector<Vec2>& uv)
@@ -116,6 +42,31 @@ bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
 {
   return std::all_of(chart.triangles.begin(), chart.triangles.end(),
     [&](const Triangle& t) { return orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0; });
+}
+
+/// Marks the vertices of triangles that are not counterclockwise in the plane, and so many rings of
+/// neighbours around everything marked.
+void markFlipped(
+  const ChartMesh& chart, const std::vector<Vec2>& uv, int rings, std::vector<char>& marked)
+{
+  for (const Triangle& t : chart.triangles)
+  {
+    if (!(orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0))
+    {
+      marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+    }
+  }
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<char> before = marked;
+    for (const Triangle& t : chart.triangles)
+    {
+      if (before[t[0]] || before[t[1]] || before[t[2]])
+      {
+        marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+      }
+    }
+  }
 }
 
 void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalMap& map)
@@ -164,59 +115,54 @@ ConformalMap mapToRectangle(
     area[i] = surface.faceArea(chart.faces[i]);
   }
   HarmonicSystem solver(surface, chart, chart.onBoundary);
-  const BoundaryLayout layout(surface, chart);
+  const RectangleLayout layout(surface, chart);
 
-  // One factorization serves every boundary, so several rectangles are tried: an opposite pair of
-  // sides of 1, 2 or 4 times the other pair's length, turned by eighths of the boundary.
-  std::vector<Placement> placements;
-  for (int turn = 0; turn < 2; ++turn)
-  {
-    placements.push_back(
-      { { turn / 8., .25 + turn / 8., .5 + turn / 8., .75 + turn / 8. }, Vec2::Ones() });
-  }
-  if (!options.square)
-  {
-    for (double aspect : { 2., 4. })
-    {
-      const double wide = 0.5 * aspect / (1 + aspect);
-      for (int turn = 0; turn < 4; ++turn)
-      {
-        const double s = turn / 8.;
-        placements.push_back({ { s, s + wide, s + 0.5, s + 0.5 + wide }, Vec2(1, 1 / aspect) });
-      }
-    }
-  }
-  const auto chooseBest = [&] {
-    double best = std::numeric_limits<double>::infinity();
-    std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
-    map.valid = false;
-    for (const Placement& placement : placements)
-    {
-      layout.place(placement, uv);
-      solver.solve(rows(uv));
-      const bool valid = isValid(chart, uv);
-      const double cost = meanDensity(area, chart, uv);
-      if ((valid && !map.valid) || (valid == map.valid && cost < best))
-      {
-        best = cost;
-        map.uv = uv;
-        map.extent = placement.extent;
-        map.valid = valid;
-      }
-    }
+  // One factorization serves every boundary, so several rectangles are tried.
+  const std::vector<RectanglePlacement> placements = layout.placements(options.square);
+  const RectanglePlacement* best = nullptr;
+  const auto solve = [&](const RectanglePlacement& placement, std::vector<Vec2>& uv) {
+    layout.place(placement, uv);
+    solver.solve(rows(uv));
   };
-  if (solver.factorize(-std::numeric_limits<double>::infinity()))
+  if (solver.factorize())
   {
-    chooseBest();
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
+    for (const RectanglePlacement& placement : placements)
+    {
+      solve(placement, uv);
+      const double cost = meanDensity(area, chart, uv);
+      if (cost < least)
+      {
+        least = cost;
+        best = &placement;
+        map.uv = uv;
+      }
+    }
+    map.valid = best && isValid(chart, map.uv);
   }
-  if (!map.valid)
+  best = best ? best : &placements.front();
+  // Where triangles are flipped, and a wider neighbourhood every time, weights are made positive.
+  std::vector<char> positiveAt(map.uv.size(), 0);
+  constexpr int mostRepairs = 6;
+  for (int repair = 0; repair < mostRepairs && !map.valid; ++repair)
   {
     map.fallback = true;
-    if (solver.factorize(1e-2))
+    if (repair + 1 == mostRepairs)
     {
-      chooseBest();
+      positiveAt.assign(map.uv.size(), 1);
+    }
+    else
+    {
+      markFlipped(chart, map.uv, repair, positiveAt);
+    }
+    if (solver.factorize(positiveAt))
+    {
+      solve(*best, map.uv);
+      map.valid = isValid(chart, map.uv);
     }
   }
+  map.extent = best->extent;
   measure(area, chart, map);
   return map;
 }

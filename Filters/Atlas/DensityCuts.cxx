@@ -62,7 +62,7 @@ std::vector<int> densestTriangles(const FlatChart& chart, double bound)
 struct BoundaryDistance
 {
   std::vector<double> distance;
-  std::vector<int> end; // the path's end on the boundary
+  std::vector<int> next; // the next vertex on the path, -1 on the boundary
 };
 
 BoundaryDistance distanceToBoundary(const TriangleSurface& surface, const ChartMesh& mesh)
@@ -83,7 +83,6 @@ BoundaryDistance distanceToBoundary(const TriangleSurface& surface, const ChartM
   for (int v : mesh.boundary)
   {
     paths.distance[v] = 0;
-    paths.end[v] = v;
     front.push({ 0., v });
   }
   while (!front.empty())
@@ -101,7 +100,7 @@ BoundaryDistance distanceToBoundary(const TriangleSurface& surface, const ChartM
       if (there < paths.distance[w])
       {
         paths.distance[w] = there;
-        paths.end[w] = paths.end[v];
+        paths.next[w] = v;
         front.push({ there, w });
       }
     }
@@ -109,28 +108,13 @@ BoundaryDistance distanceToBoundary(const TriangleSurface& surface, const ChartM
   return paths;
 }
 
-/// A halfedge of the region that leaves a point.
-int halfedgeFrom(const ChartRegions& regions, int region, int point)
-{
-  for (int f : regions.faces(region))
-  {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (regions.surface().tail(h) == point)
-      {
-        return h;
-      }
-    }
-  }
-  return -1;
-}
-
-/// Cuts a region along straight lines of its conformal plane.
+/// Cuts a region along straight lines of its conformal plane, which are smooth on the surface.
 class StraightCuts
 {
 public:
-  StraightCuts(ChartRegions& regions, const FlatChart& chart)
+  StraightCuts(ChartRegions& regions, int region, const FlatChart& chart)
     : Regions(regions)
+    , Region(region)
     , Surface(regions.surface())
     , UV(3 * regions.surface().triangles.size(), Vec2::Zero())
   {
@@ -143,22 +127,100 @@ public:
     }
   }
 
-  /// From the tail of h, inside the region, towards a point of the plane as far as the next cut.
-  /// False if the tail is on a cut itself.
-  bool cut(int h, const Vec2& target)
+  /// Cuts from a vertex of the chart along a path to its boundary, or to the next cut, with as few
+  /// straight lines as are not much longer than the path. False if the vertex is on a cut itself.
+  bool cut(const FlatChart& chart, const BoundaryDistance& paths, int vertex)
   {
+    int h = this->halfedgeFrom(chart.mesh.vertices[vertex]);
     if (this->numberOfCutsAround(h) > 0)
     {
       return false;
     }
-    do
+    std::vector<int> path = { vertex };
+    while (paths.next[path.back()] >= 0)
     {
-      h = this->step(h, target);
-    } while (h >= 0 && this->numberOfCutsAround(h) == 1);
+      path.push_back(paths.next[path.back()]);
+    }
+    constexpr double longest = 1.1; // times the path
+    std::size_t from = 0;
+    while (h >= 0 && from + 1 < path.size())
+    {
+      std::size_t to = path.size() - 1;
+      while (to > from + 1 &&
+        this->lineLength(h, chart.map.uv[path[to]]) >
+          longest * (paths.distance[path[from]] - paths.distance[path[to]]))
+      {
+        to = from + (to - from) / 2;
+      }
+      h = this->cutLine(h, chart.map.uv[path[to]], chart.mesh.vertices[path[to]]);
+      from = to;
+    }
     return true;
   }
 
 private:
+  /// A halfedge of the region that leaves a point.
+  int halfedgeFrom(int point) const
+  {
+    for (int f : this->Regions.faces(this->Region))
+    {
+      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if (this->Surface.tail(h) == point)
+        {
+          return h;
+        }
+      }
+    }
+    return -1;
+  }
+
+  /// Cuts from the tail of h straight to a vertex. Returns a halfedge from there, or -1 if it ran
+  /// into another cut.
+  int cutLine(int h, const Vec2& target, int point)
+  {
+    do
+    {
+      h = this->step(h, target);
+      if (h < 0 || this->numberOfCutsAround(h) != 1)
+      {
+        return -1;
+      }
+    } while (this->Surface.tail(h) != point);
+    return h;
+  }
+
+  /// Length in space of the straight line of the plane from the tail of h to a target, as far as
+  /// the next cut.
+  double lineLength(int h, const Vec2& target) const
+  {
+    const int first = this->towards(h, target);
+    const Vec2 start = this->UV[first];
+    Vec3 last = this->Surface.points[this->Surface.tail(first)];
+    double length = 0;
+    int e = nextHalfedge(first); // the edge that the line leaves the triangle by
+    while (true)
+    {
+      const Vec2& a = this->UV[e];
+      const Vec2& b = this->UV[nextHalfedge(e)];
+      const bool inside = orient2(a, b, target) >= 0;
+      const double toA = orient2(start, a, target);
+      const double toB = orient2(start, target, b);
+      const double t = toA + toB > 0 ? std::clamp(toA / (toA + toB), 0., 1.) : 0.5;
+      const Vec3 there = (1 - t) * this->Surface.points[this->Surface.tail(e)] +
+        t * this->Surface.points[this->Surface.head(e)];
+      length += (there - last).norm();
+      last = there;
+      if (inside || this->Surface.cut[e])
+      {
+        return length;
+      }
+      const int across = this->Surface.twin[e]; // from b to a
+      const Vec2& apex = this->UV[previousHalfedge(across)];
+      e = orient2(start, target, apex) > 0 ? nextHalfedge(across) : previousHalfedge(across);
+    }
+  }
+
   /// Cuts around the tail of h.
   int numberOfCutsAround(int h) const
   {
@@ -252,6 +314,7 @@ private:
   }
 
   ChartRegions& Regions;
+  int Region;
   CutSurface& Surface;
   std::vector<Vec2> UV; // by halfedge, of its tail
 };
@@ -261,18 +324,14 @@ bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart,
 {
   const ChartMesh& mesh = chart.mesh;
   const BoundaryDistance paths = distanceToBoundary(regions.surface(), mesh);
-  StraightCuts cuts(regions, chart);
+  StraightCuts cuts(regions, region, chart);
   bool changed = false;
   for (int i : densestTriangles(chart, bound))
   {
     const Triangle& t = mesh.triangles[i];
-    const int k = static_cast<int>(std::max_element(t.begin(), t.end(),
-                                     [&](int a, int b) {
-                                       return paths.distance[a] < paths.distance[b];
-                                     }) -
-      t.begin());
-    const int h = halfedgeFrom(regions, region, mesh.vertices[t[k]]);
-    changed = cuts.cut(h, chart.map.uv[paths.end[t[k]]]) || changed;
+    const int tip = *std::max_element(
+      t.begin(), t.end(), [&](int a, int b) { return paths.distance[a] < paths.distance[b]; });
+    changed = cuts.cut(chart, paths, tip) || changed;
   }
   return changed;
 }

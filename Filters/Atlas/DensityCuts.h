@@ -17,9 +17,9 @@ struct FlatChart
 };
 
 /// Cuts the region open from the densest place of every part that is denser than the bound to its
-/// boundary (after Gu, Gortler, Hoppe 2002, who take the place of largest stretch): to the end of
-/// the shortest edge path, along a straight line of the conformal plane, which is smooth on the
-/// surface. False if there was nothing to cut.
+/// boundary (after Gu, Gortler, Hoppe 2002, who take the place of largest stretch): along straight
+/// lines of the conformal plane, which are smooth on the surface, that follow the shortest edge
+/// path. False if there was nothing to cut.
 STIPPLEFILTERSATLAS_EXPORT bool cutToDensePlaces(
   ChartRegions& regions, int region, const FlatChart& chart, double bound);
 }

@@ -31,8 +31,9 @@ HarmonicSystem::HarmonicSystem(
   }
 }
 
-bool HarmonicSystem::factorize(double smallestWeight)
+bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
+  constexpr double leastPositive = 1e-2;
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
   std::vector<Eigen::Triplet<double>> edges;
@@ -58,7 +59,8 @@ bool HarmonicSystem::factorize(double smallestWeight)
     {
       const int a = this->Unknown[it.row()];
       const int b = this->Unknown[it.col()];
-      const double w = std::max(it.value(), smallestWeight);
+      const bool positive = !positiveAt.empty() && (positiveAt[it.row()] || positiveAt[it.col()]);
+      const double w = positive ? std::max(it.value(), leastPositive) : it.value();
       if (a >= 0 && b >= 0)
       {
         entries.emplace_back(std::max(a, b), std::min(a, b), -w);

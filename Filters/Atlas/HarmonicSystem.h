@@ -24,9 +24,10 @@ public:
   HarmonicSystem(
     const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given);
 
-  /// smallestWeight is a lower bound of the edges' weights: -infinity for the conformal map,
-  /// positive for functions that obey the maximum principle. False if the factorization failed.
-  bool factorize(double smallestWeight);
+  /// False if the factorization failed. Weights of edges at the vertices in positiveAt, if not
+  /// empty, are raised to a positive value where they are below it: around such a vertex values
+  /// obey the maximum principle.
+  bool factorize(const std::vector<char>& positiveAt = {});
 
   /// Overwrites the rows of free vertices with the harmonic extension of the given rows.
   void solve(Values values) const;

@@ -20,8 +20,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 struct SeamUnion
 {
   ChartMesh mesh;
-  std::vector<char> side;   // by triangle: 1 in the second region
-  std::vector<int> seam;    // vertices of the seam, in order
+  std::vector<char> side; // by triangle: 1 in the second region
+  std::vector<int> seam;  // vertices of the seam, in order
   double seamLength = 0;
 };
 
@@ -294,8 +294,8 @@ std::vector<char> splitAlongZeros(
   return positive;
 }
 
-std::vector<char> meanIsPositive(
-  const ChartRegions& regions, int a, int b, const ChartMesh& mesh, const std::vector<double>& value)
+std::vector<char> meanIsPositive(const ChartRegions& regions, int a, int b, const ChartMesh& mesh,
+  const std::vector<double>& value)
 {
   std::vector<char> ofFace(regions.surface().triangles.size(), 0);
   for (std::size_t i = 0; i < mesh.faces.size(); ++i)
@@ -348,7 +348,7 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
   FarSides sides(surface, both);
   HarmonicSystem system(surface, both.mesh, sides.Given);
   // Slivers can cost the cotangent Laplacian its definiteness.
-  if (!system.factorize(-Infinity) && !system.factorize(1e-2))
+  if (!system.factorize() && !system.factorize(std::vector<char>(sides.Given.size(), 1)))
   {
     return {};
   }
@@ -432,7 +432,8 @@ double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
   double onInput = 0;
   for (int h : arc.halfedges)
   {
-    const double length = (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+    const double length =
+      (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
     total += length;
     if (std::max(surface.head(h), surface.tail(h)) < surface.numberOfOriginalPoints)
     {
@@ -442,8 +443,8 @@ double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
   return total > 0 ? onInput / total : 0.;
 }
 
-/// Places every seam between two regions, one after the other, of which more than a share runs along
-/// edges of the input.
+/// Places every seam between two regions, one after the other, of which more than a share runs
+/// along edges of the input.
 void placeSeamsOfPair(
   ChartRegions& regions, int a, int b, const SeamPlacement& placement, double leastOnInputEdges = 0)
 {
