@@ -298,12 +298,6 @@ private:
         parts.push_back(bisect(this->Regions, parts[i], -1));
       }
     }
-    // Cutting triangles of small charts could go on for ever; edges run out.
-    constexpr std::size_t leastToSmooth = 500;
-    if (this->Charts[r].mesh.faces.size() < leastToSmooth)
-    {
-      return;
-    }
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       for (std::size_t j = i + 1; j < parts.size(); ++j)

@@ -12,7 +12,7 @@ namespace stipple
 struct ChartPartitionOptions
 {
   int numberOfCharts = 1;           ///< at least, >= 1
-  double maximumDensityRatio = 200; ///< > 1; bound on ConformalMap::densityRatio
+  double maximumDensityRatio = 100; ///< > 1; bound on ConformalMap::densityRatio
   bool square = false;              ///< ConformalMapOptions::square
   BoundaryPlacement placement = BoundaryPlacement::AreaMedian;
 };

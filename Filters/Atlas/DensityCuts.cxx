@@ -15,10 +15,12 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The densest triangle of every connected part of the chart that is denser than the bound; the
-/// densest first.
-std::vector<int> densestTriangles(const FlatChart& chart, double bound)
+/// The densest triangles of the connected parts of the chart that are denser than the bound: of the
+/// largest parts, as many as hold all but a sliver of the area that is too dense. Largest first.
+std::vector<int> densestTriangles(
+  const TriangleSurface& surface, const FlatChart& chart, double bound)
 {
+  constexpr double sliver = 5e-4; // of the chart's area; the bound leaves 1e-3 out of account
   const ChartMesh& mesh = chart.mesh;
   const std::vector<double>& density = chart.map.density;
   std::vector<int> parent(mesh.vertices.size());
@@ -40,73 +42,121 @@ std::vector<int> densestTriangles(const FlatChart& chart, double bound)
       parent[root(mesh.triangles[i][1])] = root(mesh.triangles[i][2]);
     }
   }
-  std::vector<int> densest(mesh.vertices.size(), -1);
+  struct Part
+  {
+    double area = 0;
+    int densest = -1;
+  };
+  std::vector<Part> parts(mesh.vertices.size());
+  double total = 0;
+  double dense = 0;
   for (int i = 0; i < n; ++i)
   {
+    const double area = surface.faceArea(mesh.faces[i]);
+    total += area;
     if (density[i] > bound)
     {
-      int& d = densest[root(mesh.triangles[i][0])];
-      if (d < 0 || density[i] > density[d])
+      dense += area;
+      Part& part = parts[root(mesh.triangles[i][0])];
+      part.area += area;
+      if (part.densest < 0 || density[i] > density[part.densest])
       {
-        d = i;
+        part.densest = i;
       }
     }
   }
-  densest.erase(std::remove(densest.begin(), densest.end(), -1), densest.end());
-  std::sort(densest.begin(), densest.end(),
-    [&](int a, int b) { return density[a] > density[b] || (density[a] == density[b] && a < b); });
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                [](const Part& part) { return part.densest < 0; }),
+    parts.end());
+  std::stable_sort(
+    parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.area > b.area; });
+  std::vector<int> densest;
+  for (const Part& part : parts)
+  {
+    if (dense <= sliver * total)
+    {
+      break;
+    }
+    densest.push_back(part.densest);
+    dense -= part.area;
+  }
   return densest;
 }
 
-/// Shortest edge paths from every vertex of a chart to its boundary.
-struct BoundaryDistance
+/// Shortest edge paths from a chart's vertices to a growing set of its vertices.
+class ShortestPaths
 {
-  std::vector<double> distance;
-  std::vector<int> next; // the next vertex on the path, -1 on the boundary
-};
-
-BoundaryDistance distanceToBoundary(const TriangleSurface& surface, const ChartMesh& mesh)
-{
-  std::vector<std::vector<int>> neighbours(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles)
+public:
+  ShortestPaths(const TriangleSurface& surface, const ChartMesh& mesh)
+    : Surface(surface)
+    , Mesh(mesh)
+    , Neighbours(mesh.vertices.size())
+    , Distance(mesh.vertices.size(), Infinity)
+    , Next(mesh.vertices.size(), -1)
   {
-    for (int k = 0; k < 3; ++k)
+    for (const Triangle& t : mesh.triangles)
     {
-      neighbours[t[k]].push_back(t[(k + 1) % 3]);
-      neighbours[t[(k + 1) % 3]].push_back(t[k]);
-    }
-  }
-  BoundaryDistance paths = { std::vector<double>(mesh.vertices.size(), Infinity),
-    std::vector<int>(mesh.vertices.size(), -1) };
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  for (int v : mesh.boundary)
-  {
-    paths.distance[v] = 0;
-    front.push({ 0., v });
-  }
-  while (!front.empty())
-  {
-    const auto [d, v] = front.top();
-    front.pop();
-    if (d > paths.distance[v])
-    {
-      continue;
-    }
-    for (int w : neighbours[v])
-    {
-      const double there =
-        d + (surface.points[mesh.vertices[w]] - surface.points[mesh.vertices[v]]).norm();
-      if (there < paths.distance[w])
+      for (int k = 0; k < 3; ++k)
       {
-        paths.distance[w] = there;
-        paths.next[w] = v;
-        front.push({ there, w });
+        this->Neighbours[t[k]].push_back(t[(k + 1) % 3]);
+        this->Neighbours[t[(k + 1) % 3]].push_back(t[k]);
       }
     }
   }
-  return paths;
-}
+
+  void addTargets(const std::vector<int>& targets)
+  {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    for (int v : targets)
+    {
+      this->Distance[v] = 0;
+      this->Next[v] = -1;
+      front.push({ 0., v });
+    }
+    while (!front.empty())
+    {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > this->Distance[v])
+      {
+        continue;
+      }
+      for (int w : this->Neighbours[v])
+      {
+        const double there = d +
+          (this->Surface.points[this->Mesh.vertices[w]] -
+            this->Surface.points[this->Mesh.vertices[v]])
+            .norm();
+        if (there < this->Distance[w])
+        {
+          this->Distance[w] = there;
+          this->Next[w] = v;
+          front.push({ there, w });
+        }
+      }
+    }
+  }
+
+  double distance(int vertex) const { return this->Distance[vertex]; }
+
+  std::vector<int> path(int vertex) const
+  {
+    std::vector<int> path = { vertex };
+    while (this->Next[path.back()] >= 0)
+    {
+      path.push_back(this->Next[path.back()]);
+    }
+    return path;
+  }
+
+private:
+  const TriangleSurface& Surface;
+  const ChartMesh& Mesh;
+  std::vector<std::vector<int>> Neighbours;
+  std::vector<double> Distance;
+  std::vector<int> Next;
+};
 
 /// Cuts a region along straight lines of its conformal plane, which are smooth on the surface.
 class StraightCuts
@@ -127,19 +177,14 @@ public:
     }
   }
 
-  /// Cuts from a vertex of the chart along a path to its boundary, or to the next cut, with as few
-  /// straight lines as are not much longer than the path. False if the vertex is on a cut itself.
-  bool cut(const FlatChart& chart, const BoundaryDistance& paths, int vertex)
+  /// Cuts along a path from inside the chart to its boundary, or to the next cut, with as few
+  /// straight lines as are not much longer than the path. False if the path starts on a cut.
+  bool cut(const FlatChart& chart, const ShortestPaths& paths, const std::vector<int>& path)
   {
-    int h = this->halfedgeFrom(chart.mesh.vertices[vertex]);
+    int h = this->halfedgeFrom(chart.mesh.vertices[path.front()]);
     if (this->numberOfCutsAround(h) > 0)
     {
       return false;
-    }
-    std::vector<int> path = { vertex };
-    while (paths.next[path.back()] >= 0)
-    {
-      path.push_back(paths.next[path.back()]);
     }
     constexpr double longest = 1.1; // times the path
     std::size_t from = 0;
@@ -148,7 +193,7 @@ public:
       std::size_t to = path.size() - 1;
       while (to > from + 1 &&
         this->lineLength(h, chart.map.uv[path[to]]) >
-          longest * (paths.distance[path[from]] - paths.distance[path[to]]))
+          longest * (paths.distance(path[from]) - paths.distance(path[to])))
       {
         to = from + (to - from) / 2;
       }
@@ -323,15 +368,24 @@ private:
 bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart, double bound)
 {
   const ChartMesh& mesh = chart.mesh;
-  const BoundaryDistance paths = distanceToBoundary(regions.surface(), mesh);
+  ShortestPaths toBoundary(regions.surface(), mesh);
+  toBoundary.addTargets(mesh.boundary);
+  // A place that is nearer to a new cut than to the boundary waits: another time a cut from there
+  // will join that one, rather than run beside it.
+  ShortestPaths toCuts = toBoundary;
   StraightCuts cuts(regions, region, chart);
   bool changed = false;
-  for (int i : densestTriangles(chart, bound))
+  for (int i : densestTriangles(regions.surface(), chart, bound))
   {
     const Triangle& t = mesh.triangles[i];
-    const int tip = *std::max_element(
-      t.begin(), t.end(), [&](int a, int b) { return paths.distance[a] < paths.distance[b]; });
-    changed = cuts.cut(chart, paths, tip) || changed;
+    const int tip = *std::max_element(t.begin(), t.end(),
+      [&](int a, int b) { return toBoundary.distance(a) < toBoundary.distance(b); });
+    const std::vector<int> path = toBoundary.path(tip);
+    if (toCuts.distance(tip) == toBoundary.distance(tip) && cuts.cut(chart, toBoundary, path))
+    {
+      toCuts.addTargets(path);
+      changed = true;
+    }
   }
   return changed;
 }

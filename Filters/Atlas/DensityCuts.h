@@ -16,7 +16,7 @@ struct FlatChart
   ConformalMap map;
 };
 
-/// Cuts the region open from the densest place of every part that is denser than the bound to its
+/// Cuts the region open from the densest place of the parts that are denser than the bound to its
 /// boundary (after Gu, Gortler, Hoppe 2002, who take the place of largest stretch): along straight
 /// lines of the conformal plane, which are smooth on the surface, that follow the shortest edge
 /// path. False if there was nothing to cut.

@@ -377,6 +377,12 @@ std::vector<char> sidesOfOwners(
 bool placeSeam(
   ChartRegions& regions, int a, int b, const SeamArc& arc, const SeamPlacement& placement)
 {
+  // Few triangles have no smooth line to offer, and cutting them again and again would never end.
+  constexpr std::size_t fewest = 500;
+  if (regions.faces(a).size() + regions.faces(b).size() < fewest)
+  {
+    return false;
+  }
   CutSurface& surface = regions.surface();
   const SeamUnion both = glue(regions, a, b, arc);
   std::vector<double> value;

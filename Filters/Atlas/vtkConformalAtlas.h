@@ -114,7 +114,7 @@ public:
   /**
    * Bound, greater than 1, on a chart's density ratio: on 99.9 % of a chart's area, A3D / A2D is at
    * most this multiple of the chart's mean. A chart over it is cut open towards its densest places
-   * or split. Maps need about twice this many pixels for every sample. The default is 200.
+   * or split. Maps need about twice this many pixels for every sample. The default is 100.
    */
   vtkSetClampMacro(MaximumDensityRatio, double, 2., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensityRatio, double);
@@ -208,7 +208,7 @@ private:
   vtkIdTypeArray* FeatureEdges = nullptr;
   vtkPoints* Constraints = nullptr;
   int NumberOfCharts = 1;
-  double MaximumDensityRatio = 200;
+  double MaximumDensityRatio = 100;
   int BoundaryPlacement = AREA_MEDIAN;
   int DomainShape = RECTANGLE;
 
