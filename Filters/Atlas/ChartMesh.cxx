@@ -3,7 +3,6 @@
 #include "ChartMesh.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace stipple
 {
@@ -13,10 +12,8 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
   std::sort(faces.begin(), faces.end());
   chart.faces = std::move(faces);
   const int n = static_cast<int>(chart.faces.size());
-  // Positions in the chart of the surface's faces: binary search would do, a map is faster on large
-  // charts.
-  std::unordered_map<int, int> localFace;
-  localFace.reserve(2 * n);
+  // Where the surface's faces are in the chart.
+  std::vector<int> localFace(surface.triangles.size(), -1);
   for (int i = 0; i < n; ++i)
   {
     localFace[chart.faces[i]] = i;

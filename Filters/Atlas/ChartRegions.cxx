@@ -9,6 +9,7 @@ namespace stipple
 {
 ChartRegions::ChartRegions(CutSurface& surface)
   : Surface(surface)
+  , NumberOfInputTriangles(surface.numberOfFaces())
   , Owner(surface.triangles.size(), -1)
   , Faces(chartFaces(surface))
   , Changed(this->Faces.size(), 1)
@@ -30,6 +31,12 @@ double ChartRegions::area(int region) const
     sum += this->Surface.faceArea(f);
   }
   return sum;
+}
+
+int ChartRegions::numberOfInputTriangles(int region) const
+{
+  return static_cast<int>(std::count_if(this->Faces[region].begin(), this->Faces[region].end(),
+    [this](int f) { return f < this->NumberOfInputTriangles; }));
 }
 
 int ChartRegions::splitEdge(int h, double t)

@@ -34,6 +34,8 @@ public:
   }
   ChartMesh mesh(int region) const { return extractChart(this->Surface, this->Faces[region]); }
   double area(int region) const;
+  /// Triangles of the region that splits did not add.
+  int numberOfInputTriangles(int region) const;
 
   /// Whether a region's triangles, cuts or boundary changed since its mark was cleared; a new
   /// region is marked.
@@ -70,6 +72,7 @@ public:
 
 private:
   CutSurface& Surface;
+  int NumberOfInputTriangles;
   std::vector<int> Owner;
   std::vector<std::vector<int>> Faces;
   std::vector<char> Changed;

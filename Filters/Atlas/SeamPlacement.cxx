@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 
@@ -24,6 +25,16 @@ struct SeamUnion
   std::vector<int> seam;  // vertices of the seam, in order
   double seamLength = 0;
 };
+
+double length(const TriangleSurface& surface, const SeamArc& arc)
+{
+  double sum = 0;
+  for (int h : arc.halfedges)
+  {
+    sum += (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+  }
+  return sum;
+}
 
 /// Edge-path distance of every vertex from the seam.
 std::vector<double> distanceFromSeam(const TriangleSurface& surface, const SeamUnion& both)
@@ -318,10 +329,10 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
 {
   CutSurface& surface = regions.surface();
   SeamUnion both;
+  both.seamLength = length(surface, arc);
   for (int h : arc.halfedges)
   {
     surface.setCut(h, false);
-    both.seamLength += (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
   }
   std::vector<int> faces = regions.faces(a);
   faces.insert(faces.end(), regions.faces(b).begin(), regions.faces(b).end());
@@ -378,8 +389,8 @@ bool placeSeam(
   ChartRegions& regions, int a, int b, const SeamArc& arc, const SeamPlacement& placement)
 {
   // Few triangles have no smooth line to offer, and cutting them again and again would never end.
-  constexpr std::size_t fewest = 500;
-  if (regions.faces(a).size() + regions.faces(b).size() < fewest)
+  constexpr int fewest = 500;
+  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) < fewest)
   {
     return false;
   }
@@ -466,6 +477,13 @@ void placeSeamsOfPair(
   }
 }
 
+const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
+{
+  return *std::max_element(arcs.begin(), arcs.end(), [&](const SeamArc& a, const SeamArc& b) {
+    return length(surface, a) < length(surface, b);
+  });
+}
+
 /// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
 Status balanceAreas(ChartRegions& regions, const Progress& progress)
 {
@@ -486,9 +504,10 @@ Status balanceAreas(ChartRegions& regions, const Progress& progress)
       for (int b : regions.laterNeighbours(a))
       {
         const double ratio = regions.area(a) / regions.area(b);
-        if (ratio > alike || ratio < 1 / alike)
+        const std::vector<SeamArc> arcs = regions.arcs(a, b);
+        if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
         {
-          placeSeamsOfPair(regions, a, b, how);
+          placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
           balanced = false;
         }
       }
