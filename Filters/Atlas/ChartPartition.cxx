@@ -7,8 +7,12 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <queue>
+#include <tuple>
 
 namespace stipple
 {
@@ -85,54 +89,113 @@ Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
   return Status::success();
 }
 
-/// Whether two regions glued along all their seams are a disk: they are, if both are disks, when
-/// there is one seam.
-bool mergeToDisk(const ChartRegions& regions, int a, int b)
+/// The seam along which two disks can be glued to one disk: they can if it is their only one.
+std::optional<SeamArc> onlySeam(const ChartRegions& regions, int a, int b)
 {
-  const std::vector<SeamArc> arcs = regions.arcs(a, b);
-  return arcs.size() == 1 && !arcs.front().closed;
+  std::vector<SeamArc> arcs = regions.arcs(a, b);
+  if (arcs.size() != 1 || arcs.front().closed)
+  {
+    return {};
+  }
+  return std::move(arcs.front());
 }
 
-/// Merges disks, the pair of least area first, down to the number of charts asked for or as far as
-/// disks can be merged.
-Status mergeDisks(ChartRegions& regions, int numberOfCharts, const Progress& progress)
+/// Merges neighbours, the pair of least area first, down to a number of regions or as far as
+/// allowed.
+class GreedyMerge
 {
-  const int start = regions.size();
-  std::vector<double> area(start);
-  for (int r = 0; r < start; ++r)
+public:
+  /// Asked once for every pair; and told after a merger, when the last region has taken b's number.
+  using Allowed = std::function<bool(int a, int b)>;
+  using Merged = std::function<void(int a, int b)>;
+
+  explicit GreedyMerge(ChartRegions& regions)
+    : Regions(regions)
   {
-    area[r] = regions.area(r);
-  }
-  while (regions.size() > numberOfCharts)
-  {
-    if (!report(progress, 1 - static_cast<double>(regions.size()) / start))
+    for (int r = 0; r < regions.size(); ++r)
     {
-      return Status::aborted();
+      this->Serial.push_back(r);
+      this->Place.push_back(r);
+      this->Area.push_back(regions.area(r));
     }
-    std::array<int, 2> best = { -1, -1 };
-    double least = std::numeric_limits<double>::infinity();
-    for (int a = 0; a < regions.size(); ++a)
+    for (int r = 0; r < regions.size(); ++r)
     {
-      for (int b : regions.laterNeighbours(a))
+      this->addPairs(r, true);
+    }
+  }
+
+  Status run(int fewest, const Allowed& allowed, const Merged& merged, const Progress& progress)
+  {
+    std::size_t asked = 0;
+    while (this->Regions.size() > fewest && !this->Pairs.empty())
+    {
+      const double done = static_cast<double>(asked++);
+      if (!report(progress, done / (done + static_cast<double>(this->Pairs.size()))))
       {
-        if (area[a] + area[b] < least && mergeToDisk(regions, a, b))
-        {
-          least = area[a] + area[b];
-          best = { a, b };
-        }
+        return Status::aborted();
+      }
+      const Pair pair = this->Pairs.top();
+      this->Pairs.pop();
+      const int a = std::min(this->Place[pair.first], this->Place[pair.second]);
+      const int b = std::max(this->Place[pair.first], this->Place[pair.second]);
+      if (a < 0 || !allowed(a, b))
+      {
+        continue;
+      }
+      this->Place[pair.first] = -1;
+      this->Place[pair.second] = -1;
+      this->Regions.merge(a, b);
+      const int last = this->Regions.size();
+      this->Area[a] += this->Area[b];
+      this->Area[b] = this->Area[last];
+      this->Area.pop_back();
+      this->Serial[b] = this->Serial[last];
+      this->Serial.pop_back();
+      if (b != last)
+      {
+        this->Place[this->Serial[b]] = b;
+      }
+      this->Serial[a] = static_cast<int>(this->Place.size());
+      this->Place.push_back(a);
+      this->addPairs(a, false);
+      if (merged)
+      {
+        merged(a, b);
       }
     }
-    if (best[0] < 0)
-    {
-      break;
-    }
-    area[best[0]] += area[best[1]];
-    area[best[1]] = area.back();
-    area.pop_back();
-    regions.merge(best[0], best[1]);
+    return Status::success();
   }
-  return Status::success();
-}
+
+private:
+  /// Two regions by serial number, which a merged region gets anew.
+  struct Pair
+  {
+    double area;
+    int first;
+    int second;
+    bool operator<(const Pair& o) const // the least area on top of the queue
+    {
+      return std::tie(this->area, this->first, this->second) > std::tie(o.area, o.first, o.second);
+    }
+  };
+
+  void addPairs(int r, bool laterOnly)
+  {
+    for (int q : this->Regions.neighbours(r))
+    {
+      if (q > r || !laterOnly)
+      {
+        this->Pairs.push({ this->Area[r] + this->Area[q], this->Serial[r], this->Serial[q] });
+      }
+    }
+  }
+
+  ChartRegions& Regions;
+  std::vector<int> Serial; // by region
+  std::vector<int> Place;  // the region by serial number, -1 if merged
+  std::vector<double> Area;
+  std::priority_queue<Pair> Pairs;
+};
 
 void splitLongestBoundaryEdge(ChartRegions& regions, int region)
 {
@@ -200,6 +263,24 @@ public:
         }
       }
     }
+  }
+
+  /// Merges neighbours as long as the bound is kept and more charts than asked for are left.
+  Status merge(const Progress& progress)
+  {
+    return GreedyMerge(this->Regions)
+      .run(
+        this->Options.numberOfCharts, [this](int a, int b) { return this->tryToMerge(a, b); },
+        [this](int a, int b) {
+          this->Charts[a] = std::move(this->Merged);
+          if (b + 1 != static_cast<int>(this->Charts.size()))
+          {
+            this->Charts[b] = std::move(this->Charts.back());
+          }
+          this->Charts.pop_back();
+          this->Regions.clearChanged(a);
+        },
+        progress);
   }
 
   std::vector<FlatChart> takeCharts() { return std::move(this->Charts); }
@@ -307,8 +388,34 @@ private:
     }
   }
 
+  /// Flattens two regions as one; whether that keeps the bound.
+  bool tryToMerge(int a, int b)
+  {
+    const std::optional<SeamArc> seam = onlySeam(this->Regions, a, b);
+    if (!seam)
+    {
+      return false;
+    }
+    CutSurface& surface = this->Regions.surface();
+    for (int h : seam->halfedges)
+    {
+      surface.setCut(h, false);
+    }
+    std::vector<int> faces = this->Regions.faces(a);
+    faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
+    this->Merged.mesh = extractChart(surface, std::move(faces));
+    this->Merged.map = mapToRectangle(surface, this->Merged.mesh, { this->Options.square });
+    for (int h : seam->halfedges)
+    {
+      surface.setCut(h, true);
+    }
+    return this->Merged.map.valid &&
+      this->Merged.map.densityRatio <= this->Options.maximumDensityRatio;
+  }
+
   ChartRegions& Regions;
   const ChartPartitionOptions& Options;
+  FlatChart Merged;
   std::vector<FlatChart> Charts;
   std::vector<History> Histories;
 };
@@ -331,7 +438,9 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   {
     return status;
   }
-  if (const Status status = mergeDisks(regions, options.numberOfCharts, part(.1, .15));
+  const auto canBeGlued = [&](int a, int b) { return onlySeam(regions, a, b).has_value(); };
+  if (const Status status =
+        GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, part(.1, .15));
       !status.ok())
   {
     return status;
@@ -345,7 +454,11 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
     regions.closeSlits(r);
   }
   DensityBound bound(regions, options);
-  if (const Status status = bound.run(part(.4, 1.)); !status.ok())
+  if (const Status status = bound.run(part(.4, .8)); !status.ok())
+  {
+    return status;
+  }
+  if (const Status status = bound.merge(part(.8, 1.)); !status.ok())
   {
     return status;
   }

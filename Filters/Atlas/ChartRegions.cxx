@@ -277,14 +277,14 @@ std::vector<SeamArc> ChartRegions::arcs(int a, int b) const
   return arcs;
 }
 
-std::vector<int> ChartRegions::laterNeighbours(int region) const
+std::vector<int> ChartRegions::neighbours(int region) const
 {
   std::set<int> found;
   for (int f : this->Faces[region])
   {
     for (int h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if (this->ownerAcross(h) > region)
+      if (this->Surface.cut[h] && this->ownerAcross(h) >= 0 && this->ownerAcross(h) != region)
       {
         found.insert(this->ownerAcross(h));
       }

@@ -67,8 +67,8 @@ public:
   int nextOnBoundary(int h) const;
   /// The seams between two regions, from their smallest halfedge on.
   std::vector<SeamArc> arcs(int a, int b) const;
-  /// Regions with a larger index beside a region.
-  std::vector<int> laterNeighbours(int region) const;
+  /// The regions beside a region, ascending.
+  std::vector<int> neighbours(int region) const;
 
 private:
   CutSurface& Surface;

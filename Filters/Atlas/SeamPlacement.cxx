@@ -479,9 +479,8 @@ void placeSeamsOfPair(
 
 const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
 {
-  return *std::max_element(arcs.begin(), arcs.end(), [&](const SeamArc& a, const SeamArc& b) {
-    return length(surface, a) < length(surface, b);
-  });
+  return *std::max_element(arcs.begin(), arcs.end(),
+    [&](const SeamArc& a, const SeamArc& b) { return length(surface, a) < length(surface, b); });
 }
 
 /// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
@@ -501,8 +500,12 @@ Status balanceAreas(ChartRegions& regions, const Progress& progress)
       {
         return Status::aborted();
       }
-      for (int b : regions.laterNeighbours(a))
+      for (int b : regions.neighbours(a))
       {
+        if (b < a)
+        {
+          continue;
+        }
         const double ratio = regions.area(a) / regions.area(b);
         const std::vector<SeamArc> arcs = regions.arcs(a, b);
         if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
@@ -530,8 +533,12 @@ Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Pro
       {
         return Status::aborted();
       }
-      for (int b : regions.laterNeighbours(a))
+      for (int b : regions.neighbours(a))
       {
+        if (b < a)
+        {
+          continue;
+        }
         placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged);
       }
     }

@@ -142,7 +142,8 @@ int vtkConformalAtlas::RequestData(
   };
   const auto progressIn = [this](double from, double to) {
     return [this, from, to](double fraction) {
-      this->UpdateProgress(from + (to - from) * fraction);
+      // Splitting a chart makes new work: better to wait than to go back.
+      this->UpdateProgress(std::max(this->GetProgress(), from + (to - from) * fraction));
       return !this->GetAbortExecute();
     };
   };
