@@ -8,16 +8,23 @@ bool Session::operator==(const Session& o) const
 {
   return this->model == o.model && this->points == o.points && this->importance == o.importance &&
     this->importanceArray == o.importanceArray && this->importanceImage == o.importanceImage &&
-    this->gamma == o.gamma && this->transfer == o.transfer && this->gradation == o.gradation &&
-    this->minimumDensity == o.minimumDensity && this->featureAngle == o.featureAngle &&
-    this->charts == o.charts && this->featureEdges == o.featureEdges &&
-    this->constraints == o.constraints;
+    this->imageProjection == o.imageProjection && this->bandPass == o.bandPass &&
+    this->strokes == o.strokes && this->gamma == o.gamma && this->transfer == o.transfer &&
+    this->gradation == o.gradation && this->minimumDensity == o.minimumDensity &&
+    this->featureAngle == o.featureAngle && this->charts == o.charts &&
+    this->featureEdges == o.featureEdges && this->constraints == o.constraints;
 }
 
 const std::vector<std::string>& importanceNames()
 {
   static const std::vector<std::string> names = { "uniform", "mean", "gaussian", "minimum",
     "maximum", "total", "l2", "image", "array" };
+  return names;
+}
+
+const std::vector<std::string>& imageProjectionNames()
+{
+  static const std::vector<std::string> names = { "chart", "x", "y", "z" };
   return names;
 }
 }

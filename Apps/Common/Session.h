@@ -19,14 +19,17 @@ struct Session
   std::string model; ///< file of the input surface; empty: not said
 
   // Sampling
-  int points = 0;                     ///< exact number of points; 0: as many as the input has
-  std::string importance = "uniform"; ///< one of importanceNames()
-  std::string importanceArray;        ///< for the importance "array": its name
-  std::string importanceImage;        ///< for the importance "image": its file
-  double gamma = 1.;                  ///< power of the importance, 0 to 100
+  int points = 0;                        ///< exact number of points; 0: as many as the input has
+  std::string importance = "uniform";    ///< one of importanceNames()
+  std::string importanceArray;           ///< for the importance "array": its name
+  std::string importanceImage;           ///< for the importance "image": its file
+  std::string imageProjection = "chart"; ///< one of imageProjectionNames()
+  std::array<double, 2> bandPass = { { 0, 0 } };   ///< fine, coarse, percent of the diagonal; none
+  double gamma = 1.;                               ///< power of the importance, 0 to 100
   std::vector<std::pair<double, double>> transfer; ///< ascending in x, both in [0, 1]; empty: none
   double gradation = 0.;       ///< low-pass of the importance, percent of the diagonal, 0 to 100
   double minimumDensity = .02; ///< least importance, fraction of the largest, 0 to 1
+  std::vector<std::array<double, 5>> strokes; ///< of the brush: x, y, z, radius, strength
 
   // Features and charts
   double featureAngle = 40.;                          ///< degrees, 0 to 180
@@ -40,6 +43,8 @@ struct Session
 
 /// "uniform", "mean", ...; the index of each is its vtkControlMap::ImportanceType.
 [[nodiscard]] const std::vector<std::string>& importanceNames();
+/// "chart", "x", "y", "z"; the index of each is its vtkControlMap::ProjectionType.
+[[nodiscard]] const std::vector<std::string>& imageProjectionNames();
 }
 
 #endif

@@ -81,6 +81,19 @@ public:
     }
   }
 
+  /// One list of two numbers.
+  void pair(const char* name, std::array<double, 2>& value)
+  {
+    if (const Json::Value* entry = this->find(name))
+    {
+      const bool good =
+        entry->isArray() && entry->size() == 2 && isNumber((*entry)[0]) && isNumber((*entry)[1]);
+      this->check(good, name, "must be a list of two numbers");
+      value =
+        good ? std::array<double, 2>{ { (*entry)[0].asDouble(), (*entry)[1].asDouble() } } : value;
+    }
+  }
+
   /// A list of lists of `size` numbers.
   std::vector<std::vector<double>> rows(const char* name, int size)
   {
@@ -163,6 +176,16 @@ void readTransfer(Entries& entries, Session& session)
   }
 }
 
+void readStrokes(Entries& entries, Session& session)
+{
+  for (const auto& row : entries.rows("strokes", 5))
+  {
+    entries.check(row[3] > 0 && row[4] >= -1, "strokes",
+      "must have positive radii and strengths of at least -1");
+    session.strokes.push_back({ { row[0], row[1], row[2], row[3], row[4] } });
+  }
+}
+
 void readFeatureEdges(Entries& entries, Session& session)
 {
   for (const auto& row : entries.rows("feature_edges", 2))
@@ -198,12 +221,22 @@ std::string toJson(const Session& s)
   entry("importance", quoted(s.importance));
   entry("importance_array", quoted(s.importanceArray));
   entry("importance_image", quoted(s.importanceImage));
+  entry("image_projection", quoted(s.imageProjection));
+  entry("band_pass", "[" + shortestText(s.bandPass[0]) + ", " + shortestText(s.bandPass[1]) + "]");
   entry("gamma", shortestText(s.gamma));
   entry("transfer", listed(s.transfer, [](const std::pair<double, double>& p) {
     return "[" + shortestText(p.first) + ", " + shortestText(p.second) + "]";
   }));
   entry("gradation", shortestText(s.gradation));
   entry("minimum_density", shortestText(s.minimumDensity));
+  entry("strokes", listed(s.strokes, [](const std::array<double, 5>& stroke) {
+    std::string numbers;
+    for (const double number : stroke)
+    {
+      numbers += (numbers.empty() ? "" : ", ") + shortestText(number);
+    }
+    return "[" + numbers + "]";
+  }));
   entry("feature_angle", shortestText(s.featureAngle));
   entry("charts", std::to_string(s.charts));
   entry("feature_edges", listed(s.featureEdges, [](const std::array<long long, 2>& e) {
@@ -240,12 +273,22 @@ Status fromJson(const std::string& text, Session& session)
     "is no importance that there is");
   entries.text("importance_array", s.importanceArray);
   entries.text("importance_image", s.importanceImage);
+  entries.text("image_projection", s.imageProjection);
+  const std::vector<std::string>& projections = imageProjectionNames();
+  entries.check(
+    std::find(projections.begin(), projections.end(), s.imageProjection) != projections.end(),
+    "image_projection", "is no projection that there is");
+  entries.pair("band_pass", s.bandPass);
+  entries.check(s.bandPass[0] >= 0 && s.bandPass[1] <= 100 &&
+      (s.bandPass[1] == 0 ? s.bandPass[0] == 0 : s.bandPass[0] < s.bandPass[1]),
+    "band_pass", "must be two percentages, the first the smaller");
   entries.number("gamma", 0, 100, s.gamma);
   readTransfer(entries, s);
   entries.number("gradation", 0, 100, s.gradation);
   entries.number("minimum_density", 0, 1, s.minimumDensity);
   entries.number("feature_angle", 0, 180, s.featureAngle);
   entries.integer("charts", 1, 100000, s.charts);
+  readStrokes(entries, s);
   readFeatureEdges(entries, s);
   for (const auto& row : entries.rows("constraints", 3))
   {

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
+#include "vtkDoubleArray.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -78,6 +79,41 @@ bool same(vtkIdTypeArray* ids, const std::vector<std::array<long long, 2>>& edge
     }
   }
   return true;
+}
+
+bool same(vtkDoubleArray* array, const std::vector<std::array<double, 5>>& strokes)
+{
+  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+  if (count != static_cast<vtkIdType>(strokes.size()))
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < 5; ++k)
+    {
+      if (array->GetTypedComponent(i, k) != strokes[i][k])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void applyStrokes(const std::vector<std::array<double, 5>>& strokes, vtkControlMap* control)
+{
+  if (same(control->GetStrokes(), strokes))
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfComponents(5);
+  for (const auto& stroke : strokes)
+  {
+    array->InsertNextTypedTuple(stroke.data());
+  }
+  control->SetStrokes(array);
 }
 
 void applyConstraints(const std::vector<Vec3>& positions, vtkGeometryRemesher* remesher)
@@ -156,6 +192,11 @@ void applyControl(const Session& s, vtkControlMap* control)
   control->SetImportance(
     static_cast<int>(std::find(names.begin(), names.end(), s.importance) - names.begin()));
   control->SetImportanceArrayName(s.importanceArray.empty() ? nullptr : s.importanceArray.c_str());
+  const std::vector<std::string>& projections = imageProjectionNames();
+  control->SetImageProjection(static_cast<int>(
+    std::find(projections.begin(), projections.end(), s.imageProjection) - projections.begin()));
+  control->SetBandPass(s.bandPass[0], s.bandPass[1]);
+  applyStrokes(s.strokes, control);
   control->SetGamma(s.gamma);
   control->SetGradation(s.gradation);
   control->SetMinimumDensity(s.minimumDensity);

@@ -111,7 +111,9 @@ Status makeSession(const Options& o, Session& session)
     session.importance = o.importance;
     session.importanceImage = o.importanceImage;
     session.importanceArray = o.importanceArray;
+    session.imageProjection = o.imageProjection;
   }
+  session.bandPass = o.bandPass[1] > 0 ? o.bandPass : session.bandPass;
   session.gamma = o.hasGamma ? o.gamma : session.gamma;
   session.transfer = o.transfer.empty() ? session.transfer : o.transfer;
   session.gradation = o.hasGradation ? o.gradation : session.gradation;
@@ -135,7 +137,15 @@ Status readSmallFiles(const Options& o, vtkPolyData* mesh, Session& session)
   if (!o.featureEdges.empty())
   {
     session.featureEdges.clear();
-    return readEdges(o.featureEdges, mesh->GetNumberOfPoints(), session.featureEdges);
+    if (Status status = readEdges(o.featureEdges, mesh->GetNumberOfPoints(), session.featureEdges);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  if (!o.strokes.empty())
+  {
+    return readStrokes(o.strokes, session.strokes);
   }
   return Status::success();
 }

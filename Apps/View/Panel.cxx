@@ -147,16 +147,17 @@ void Panel::addPointer(Commands& commands)
     std::vector<std::string>{ "camera", "brush", "point", "edge" }, 4, [&commands](int word) {
       commands.changeView([word](ViewState& v) { v.tool = static_cast<Tool>(word); });
     });
-  this->Radius = this->make<Slider>("Brush", Slider::Range{ 0.5, 30, 2, false, 0.1 },
+  this->Radius = this->make<Slider>("Brush", Slider::Range{ 1, 30, 2, false, 0.5 },
     format("%.1f %%"), [&commands](double value, bool) {
       commands.changeView([value](ViewState& v) { v.brushRadius = value; });
     });
-  Slider::Range range{ 0.1, 10 };
-  range.logarithmic = true;
-  this->Strength =
-    this->make<Slider>("Density", range, format("\u00d7%.2g"), [&commands](double value, bool) {
-      commands.changeView(
-        [value](ViewState& v) { v.brushStrength = std::stod(format("%.2g")(value)); });
+  this->Strength = this->make<Slider>(
+    "Paint", Slider::Range{ -1, 3, 1, false, 0.1 },
+    [](double value) {
+      return value > 0 ? format("+%.1f")(value) : format("erase %.0f %%")(-100 * value);
+    },
+    [&commands](double value, bool) {
+      commands.changeView([value](ViewState& v) { v.brushStrength = value; });
     });
   this->Clearing = this->make<Choice>(Choice::Kind::Commands,
     std::vector<std::string>{ "clear paint", "points", "edges" }, 3,
@@ -259,6 +260,7 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   this->Tools->choose(static_cast<int>(v.tool));
   this->Radius->setValue(v.brushRadius);
   this->Strength->setValue(v.brushStrength);
+  this->Clearing->setEnabled(0, !s.strokes.empty());
   this->Clearing->setEnabled(1, !s.constraints.empty());
   this->Clearing->setEnabled(2, !s.featureEdges.empty());
   this->Displays->choose(static_cast<int>(v.display));

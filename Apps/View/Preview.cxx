@@ -81,6 +81,8 @@ std::vector<double> Preview::importanceHistogram(const Session& session, int bar
   raw.importance = session.importance;
   raw.importanceArray = session.importanceArray;
   raw.importanceImage = session.importanceImage;
+  raw.imageProjection = session.imageProjection;
+  raw.bandPass = session.bandPass;
   raw.minimumDensity = 0;
   applyControl(raw, this->RawImportance);
   ErrorCollector errors(this->RawImportance);

@@ -31,7 +31,7 @@ struct ViewState
   bool features = true;
   bool seams = false;
   double brushRadius = 5;   ///< percent of the bounding box's diagonal
-  double brushStrength = 4; ///< factor on the density
+  double brushStrength = 1; ///< importance that a dab adds; -1 to 0: share that it takes away
   bool help = false;
 };
 }

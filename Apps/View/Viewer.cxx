@@ -82,7 +82,16 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   , Picker(input)
   , Controls(*this, std::filesystem::path(session.model).filename().string(), arraysOf(input),
       image != nullptr)
-  , Sheet([](const Vec3&, bool, bool) {})
+  , Sheet([this](const Vec3& position, bool begins, bool rests) {
+    if (rests)
+    {
+      this->edit([](Session&) {}, true);
+    }
+    else
+    {
+      this->paint(position, begins);
+    }
+  })
   , Curve([this](const CurveEditor::Points& points, bool rests) {
     this->edit([&points](Session& s) { s.transfer = points; }, rests);
   })

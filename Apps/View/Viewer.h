@@ -111,6 +111,9 @@ private:
   // The pointer
   [[nodiscard]] bool pick(const Pointer& pointer, SurfacePlace& place);
   void useTool(const SurfacePlace& place, const Pointer& pointer);
+  /// A dab, if it is not too near to the last one of this drag.
+  void paint(const Vec3& position, bool begins);
+  void showBrush(const Pointer& pointer);
   void togglePoint(const SurfacePlace& place);
   void tagEdges(const SurfacePlace& place, bool path);
   Control* controlAt(const Pointer& pointer);
@@ -139,6 +142,8 @@ private:
   CurveEditor Curve;
   FiguresView Figures;
   Control* Captured = nullptr;
+  bool Painting = false; ///< the brush is down on the surface
+  Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;
   Control* Under = nullptr;
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends

@@ -79,7 +79,7 @@ void Viewer::clear(Clear what)
       {
         s.constraints.clear();
       }
-      else if (what == Clear::Edges)
+      else
       {
         s.featureEdges.clear();
       }

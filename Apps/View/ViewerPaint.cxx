@@ -92,7 +92,7 @@ void Viewer::paintStrip(Canvas& canvas)
   canvas.fill(l.strip, shades::Ground);
   canvas.rule(l.strip.x, l.strip.top() - 1, l.strip.right(), l.strip.top() - 1, shades::Line);
   const std::pair<const Rect*, std::pair<const char*, const char*>> titles[] = {
-    { &l.sheet, { "control map", "dark: many samples" } },
+    { &l.sheet, { "control map", "dark: many samples; paint here too" } },
     { &l.curve,
       { "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "" } },
     { &l.figures, { "mesh quality", "" } }

@@ -13,6 +13,8 @@ namespace
 {
 /// A constraint this near to the pointer is taken away, not doubled; of the diagonal.
 constexpr double NearPoint = 0.012;
+/// Dabs of a drag are so far apart, in radii.
+constexpr double DabDistance = 0.35;
 }
 
 Control* Viewer::controlAt(const Pointer& pointer)
@@ -77,6 +79,12 @@ bool Viewer::press(const Pointer& pointer)
 
 void Viewer::drag(const Pointer& pointer)
 {
+  SurfacePlace place;
+  if (this->Painting && this->pick(pointer, place))
+  {
+    this->paint(place.position, false);
+    this->showBrush(pointer);
+  }
   if (this->Captured)
   {
     this->Captured->drag(pointer);
@@ -86,6 +94,11 @@ void Viewer::drag(const Pointer& pointer)
 
 void Viewer::release(const Pointer& pointer)
 {
+  if (this->Painting)
+  {
+    this->Painting = false;
+    this->edit([](Session&) {}, true);
+  }
   if (this->Captured)
   {
     Control* control = this->Captured;
@@ -109,12 +122,17 @@ void Viewer::hover(const Pointer& pointer)
   }
   if (this->View.tool == Tool::Brush)
   {
-    SurfacePlace place;
-    const bool on = !control && this->pick(pointer, place);
-    this->BeforeSide.setBrush(
-      place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
-    this->Window.touch(ViewerWindow::Before);
+    this->showBrush(pointer);
   }
+}
+
+void Viewer::showBrush(const Pointer& pointer)
+{
+  SurfacePlace place;
+  const bool on = this->pick(pointer, place);
+  this->BeforeSide.setBrush(
+    place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
+  this->Window.touch(ViewerWindow::Before);
 }
 
 bool Viewer::pick(const Pointer& pointer, SurfacePlace& place)
@@ -136,6 +154,27 @@ void Viewer::useTool(const SurfacePlace& place, const Pointer& pointer)
   {
     this->tagEdges(place, pointer.shift);
   }
+  else if (this->View.tool == Tool::Brush)
+  {
+    this->Painting = true;
+    this->paint(place.position, true);
+  }
+}
+
+void Viewer::paint(const Vec3& position, bool begins)
+{
+  const double radius = 0.01 * this->View.brushRadius * this->Diagonal;
+  if (!begins && (position - this->LastDab).norm() < DabDistance * radius)
+  {
+    return;
+  }
+  this->LastDab = position;
+  const double strength = this->View.brushStrength;
+  this->edit(
+    [&](Session& s) {
+      s.strokes.push_back({ { position[0], position[1], position[2], radius, strength } });
+    },
+    false);
 }
 
 void Viewer::togglePoint(const SurfacePlace& place)

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Serpentine error diffusion of a float image (paper 3.2; Ostromoukhov 2001).
+// Serpentine error diffusion of a float image (paper 3.2).
 #ifndef stipple_ErrorDiffusion_h
 #define stipple_ErrorDiffusion_h
 
+#include "DiffusionCoefficients.h"
 #include "StippleFiltersSamplingModule.h"
 
+#include <functional>
 #include <vector>
 
 namespace stipple
@@ -15,9 +17,13 @@ struct ErrorDiffusionOptions
   double scale = 1.;       ///< factor on every pixel's wanted samples, > 0
   double warmUpDepth = 8.; ///< rows of the flipped copy that run first, in mean sample spacings, >=
                            ///< 0
+  DiffusionMethod method = DiffusionMethod::Ostromoukhov;
 };
 
-/// The pixels (row-major indices, ascending) that become samples. wanted holds the samples that
+/// Samples that each pixel of row y wants; valid until the next call.
+using WantedRow = std::function<const float*(int y)>;
+
+/// The pixels (row-major indices, ascending) that become samples. wanted gives the samples that
 /// each of the width x height pixels wants, at most one; where it is zero no sample ever falls, and
 /// the error passes on.
 ///
@@ -25,6 +31,10 @@ struct ErrorDiffusionOptions
 /// when row 0 begins and no dead zone shows. Here only the flipped copy's last rows run,
 /// warmUpDepth mean spacings of them: measured, the first rows are as well filled, for a small part
 /// of the time.
+STIPPLEFILTERSSAMPLING_EXPORT void diffuseErrors(const WantedRow& wanted, int width, int height,
+  const ErrorDiffusionOptions& options, std::vector<int>& samples);
+
+/// The same for an image in memory.
 STIPPLEFILTERSSAMPLING_EXPORT void diffuseErrors(const float* wanted, int width, int height,
   const ErrorDiffusionOptions& options, std::vector<int>& samples);
 }

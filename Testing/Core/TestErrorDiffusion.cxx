@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "DiffusionCoefficients.h"
 #include "ErrorDiffusion.h"
-#include "OstromoukhovCoefficients.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,9 @@ double lowFrequencyPower(const std::vector<int>& samples, double level, double r
 
 TEST(ErrorDiffusion, CoefficientsAreThePublishedOnesMirroredAndInterpolated)
 {
-  const auto at = [](double level) { return ostromoukhovCoefficients(level / 255.); };
+  const auto at = [](double level) {
+    return diffusionCoefficients(DiffusionMethod::Ostromoukhov, level / 255.);
+  };
   EXPECT_FLOAT_EQ(at(0).right, 13.f / 18.f);
   EXPECT_FLOAT_EQ(at(0).downLeft, 0.f);
   EXPECT_FLOAT_EQ(at(0).down, 5.f / 18.f);
