@@ -76,6 +76,10 @@ Status useWindow(const ViewOptions& o, Viewer& viewer)
   {
     return runBenchmark(viewer, o.benchmark);
   }
+  if (!o.steps.empty())
+  {
+    viewer.hideTimes();
+  }
   for (const ViewOptions::Step& step : o.steps)
   {
     if (Status status = perform(step, viewer); !status.ok())

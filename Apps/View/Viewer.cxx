@@ -34,6 +34,8 @@ constexpr int TickMilliseconds = 10;
 constexpr int CurveBars = 48;
 /// A slider that is held still rests after this.
 constexpr std::chrono::milliseconds RestTime(300);
+/// The control map and the curve are drawn this often while a slider moves.
+constexpr std::chrono::milliseconds StripTime(120);
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
@@ -212,6 +214,12 @@ void Viewer::tick()
     this->ShownProgress = progress;
     this->Window.touch(ViewerWindow::Status);
   }
+  if (this->StripIsOld && Clock::now() - this->LastStrip > StripTime)
+  {
+    this->StripIsOld = false;
+    this->LastStrip = Clock::now();
+    this->Window.touch(ViewerWindow::Strip | ViewerWindow::Status);
+  }
   if (this->Window.dirty())
   {
     this->Window.draw(false);
@@ -229,7 +237,8 @@ void Viewer::settle()
   {
     this->tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty() || this->Window.rough());
+  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty() || this->StripIsOld ||
+    this->Window.rough());
   this->tick();
 }
 
@@ -284,7 +293,8 @@ void Viewer::updatePreview()
     this->Curve.setHistogram(this->Sampling.importanceHistogram(this->Now, CurveBars));
   }
   this->PreviewSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip | ViewerWindow::Status);
+  this->StripIsOld = true;
+  this->Window.touch(ViewerWindow::Before);
 }
 
 void Viewer::startMeshing()
@@ -316,7 +326,8 @@ void Viewer::showSession()
   this->Curve.setPoints(this->Now.transfer);
   this->Curve.setGamma(this->Now.gamma);
   this->BeforeSide.setMarks(this->Now);
-  this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip | ViewerWindow::PanelPart);
+  this->StripIsOld = true;
+  this->Window.touch(ViewerWindow::Before | ViewerWindow::PanelPart);
   this->showStale();
 }
 

@@ -68,6 +68,8 @@ public:
   bool hasPreview() const { return this->Sampling.hasAtlas(); }
   double previewSeconds() const { return this->PreviewSeconds; }
   ViewerWindow& window() { return this->Window; }
+  /// Leaves out what differs from run to run, for pictures that are compared.
+  void hideTimes() { this->TimesHidden = true; }
   /// Looks at the model as at the beginning.
   void resetCamera();
 
@@ -158,11 +160,14 @@ private:
   bool MeshWanted = true;
   Clock::time_point MeshAt; ///< when, at the earliest
   Clock::time_point LastFrame;
+  Clock::time_point LastStrip;
+  bool StripIsOld = false; ///< the control map; it may lag behind a moving slider
   bool SaveWhenDone = false;
   std::string Message;
   bool MessageAlarm = false;
   double ShownProgress = -1;
   bool ShownStale = false;
+  bool TimesHidden = false;
 
   MeshWorker Worker; ///< last: stops first
 };

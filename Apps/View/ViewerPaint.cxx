@@ -137,7 +137,7 @@ void Viewer::paintStatus(Canvas& canvas)
       this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->PreviewSeconds);
     words = busy ? (this->Sampling.hasAtlas() ? "Meshing; Esc stops it."
                                               : "Cutting into charts; Esc stops it.")
-                 : (this->Mesh ? text : "");
+                 : (this->TimesHidden ? "Ready." : (this->Mesh ? text : ""));
   }
   const float right = bar.right() - Pad * s;
   const std::string hint = "h: keys";
