@@ -26,7 +26,7 @@ void paintHelp(Canvas& canvas, const Rect& window)
   const float s = canvas.scale();
   const auto& lines = keyHelp();
   const float step = 21 * s;
-  const float width = 560 * s;
+  const float width = 620 * s;
   const float height = step * static_cast<float>(lines.size() + 1) + 44 * s;
   const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
     width, height };

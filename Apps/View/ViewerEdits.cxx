@@ -75,13 +75,17 @@ void Viewer::clear(Clear what)
 {
   this->edit(
     [what](Session& s) {
-      if (what == Clear::Points)
+      switch (what)
       {
-        s.constraints.clear();
-      }
-      else
-      {
-        s.featureEdges.clear();
+        case Clear::Paint:
+          s.strokes.clear();
+          break;
+        case Clear::Points:
+          s.constraints.clear();
+          break;
+        case Clear::Edges:
+          s.featureEdges.clear();
+          break;
       }
     },
     true);

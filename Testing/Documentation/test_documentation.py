@@ -43,8 +43,9 @@ class Documentation(unittest.TestCase):
         subprocess.run(["sh", os.path.join(SOURCE, "Testing", "Data", "fetch-models.sh"), models], check=True)
         subprocess.run(["sh", os.path.join(DOCUMENTATION, "make-pictures.sh"), PROGRAM, models, made], check=True)
         kept = os.path.join(DOCUMENTATION, "Pictures")
-        self.assertEqual(sorted(os.listdir(made)), sorted(os.listdir(kept)))
-        for name in os.listdir(kept):
+        names = sorted(name for name in os.listdir(kept) if name.endswith(".png"))  # View/ belongs to the View tests
+        self.assertEqual(sorted(os.listdir(made)), names)
+        for name in names:
             new, old = pixels(os.path.join(made, name)), pixels(os.path.join(kept, name))
             self.assertEqual(new.shape, old.shape, name)
             self.assertGreater(new.std(), 10, f"{name} is blank")
