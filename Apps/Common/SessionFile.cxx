@@ -191,7 +191,7 @@ void readFeatureEdges(Entries& entries, Session& session)
   for (const auto& row : entries.rows("feature_edges", 2))
   {
     const bool good = row[0] >= 0 && row[1] >= 0 && row[0] == std::floor(row[0]) &&
-      row[1] == std::floor(row[1]) && std::max(row[0], row[1]) < 9e15;
+      row[1] == std::floor(row[1]) && std::max(row[0], row[1]) < 9007199254740992. /* 2^53 */;
     entries.check(good, "feature_edges", "must have point ids");
     if (good)
     {

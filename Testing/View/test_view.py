@@ -9,9 +9,7 @@ the documentation, are written instead.
 import json
 import os
 import pathlib
-import re
 import shutil
-import struct
 import subprocess
 import unittest
 
@@ -41,11 +39,11 @@ class ViewTest(ProgramTest):
         self.assertEqual(view(*arguments), (0, "", ""), arguments)
 
     def play(self, *names, model=BUNNY, begin=(), size=SMALL):
-        """Plays recordings; returns the session that is left, as text. The mesh, if saved, is self.folder/mesh.ply."""
+        """Plays recordings; returns the session that is left, as text. The mesh, if saved, is self.folder/mesh.off."""
         left = self.folder / "left.json"
         left.unlink(missing_ok=True)
         steps = [a for name in (*names, "session") for a in ("--play", HERE / "Recordings" / size / f"{name}.log")]
-        self.view(*([model] if model else []), *begin, "-o", self.folder / "mesh.ply", "--save-session", left, *steps)
+        self.view(*([model] if model else []), *begin, "-o", self.folder / "mesh.off", "--save-session", left, *steps)
         return left.read_text()
 
 
@@ -60,7 +58,7 @@ class Interaction(ViewTest):
     def test_number_is_typed_exactly(self):
         session = json.loads(self.play("number", "save"))
         self.assertEqual(session["points"], 8000)
-        self.assertEqual(mesh_check(self.folder / "mesh.ply", BUNNY)["points"], 8000)
+        self.assertEqual(mesh_check(self.folder / "mesh.off", BUNNY)["points"], 8000)
 
     def test_all_edits_and_the_saved_mesh(self):
         text = self.play("gamma", "number", "paint", "point", "curve", "save")
@@ -68,15 +66,15 @@ class Interaction(ViewTest):
         self.assertGreater(len(session["strokes"]), 3)
         self.assertEqual(len(session["constraints"]), 2)
         self.assertEqual(len(session["transfer"]), 3)
-        found = mesh_check(self.folder / "mesh.ply", BUNNY)
+        found = mesh_check(self.folder / "mesh.off", BUNNY)
         self.assertEqual(found["points"], 8000)
         # The program without a window makes the same mesh of the session, byte for byte.
-        other = self.folder / "other.ply"
+        other = self.folder / "other.off"
         file = self.file("saved.json", text)
         self.assertEqual(run("--session", file, "-o", other, "--quiet", "--map-backend", "cpu"), (0, "", ""))
-        self.assertEqual(other.read_bytes(), (self.folder / "mesh.ply").read_bytes())
+        self.assertEqual(other.read_bytes(), (self.folder / "mesh.off").read_bytes())
         # Picked points are vertices.
-        positions = read_ply_points(other)
+        positions = points_of(other)
         for wanted in session["constraints"]:
             nearest = min(sum((a - b) ** 2 for a, b in zip(p, wanted)) for p in positions) ** 0.5
             self.assertLess(nearest, 1e-6)
@@ -88,9 +86,9 @@ class Interaction(ViewTest):
         self.assertEqual(self.play("gamma", "number", "paint", "point", "undo", "undo"), short)
         self.assertEqual(self.play("gamma", "number", "paint", "point", "undo", "undo", "redo", "redo"), long)
         self.play("gamma", "save")
-        mesh = (self.folder / "mesh.ply").read_bytes()
+        mesh = (self.folder / "mesh.off").read_bytes()
         self.play("gamma", "number", "paint", "point", "undo", "undo", "save")
-        self.assertEqual((self.folder / "mesh.ply").read_bytes(), mesh)
+        self.assertEqual((self.folder / "mesh.off").read_bytes(), mesh)
 
     def test_painting_on_the_map_and_clearing(self):
         painted = json.loads(self.play("map", "point"))
@@ -112,9 +110,9 @@ class Interaction(ViewTest):
 
     def test_escape_and_return(self):
         self.play("gamma", "escape", "save")
-        self.assertFalse((self.folder / "mesh.ply").exists(), "there is no mesh to save")
+        self.assertFalse((self.folder / "mesh.off").exists(), "there is no mesh to save")
         self.play("gamma", "escape", "return", "save")
-        self.assertEqual(mesh_check(self.folder / "mesh.ply", BUNNY)["points"], 5000)
+        self.assertEqual(mesh_check(self.folder / "mesh.off", BUNNY)["points"], 5000)
 
     def test_reopened_session(self):
         text = self.play("gamma", "number", "paint", "point", "curve")
@@ -159,7 +157,7 @@ class Moments(ViewTest):
 
 
 class Program(ViewTest):
-    def fail(self, expected, pattern, *arguments, **keywords):
+    def refuse(self, expected, pattern, *arguments, **keywords):
         status, out, err = view(*arguments, **keywords)
         self.assertEqual((status, out), (expected, ""), err)
         self.assertRegex(err, pattern)
@@ -167,22 +165,22 @@ class Program(ViewTest):
 
     def test_no_display(self):
         for display in ("", ":4711"):
-            self.fail(1, "display", BUNNY, env={**os.environ, "DISPLAY": display})
+            self.refuse(1, "display", BUNNY, env={**os.environ, "DISPLAY": display})
 
     def test_bad_input(self):
-        self.fail(1, "cannot", self.folder / "missing.off")
-        self.fail(1, "'gamma' must be a number from 0 to 100", "--session",
+        self.refuse(1, "there is no file", self.folder / "missing.off")
+        self.refuse(1, "'gamma' must be a number from 0 to 100", "--session",
             self.file("bad.json", '{ "stipple_session": 1, "model": "x.off", "gamma": -1 }'))
-        self.fail(1, "no entry 'gama'", "--session",
+        self.refuse(1, "no entry 'gama'", "--session",
             self.file("bad.json", '{ "stipple_session": 1, "model": "x.off", "gama": 1 }'))
-        self.fail(1, "not JSON .Line 1", "--session", self.file("bad.json", "{ nothing"))
-        self.fail(1, "cannot read the recording", BUNNY, "--play", self.file("bad.log", "nothing"))
+        self.refuse(1, "not JSON .Line 1", "--session", self.file("bad.json", "{ nothing"))
+        self.refuse(1, "cannot read the recording", BUNNY, "--play", self.file("bad.log", "nothing"))
 
     def test_usage(self):
-        self.fail(2, "no input file")
-        self.fail(2, "did you mean '--points'", BUNNY, "--point", 5)
-        self.fail(2, "at least 640x480", BUNNY, "--size", "10x10")
-        self.fail(2, "meshes end in", BUNNY, "-o", "mesh.doc")
+        self.refuse(2, "no input file")
+        self.refuse(2, "did you mean '--points'", BUNNY, "--point", 5)
+        self.refuse(2, "at least 640x480", BUNNY, "--size", "10x10")
+        self.refuse(2, "meshes end in", BUNNY, "-o", "mesh.doc")
         status, out, err = view("--help")
         self.assertEqual((status, err), (0, ""))
         for option in ("--session", "--record", "--play", "--shot", "--benchmark", "Ctrl+Z"):
@@ -194,9 +192,9 @@ class Program(ViewTest):
     def test_too_few_points_are_said(self):
         """The window stays, with the sentence; nothing is saved."""
         shot = self.folder / "few.png"
-        self.view(FANDISK, "--points", 5, "-o", self.folder / "mesh.ply", "--shot", shot, "--play",
+        self.view(FANDISK, "--points", 5, "-o", self.folder / "mesh.off", "--shot", shot, "--play",
             HERE / "Recordings" / SMALL / "save.log")
-        self.assertFalse((self.folder / "mesh.ply").exists())
+        self.assertFalse((self.folder / "mesh.off").exists())
         # The status line is red.
         status = pictures.read(shot)[:26]
         self.assertTrue(((status[:, :, 0] > 150) & (status[:, :, 1] < 90)).any())
@@ -210,21 +208,13 @@ class Program(ViewTest):
             self.assertGreater(found[name]["median"], 0)
 
 
-def read_ply_points(path):
-    data = path.read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    count = int(re.search(rb"element vertex (\d+)", data[:end]).group(1))
-    properties = re.findall(rb"property (\w+) \w+\n", data[: data.index(b"element face")])
-    size = {b"double": 8, b"float": 4, b"int": 4, b"uchar": 1, b"float64": 8, b"float32": 4}
-    kind = "<ddd" if properties[0] in (b"double", b"float64") else "<fff"
-    step = sum(size[p] for p in properties)
-    return [struct.unpack_from(kind, data, end + i * step) for i in range(count)]
+def points_of(off):
+    rows = [row for row in off.read_text().split("\n")[1:] if row.strip() and not row.startswith("#")]
+    return [tuple(map(float, row.split()[:3])) for row in rows[1 : 1 + int(rows[0].split()[0])]]
 
 
 def bounds(off):
-    rows = off.read_text().split("\n")
-    count = int(rows[1].split()[0])
-    points = [tuple(map(float, row.split()[:3])) for row in rows[2:] if row.strip()][:count]
+    points = points_of(off)
     return [min(c) for c in zip(*points)], [max(c) for c in zip(*points)]
 
 
