@@ -29,11 +29,13 @@ private:
 /// Runs along one row in the direction of step. current holds the errors that the previous row left
 /// here; next receives those for the row below; carry travels from pixel to pixel and, at a row's
 /// end, down to the next row's first pixel, so that nothing is lost at the sides.
+/// The columns of the samples go to hits, whose end is returned: no call in this loop, so that its
+/// state stays in registers.
 template <int step, bool modulated>
-float diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
-  float carry, int rowBegin, const DiffusionCoefficients* table, Noise& noise,
-  std::vector<int>& samples)
+int* diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
+  float& carryInOut, const DiffusionCoefficients* table, Noise& noise, int* hits)
 {
+  float carry = carryInOut;
   float pending = 0;
   int x = step > 0 ? 0 : width - 1;
   const float toIndex = scale * diffusionTableScale;
@@ -50,7 +52,7 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     if (error >= threshold && in > 0)
     {
       error -= 1.f;
-      samples.push_back(rowBegin + x);
+      *hits++ = x;
     }
     carry = error * c.right;
     const float back = error * c.downLeft;
@@ -58,7 +60,8 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     pending = error - carry - back;
   }
   next[x - step] = pending;
-  return carry;
+  carryInOut = carry;
+  return hits;
 }
 
 template <bool modulated>
@@ -70,23 +73,27 @@ void diffuseRows(const WantedRow& wanted, int width, int height, float scale,
   float* next = current + width + 2;
   float carry = 0;
   Noise noise;
+  std::vector<int> hits(static_cast<std::size_t>(width));
   for (int y = 0; y < height; ++y)
   {
     const float* w = wanted(y);
-    const int begin = y * width;
+    int* end = nullptr;
     if (y % 2 == 0)
     {
-      carry = diffuseRow<1, modulated>(
-        w, current, next, width, scale, carry, begin, table, noise, samples);
+      end =
+        diffuseRow<1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
       next[0] += next[-1];
     }
     else
     {
-      const std::size_t first = samples.size();
-      carry = diffuseRow<-1, modulated>(
-        w, current, next, width, scale, carry, begin, table, noise, samples);
-      std::reverse(samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
+      end =
+        diffuseRow<-1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
+      std::reverse(hits.data(), end);
       next[width - 1] += next[width];
+    }
+    for (const int* x = hits.data(); x < end; ++x)
+    {
+      samples.push_back(y * width + *x);
     }
     std::swap(current, next);
   }
