@@ -46,6 +46,7 @@
 class vtkCDTRemesh;
 class vtkConformalAtlas;
 class vtkControlMap;
+class vtkDoubleArray;
 class vtkErrorDiffusionSampler;
 class vtkGeometryMapRenderer;
 class vtkDoubleArray;
@@ -168,6 +169,22 @@ public:
   /// The picture for the importance IMAGE; bright means many points. The default is nullptr.
   void SetImportanceImage(vtkImageData* image);
   vtkImageData* GetImportanceImage();
+  /// Where the picture lies: pasted in every chart, or projected along an axis; a member of
+  /// vtkControlMap::ProjectionType. The default is CHART.
+  void SetImageProjection(int projection);
+  int GetImageProjection();
+  void SetImageProjectionToChart();
+  void SetImageProjectionToXAxis();
+  void SetImageProjectionToYAxis();
+  void SetImageProjectionToZAxis();
+  ///@}
+
+  ///@{
+  /// Keeps the importance's detail of sizes between a fine and a coarse one, in percent of the
+  /// bounding box's diagonal; a coarse one of 0 is none. The default is (0, 0). See vtkControlMap.
+  void SetBandPass(double fine, double coarse);
+  void SetBandPass(const double sizes[2]);
+  double* GetBandPass() VTK_SIZEHINT(2);
   ///@}
 
   ///@{
@@ -200,6 +217,28 @@ public:
   double GetMinimumDensity();
   double GetMinimumDensityMinValue();
   double GetMinimumDensityMaxValue();
+  ///@}
+
+  ///@{
+  /// Painting: dabs of a brush that add density to the surface, or erase it; radius in the unit of
+  /// the points, strength -1 or more. The default is none. See vtkControlMap.
+  bool AddStroke(double x, double y, double z, double radius, double strength);
+  bool AddStroke(const double position[3], double radius, double strength);
+  void RemoveLastStroke();
+  void RemoveAllStrokes();
+  int GetNumberOfStrokes();
+  /// All strokes: x, y, z, radius, strength.
+  void SetStrokes(vtkDoubleArray* strokes);
+  vtkDoubleArray* GetStrokes();
+  ///@}
+
+  ///@{
+  /// Coefficients of error diffusion, a member of vtkErrorDiffusionSampler::DiffusionMethodType.
+  /// The default is OSTROMOUKHOV.
+  void SetDiffusionMethod(int method);
+  int GetDiffusionMethod();
+  void SetDiffusionMethodToOstromoukhov();
+  void SetDiffusionMethodToZhouFang();
   ///@}
 
   ///@{
