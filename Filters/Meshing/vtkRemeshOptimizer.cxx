@@ -77,6 +77,7 @@ int vtkRemeshOptimizer::RequestData(
     options.swaps = static_cast<Options::Swaps>(this->Connectivity);
     options.moves = static_cast<Options::Moves>(this->Smoothing);
     options.iterations = this->NumberOfIterations;
+    options.errorReduction = 0.01 * this->ErrorReduction;
     status = stipple::optimizeMesh(mesh, options, [this](double fraction) {
       this->UpdateProgress(0.05 + 0.9 * fraction);
       return this->GetAbortExecute() == 0;
@@ -108,5 +109,6 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Connectivity: " << this->Connectivity << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
   os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

@@ -97,6 +97,16 @@ public:
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
+  ///@{
+  /**
+   * Percentage of the points, 0 to 100, about which the last step brings the mesh nearer to the
+   * surface: those with the input's farthest points beside them. They move on the surface, at the
+   * cost of less even areas. It takes no effect if Smoothing is NONE. The default is 0.65.
+   */
+  vtkSetClampMacro(ErrorReduction, double, 0., 100.);
+  vtkGetMacro(ErrorReduction, double);
+  ///@}
+
 protected:
   vtkRemeshOptimizer();
   ~vtkRemeshOptimizer() override;
@@ -111,6 +121,7 @@ private:
   int Connectivity = REGULARITY;
   int Smoothing = LLOYD;
   int NumberOfIterations = 60;
+  double ErrorReduction = 0.65;
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 };

@@ -346,6 +346,7 @@ stippleForwardChoice(Optimizer, Smoothing, Area);
 stippleForwardChoice(Optimizer, Smoothing, Density);
 stippleForwardChoice(Optimizer, Smoothing, Lloyd);
 stippleForwardClamped(Optimizer, NumberOfIterations, int);
+stippleForwardClamped(Optimizer, ErrorReduction, double);
 
 vtkConformalAtlas* vtkGeometryRemesher::GetAtlas()
 {

@@ -212,6 +212,15 @@ public:
   ///@}
 
   ///@{
+  /// Percentage of the points, 0 to 100, about which the last step brings the mesh nearer to the
+  /// input. The default is vtkRemeshOptimizer's.
+  void SetErrorReduction(double percent);
+  double GetErrorReduction();
+  double GetErrorReductionMinValue();
+  double GetErrorReductionMaxValue();
+  ///@}
+
+  ///@{
   /// The stages, for parameters that are not here and for their getters after an update. Do not
   /// change their inputs.
   vtkConformalAtlas* GetAtlas();
