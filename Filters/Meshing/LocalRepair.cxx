@@ -257,6 +257,9 @@ int irregularity(int excess)
   return beyond > 0 ? 1 + beyond * beyond : 0;
 }
 
+/// Where a triangle is worse than this (radians), valences are the lesser worry.
+constexpr double LeastQuality = 0.05;
+
 /// Swaps an edge and moves the vertices about it until all triangles there are good; false, and
 /// nothing is changed, if that does not succeed.
 bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
@@ -293,9 +296,17 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
     {
       q = std::min(q, starQuality(mesh, v));
     }
+    for (int v : quad)
+    {
+      q = std::min(q, starQuality(mesh, v));
+    }
     return q;
   };
   const double wanted = std::min(threshold, worst());
+  if (wanted < LeastQuality)
+  {
+    return false;
+  }
   mesh.forceSwap(edge);
   constexpr int Rounds = 4;
   for (int round = 0; round < Rounds; ++round)

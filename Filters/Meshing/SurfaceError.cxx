@@ -191,6 +191,8 @@ constexpr double LeastGain = 0.01;
 /// No triangle becomes smaller than this share of the mean about its vertex, or larger than the
 /// mean over it, unless one was.
 constexpr double LeastArea = 0.6;
+/// Where a triangle is worse than this (radians), the error is the lesser worry.
+constexpr double LeastQuality = 0.05;
 /// Where a point is farther away than this share of the edges' mean length, a tip is cut off: there
 /// areas may become this uneven, and angles (radians) this small.
 constexpr double FarAway = 0.4;
@@ -226,6 +228,10 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   const bool isTip = best.largest > far * far;
   const double quality =
     std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle, starQuality(mesh, v));
+  if (quality < LeastQuality)
+  {
+    return false;
+  }
   const double leastArea = isTip ? LeastAreaAtTip : LeastArea;
   const auto [smallest, largest] = areasAbout(mesh, v);
   const double mean = 0.5 * (smallest + largest);

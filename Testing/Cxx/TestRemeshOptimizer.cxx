@@ -254,6 +254,22 @@ void checkFeatures()
   }
 }
 
+/// So few points that nearly all lie on edges: a swap there must not put three of one edge into a
+/// triangle.
+void checkCoarseFeatures()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 1, false);
+  synthetic::Atlas& atlas = b.finish();
+  for (const int n : { 14, 20, 32, 44, 56, 80 })
+  {
+    Run run(atlas, n);
+    const std::string name = "cube of " + std::to_string(n) + " points";
+    checkContract(name, atlas, run);
+    check(measure(run.result()).smallestAngle > 8, name + ": no degenerate triangle");
+  }
+}
+
 void checkOptions()
 {
   synthetic::Builder b;
@@ -410,6 +426,7 @@ int TestRemeshOptimizer(int, char*[])
 {
   checkSphere();
   checkFeatures();
+  checkCoarseFeatures();
   checkOptions();
   checkDensity();
   checkErrorReduction();
