@@ -55,6 +55,8 @@ struct Options
   std::string connectivity; ///< empty: the filter's default
   std::string smoothing;    ///< empty: the filter's default
   int iterations = -1;      ///< -1: the filter's default
+  std::string pattern = "triangles";
+  int subdivisions = -1; ///< -1: the filter's default
 
   // Files beside the output
   std::string report;

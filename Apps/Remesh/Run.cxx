@@ -237,6 +237,13 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   {
     remesher->SetNumberOfIterations(o.iterations);
   }
+  remesher->SetPattern(o.pattern == "quads" ? vtkGeometryRemesher::QUADS
+      : o.pattern == "semiregular"          ? vtkGeometryRemesher::SEMIREGULAR
+                                            : vtkGeometryRemesher::TRIANGLES);
+  if (o.subdivisions >= 0)
+  {
+    remesher->SetNumberOfSubdivisions(o.subdivisions);
+  }
   if (!o.transfer.empty())
   {
     vtkNew<vtkPiecewiseFunction> function;

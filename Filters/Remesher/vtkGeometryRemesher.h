@@ -33,7 +33,7 @@
  * number that works.
  *
  * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh
- * vtkRemeshOptimizer
+ * vtkRemeshOptimizer vtkQuadRemesh vtkSemiRegularSubdivision
  */
 #ifndef vtkGeometryRemesher_h
 #define vtkGeometryRemesher_h
@@ -53,8 +53,10 @@ class vtkImageData;
 class vtkPartitionedDataSetCollection;
 class vtkPiecewiseFunction;
 class vtkPoints;
+class vtkQuadRemesh;
 class vtkRemeshOptimizer;
 class vtkRenderWindow;
+class vtkSemiRegularSubdivision;
 
 class STIPPLEFILTERSREMESHER_EXPORT vtkGeometryRemesher : public vtkPolyDataAlgorithm
 {
@@ -220,6 +222,30 @@ public:
   double GetErrorReductionMaxValue();
   ///@}
 
+  enum PatternType
+  {
+    TRIANGLES = 0,
+    QUADS = 1,
+    SEMIREGULAR = 2
+  };
+  ///@{
+  /// What the mesh is made of. TRIANGLES: the optimised mesh. QUADS: regular quads in the charts'
+  /// parameter planes, with triangles along backbones (see vtkQuadRemesh); one open chart becomes a
+  /// grid of quads of at most NumberOfPoints points. SEMIREGULAR: the optimised mesh of
+  /// NumberOfPoints points is the base mesh, and all its triangles are split 1 to 4
+  /// NumberOfSubdivisions times (see vtkSemiRegularSubdivision). The default is TRIANGLES.
+  vtkSetClampMacro(Pattern, int, TRIANGLES, SEMIREGULAR);
+  vtkGetMacro(Pattern, int);
+  void SetPatternToTriangles() { this->SetPattern(TRIANGLES); }
+  void SetPatternToQuads() { this->SetPattern(QUADS); }
+  void SetPatternToSemiRegular() { this->SetPattern(SEMIREGULAR); }
+  /// Levels of the pattern SEMIREGULAR, 0 to 8. The default is 2.
+  void SetNumberOfSubdivisions(int levels);
+  int GetNumberOfSubdivisions();
+  int GetNumberOfSubdivisionsMinValue();
+  int GetNumberOfSubdivisionsMaxValue();
+  ///@}
+
   ///@{
   /// The stages, for parameters that are not here and for their getters after an update. Do not
   /// change their inputs.
@@ -229,6 +255,8 @@ public:
   vtkErrorDiffusionSampler* GetSampler();
   vtkCDTRemesh* GetMesher();
   vtkRemeshOptimizer* GetOptimizer();
+  vtkQuadRemesh* GetQuadMesher();
+  vtkSemiRegularSubdivision* GetSubdivision();
   ///@}
 
   /// The stages in their order.
@@ -262,6 +290,7 @@ private:
   bool RunStages();
 
   int NumberOfPoints = 0;
+  int Pattern = TRIANGLES;
   struct Internals;
   std::unique_ptr<Internals> Stages;
 };

@@ -68,5 +68,76 @@ class Quality(MeshTest):
                 self.assertLessEqual(figures["hausdorff_pct"], hausdorff)
 
 
+def faces_of(path):
+    """Lists of vertex ids of the faces of an OFF file."""
+    words = path.read_text().split()
+    points, faces = int(words[1]), int(words[2])
+    at, result = 4 + 3 * points, []
+    for _ in range(faces):
+        count = int(words[at])
+        result.append([int(w) for w in words[at + 1:at + 1 + count]])
+        at += 1 + count
+    return result
+
+
+class Patterns(MeshTest):
+    def hill(self):
+        """An open height field: one chart."""
+        n = 24
+        rows = ["OFF", f"{(n + 1) ** 2} {2 * n * n} 0"]
+        for j in range(n + 1):
+            for i in range(n + 1):
+                x, y = i / n - 0.5, j / n - 0.5
+                rows.append(f"{2 * x} {y} {0.3 * (0.5 - 2 * x * x - y * y)}")
+        for j in range(n):
+            for i in range(n):
+                a = j * (n + 1) + i
+                rows += [f"3 {a} {a + 1} {a + n + 2}", f"3 {a} {a + n + 2} {a + n + 1}"]
+        return self.file("hill.off", "\n".join(rows) + "\n")
+
+    def test_one_open_chart_becomes_quads_only(self):
+        out = self.folder / "quads.off"
+        self.succeed(self.hill(), "-o", out, "--points", 1000, "--pattern", "quads")
+        faces = faces_of(out)
+        self.assertEqual({len(f) for f in faces}, {4})
+        used = {p for f in faces for p in f}
+        self.assertTrue(950 <= len(used) <= 1000, len(used))
+        # A grid: every inner point has four quads.
+        quads = [0] * len(used)
+        for f in faces:
+            for p in f:
+                quads[p] += 1
+        self.assertEqual(set(quads), {1, 2, 4})
+        self.assertEqual(quads.count(1), 4)
+
+    def test_several_charts_are_quads_inside_and_conform_along_seams(self):
+        figures, _ = self.remesh("bunny00", 5000, "--pattern", "quads")
+        self.assertEqual(figures["points"], 5000)
+        for key in ("singular_vertices", "inconsistent_edges", "unused_points", "degenerate"):
+            self.assertEqual(figures[key], 0, key)
+        for key in ("components", "boundary_loops", "euler"):
+            self.assertEqual(figures[key], figures["reference_" + key], key)
+        faces = faces_of(self.folder / "out.off")
+        quads = sum(len(f) == 4 for f in faces)
+        self.assertEqual(len(faces) - quads, sum(len(f) == 3 for f in faces))
+        self.assertGreater(2 * quads, 0.7 * (2 * quads + len(faces) - quads), "most of the surface is quads")
+
+    def test_semiregular_meshes_have_valence_6_but_at_base_points(self):
+        base, levels = 300, 3
+        figures, quality = self.remesh("bunny00", base, "--pattern", "semiregular", "--subdivisions", levels)
+        triangles = 2 * base - 4
+        self.assertEqual(figures["triangles"], triangles * 4**levels)
+        self.assertEqual(figures["points"], 2 + triangles * 4**levels // 2)
+        valence = [0] * figures["points"]
+        for f in faces_of(self.folder / "out.off"):
+            for p in f:
+                valence[p] += 1
+        self.assertEqual(set(valence[base:]), {6})
+        for key in ("singular_vertices", "inconsistent_edges", "degenerate"):
+            self.assertEqual(figures[key], 0, key)
+        self.assertLess(quality["rms_pct"], 0.4)
+        self.assertGreater(quality["Qavg"], 0.87)
+
+
 if __name__ == "__main__":
     unittest.main()
