@@ -40,7 +40,11 @@ double angleAt(const Vec3& p, const Vec3& q, const Vec3& r)
 
 double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
-  return std::min({ angleAt(a, b, c), angleAt(b, c, a), angleAt(c, a, b) });
+  // It is opposite to the shortest edge.
+  const double ab = (b - a).squaredNorm();
+  const double bc = (c - b).squaredNorm();
+  const double ca = (a - c).squaredNorm();
+  return ab <= bc && ab <= ca ? angleAt(c, a, b) : bc <= ca ? angleAt(a, b, c) : angleAt(b, c, a);
 }
 
 bool exceedsHalfTurn(const OptimizedMesh& mesh, const Quad& q)

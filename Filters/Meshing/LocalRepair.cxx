@@ -190,8 +190,12 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
       return own / area;
     }
   }
-  const auto angle = [area](const Vec3& s, const Vec3& t) { return std::atan2(area, -s.dot(t)); };
-  return std::min({ angle(u, z), angle(u, w), angle(w, z) });
+  // The smallest angle is opposite to the shortest edge.
+  const double uu = u.squaredNorm();
+  const double ww = w.squaredNorm();
+  const double zz = z.squaredNorm();
+  const double dot = uu <= ww && uu <= zz ? w.dot(z) : ww <= zz ? u.dot(z) : u.dot(w);
+  return std::atan2(area, -dot);
 }
 
 int repairTriangles(
