@@ -5,6 +5,7 @@
 #include "EdgeSwaps.h"
 #include "LocalRepair.h"
 #include "Relaxation.h"
+#include "SelfIntersections.h"
 #include "SurfaceError.h"
 
 #include "vtkSMPTools.h"
@@ -36,6 +37,8 @@ constexpr double RegularityAngle = 36.;
 /// the error is reduced.
 constexpr double ValenceAngle = 0.56;
 constexpr double ErrorAngle = 0.616;
+/// And when triangles that pass through each other are parted.
+constexpr double PartingAngle = 0.5;
 /// In between, once the first rounds have brought order, those below this one and all folds are.
 constexpr double SliverAngle = 0.25;
 /// Rounds between repairs.
@@ -119,6 +122,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   if (moves && options.errorReduction > 0)
   {
     reduceSurfaceError(mesh, ErrorAngle, options.errorReduction);
+  }
+  if (moves)
+  {
+    resolveSelfIntersections(mesh, PartingAngle, 8);
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }

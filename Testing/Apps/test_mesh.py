@@ -3,12 +3,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The mesh that the program writes: right in hard draws, and as good as promised.
 
-The environment names the program, the checker and the folder of models: STIPPLE, MESHCHECK, MODELS.
+The environment names the program, the checker and the folder of models: STIPPLE, MESHCHECK, MESHFOLDS, MODELS.
 """
 import json
+import os
+import subprocess
 import unittest
 
 from stipple_program import MODELS, ProgramTest, mesh_check
+
+MESH_FOLDS = os.environ.get("MESHFOLDS", "build/bin/StippleMeshFolds")
 
 
 class MeshTest(ProgramTest):
@@ -48,7 +52,7 @@ class Quality(MeshTest):
     # between them can be better. On armadillo the report finds a point 0.86 % away that sparser samples miss.
     BARS = {
         "bunny00": (0.92, 33, 0, 99.9, 0.10, 0.10, 0.6),
-        "armadillo": (0.91, 28, 0.05, 99.5, 0.12, 0.12, 0.9),
+        "armadillo": (0.91, 28, 0.05, 99.4, 0.13, 0.12, 0.9),
         "fandisk": (0.90, 20, 0.05, 99.5, 0.15, 0.012, 0.2),
         "anchor_dense": (0.89, 18, 0.3, 99, 0.18, 0.025, 0.3),
     }
@@ -66,6 +70,29 @@ class Quality(MeshTest):
                 self.assertLessEqual(figures["area_cv"], areas)
                 self.assertLessEqual(figures["rms_pct"], rms)
                 self.assertLessEqual(figures["hausdorff_pct"], hausdorff)
+
+
+class Folds(MeshTest):
+    def folds(self, name, points):
+        model, out = MODELS / f"{name}.off", self.folder / "out.off"
+        self.succeed(model, "-o", out, "--points", points)
+        figures = json.loads(subprocess.run([MESH_FOLDS, out, model], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(figures["reference_self_intersections"], 0)
+        return figures["self_intersections"], figures["flipped"]
+
+    def test_no_triangle_is_flipped_and_none_pass_through_each_other(self):
+        for name, points in (("bunny00", 1000), ("bunny00", 5000), ("fandisk", 5000), ("anchor_dense", 5000),
+                             ("elephant", 20000), ("armadillo", 20000)):
+            with self.subTest(model=name, points=points):
+                self.assertEqual(self.folds(name, points), (0, 0))
+
+    def test_few_where_sheets_are_closer_than_an_edge(self):
+        """Of 10,000 triangles; the armadillo's ears and claws and the elephant's ears are thinner than these."""
+        for name, most in (("armadillo", 60), ("elephant", 30)):
+            with self.subTest(model=name):
+                pairs, flipped = self.folds(name, 5000)
+                self.assertLessEqual(pairs, most)
+                self.assertLessEqual(flipped, 12)
 
 
 def faces_of(path):
@@ -123,7 +150,7 @@ class Patterns(MeshTest):
         self.assertGreater(2 * quads, 0.7 * (2 * quads + len(faces) - quads), "most of the surface is quads")
 
     def test_semiregular_meshes_have_valence_6_but_at_base_points(self):
-        base, levels = 300, 3
+        base, levels = 1000, 2
         figures, quality = self.remesh("bunny00", base, "--pattern", "semiregular", "--subdivisions", levels)
         triangles = 2 * base - 4
         self.assertEqual(figures["triangles"], triangles * 4**levels)
@@ -135,7 +162,7 @@ class Patterns(MeshTest):
         self.assertEqual(set(valence[base:]), {6})
         for key in ("singular_vertices", "inconsistent_edges", "degenerate"):
             self.assertEqual(figures[key], 0, key)
-        self.assertLess(quality["rms_pct"], 0.4)
+        self.assertLess(quality["rms_pct"], 0.1)
         self.assertGreater(quality["Qavg"], 0.87)
 
 
