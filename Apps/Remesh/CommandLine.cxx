@@ -157,7 +157,15 @@ const std::vector<Group>& groups()
         { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
           choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
     { "Mesh",
-      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
+      { { "--preset", "NAME",
+          "uniform (whatever the importance), adaptive or rib (two\nneighbours on each side of "
+          "features) (default: adaptive)",
+          choice(&Options::preset, { "uniform", "adaptive", "rib" }) },
+        { "--placement", "KIND",
+          "points on the surface, or least-squares: off it, where\ntriangles fit it best (default: "
+          "surface)",
+          choice(&Options::placement, { "surface", "least-squares" }) },
+        { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
           choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
         { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
           choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },

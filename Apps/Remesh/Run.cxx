@@ -225,6 +225,22 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   {
     remesher->SetFeatureAngle(o.featureAngle);
   }
+  if (o.preset == "uniform")
+  {
+    remesher->SetPresetToUniform();
+  }
+  else if (o.preset == "rib")
+  {
+    remesher->SetPresetToRib();
+  }
+  else if (o.preset == "adaptive")
+  {
+    remesher->SetPresetToAdaptive();
+  }
+  if (o.placement == "least-squares")
+  {
+    remesher->SetPlacementToLeastSquares();
+  }
   if (!o.connectivity.empty())
   {
     remesher->SetConnectivity(swaps.at(o.connectivity));

@@ -261,6 +261,9 @@ int irregularity(int excess)
   return beyond > 0 ? 1 + beyond * beyond : 0;
 }
 
+/// What one neighbour too many beside a crease weighs against irregular vertices elsewhere.
+constexpr int RibWeight = 8;
+
 /// Where a triangle is worse than this (radians), valences are the lesser worry.
 constexpr double LeastQuality = 0.05;
 
@@ -341,7 +344,7 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
 }
 }
 
-int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses)
+int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs)
 {
   const auto& graph = mesh.graph();
   int total = 0;
@@ -356,13 +359,17 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
       }
       const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
       const Halfedge g = graph.opposite_halfedge_handle(h);
-      const std::array<int, 4> excess = { { valenceExcess(mesh, h), valenceExcess(mesh, g),
-        valenceExcess(mesh, graph.prev_halfedge_handle(h)),
-        valenceExcess(mesh, graph.prev_halfedge_handle(g)) } };
+      const std::array<Halfedge, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
+        graph.prev_halfedge_handle(g) } };
       int change = 0;
       for (int i = 0; i < 4; ++i)
       {
-        change += irregularity(excess[i] + (i < 2 ? -1 : 1)) - irregularity(excess[i]);
+        const bool isRib =
+          ribs && mesh.freedom(graph.from_vertex_handle(corner[i]).idx()) == Freedom::Backbone;
+        const int before = isRib ? ribExcess(mesh, corner[i]) : valenceExcess(mesh, corner[i]);
+        const int after = before + (i < 2 ? -1 : 1);
+        change += isRib ? RibWeight * (after * after - before * before)
+                        : irregularity(after) - irregularity(before);
       }
       if (change < 0 && graph.is_flip_ok(OpenMesh::EdgeHandle(edge)) &&
         swapAndSettle(mesh, edge, threshold))

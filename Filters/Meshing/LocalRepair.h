@@ -24,9 +24,11 @@ STIPPLEFILTERSMESHING_EXPORT int repairTriangles(
 
 /// Swaps edges where that brings valences nearer to 5 to 7 (beside creases and boundaries, to one
 /// off what the angle holds), if moves then make all triangles about the edge as good as
-/// `threshold` (radians), or as good as the worst of them was. Returns the number of swaps.
+/// `threshold` (radians), or as good as the worst of them was. With `ribs`, vertices
+/// on creases and boundaries come first, and get two neighbours on each side. Returns the number of
+/// swaps.
 STIPPLEFILTERSMESHING_EXPORT int repairValences(
-  OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses);
+  OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs = false);
 }
 
 #endif

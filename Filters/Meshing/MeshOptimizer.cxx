@@ -37,6 +37,8 @@ constexpr double RegularityAngle = 36.;
 /// the error is reduced.
 constexpr double ValenceAngle = 0.56;
 constexpr double ErrorAngle = 0.616;
+/// When vertices on creases get two neighbours on each side.
+constexpr double RibAngle = 0.35;
 /// And when triangles that pass through each other are parted.
 constexpr double PartingAngle = 0.5;
 /// In between, once the first rounds have brought order, those below this one and all folds are.
@@ -118,6 +120,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   if (moves && options.swaps == Swaps::Regularity)
   {
     repairValences(mesh, ValenceAngle, 3);
+    if (options.ribs)
+    {
+      repairValences(mesh, RibAngle, 10, true);
+    }
   }
   if (moves && options.errorReduction > 0)
   {

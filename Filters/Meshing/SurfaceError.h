@@ -27,6 +27,12 @@ public:
   /// Of the points next to a vertex and its one-ring: all that moving the vertex can change.
   Measure about(int v) const;
 
+  /// The points next to a vertex, ascending.
+  std::vector<int> pointsOf(int v) const
+  {
+    return { this->Point.begin() + this->Begin[v], this->Point.begin() + this->Begin[v + 1] };
+  }
+
 private:
   const OptimizedMesh& Mesh;
   std::vector<int> Begin; // of the points of every vertex in Point

@@ -381,6 +381,12 @@ stippleForwardChoice(Optimizer, Smoothing, Density);
 stippleForwardChoice(Optimizer, Smoothing, Lloyd);
 stippleForwardClamped(Optimizer, NumberOfIterations, int);
 stippleForwardClamped(Optimizer, ErrorReduction, double);
+stippleForwardChoice(Optimizer, Preset, Uniform);
+stippleForwardChoice(Optimizer, Preset, Adaptive);
+stippleForwardChoice(Optimizer, Preset, Rib);
+stippleForward(Optimizer, Placement, int);
+stippleForwardChoice(Optimizer, Placement, OnSurface);
+stippleForwardChoice(Optimizer, Placement, LeastSquares);
 stippleForwardClamped(Subdivider, NumberOfSubdivisions, int);
 
 vtkConformalAtlas* vtkGeometryRemesher::GetAtlas()

@@ -222,6 +222,19 @@ public:
   double GetErrorReductionMaxValue();
   ///@}
 
+  ///@{
+  /// The paper's combinations of swaps and moves: see vtkRemeshOptimizer.
+  void SetPresetToUniform();
+  void SetPresetToAdaptive();
+  void SetPresetToRib();
+  /// Whether points stay on the surface (vtkRemeshOptimizer::ON_SURFACE, the default) or leave it
+  /// to fit it better (vtkRemeshOptimizer::LEAST_SQUARES).
+  void SetPlacement(int placement);
+  int GetPlacement();
+  void SetPlacementToOnSurface();
+  void SetPlacementToLeastSquares();
+  ///@}
+
   enum PatternType
   {
     TRIANGLES = 0,
