@@ -39,5 +39,6 @@ remesh bunny-curvature bunny00 --points 5000 --importance total --gamma 0.5
 
 stipple_say "done in $(stipple_seconds "$begin"); look at the pictures in out/"
 stipple_say "the program: build/bin/stipple --help"
+stipple_say "the window: build/bin/stipple-view build/models/bunny00.off"
 python_folder=$(echo build/lib/python3*/dist-packages)
 stipple_say "the Python package: PYTHONPATH=$python_folder /usr/bin/python3 -c 'import stipple; help(stipple)'"

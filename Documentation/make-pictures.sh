@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes the pictures of README.md and of the documentation; a test runs it into the build folder, so that every command
-# here keeps working. To renew the pictures in the repository:
+# Runs the commands of Gallery.md as they stand there; a test does so into the build folder, so that every command keeps
+# working. To renew the pictures in the repository:
 #
 #   sh Documentation/make-pictures.sh build/bin/stipple build/models Documentation/Pictures
 set -eu
@@ -10,12 +10,18 @@ if [ $# -ne 3 ]; then
   echo "usage: make-pictures.sh STIPPLE MODELS FOLDER" >&2
   exit 2
 fi
-stipple=$1
-models=$2
-folder=$3
-mesh=$(mktemp "${TMPDIR:-/tmp}/stipple-picture-XXXXXX.ply")
-trap 'rm -f "$mesh"' EXIT
-mkdir -p "$folder"
-
-"$stipple" "$models/bunny00.off" -o "$mesh" --quiet --points 5000 --importance total --gamma 0.5 \
-  --picture "$folder/bunny.png"
+gallery=$(cd "$(dirname "$0")" && pwd)/Gallery.md
+program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+models=$(cd "$2" && pwd)
+mkdir -p "$3"
+folder=$(cd "$3" && pwd)
+work=$(mktemp -d "${TMPDIR:-/tmp}/stipple-pictures-XXXXXX")
+trap 'rm -rf "$work"' EXIT
+ln -s "$models" "$work/models"
+cd "$work"
+sed -n 's/^    stipple //p' "$gallery" >commands
+while read -r arguments; do
+  # shellcheck disable=SC2086 # words on purpose
+  "$program" --quiet $arguments
+done <commands
+mv ./*.png "$folder"

@@ -163,6 +163,22 @@ void applyOptions(const Options& o, vtkGeometryRemesher* remesher)
     { "lloyd", vtkRemeshOptimizer::LLOYD } };
   remesher->SetMapSize(o.mapSize);
   remesher->SetBackend(backends.at(o.mapBackend));
+  if (o.preset == "uniform")
+  {
+    remesher->SetPresetToUniform();
+  }
+  else if (o.preset == "rib")
+  {
+    remesher->SetPresetToRib();
+  }
+  else if (o.preset == "adaptive")
+  {
+    remesher->SetPresetToAdaptive();
+  }
+  if (o.placement == "least-squares")
+  {
+    remesher->SetPlacementToLeastSquares();
+  }
   if (!o.connectivity.empty())
   {
     remesher->SetConnectivity(swaps.at(o.connectivity));
@@ -174,6 +190,13 @@ void applyOptions(const Options& o, vtkGeometryRemesher* remesher)
   if (o.iterations >= 0)
   {
     remesher->SetNumberOfIterations(o.iterations);
+  }
+  remesher->SetPattern(o.pattern == "quads" ? vtkGeometryRemesher::QUADS
+      : o.pattern == "semiregular"          ? vtkGeometryRemesher::SEMIREGULAR
+                                            : vtkGeometryRemesher::TRIANGLES);
+  if (o.subdivisions >= 0)
+  {
+    remesher->SetNumberOfSubdivisions(o.subdivisions);
   }
 }
 

@@ -22,7 +22,10 @@ Status checkDisplay()
       "there is no display to open a window on (DISPLAY is not set); the program "
       "stipple needs none");
   }
-  Display* display = XOpenDisplay(nullptr);
+  // It stays open: an X server without a screen starts anew when its last client leaves, and would
+  // refuse the window's connection meanwhile.
+  static Display* display = nullptr;
+  display = display ? display : XOpenDisplay(nullptr);
   if (!display)
   {
     return Status::error(
@@ -31,7 +34,6 @@ Status checkDisplay()
   int error = 0;
   int event = 0;
   const bool glx = glXQueryExtension(display, &error, &event) != 0;
-  XCloseDisplay(display);
   if (!glx)
   {
     return Status::error("the display '" + std::string(name) +

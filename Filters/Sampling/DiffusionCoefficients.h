@@ -16,17 +16,24 @@ enum class DiffusionMethod : int
                ///< Diffusion Using Threshold Modulation, SIGGRAPH 2003
 };
 
-/// The shares of a pixel's error that its three unvisited neighbours receive; they sum to one.
+/// How a pixel of some level becomes a sample or none, and who receives its error.
 struct DiffusionCoefficients
 {
-  float right;
-  float downLeft;
-  float down;
+  float right;      ///< share of the error for the next pixel of the row
+  float downLeft;   ///< share for the pixel below the one before; the pixel below receives the rest
+  float threshold;  ///< from which on there is a sample
   float modulation; ///< how far noise raises the threshold at most, 0 to 0.5
 };
 
 /// Coefficients for a level in [0, 1] (wanted samples in a pixel), linear between the 256 tabulated
 /// levels; levels beyond the middle mirror those below it.
+///
+/// With the threshold 1/2 of the publications, errors have a mean in the steady state that depends
+/// on the level: 0.45 next to zero, 0.2 at 1/8, none at 1/2. Each row of pixels must collect it
+/// where an image begins (the dead zone) or turns from dense to sparse, and sheds it as surplus
+/// samples where it turns dense again. The threshold here is 1/2 less this mean (as measured on
+/// large images of constant levels), which shifts all errors by as much and changes no halftone of
+/// a constant level: the mean is zero at every level, and densities follow a map that varies.
 STIPPLEFILTERSSAMPLING_EXPORT DiffusionCoefficients diffusionCoefficients(
   DiffusionMethod method, double level);
 

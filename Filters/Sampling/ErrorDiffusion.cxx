@@ -29,11 +29,13 @@ private:
 /// Runs along one row in the direction of step. current holds the errors that the previous row left
 /// here; next receives those for the row below; carry travels from pixel to pixel and, at a row's
 /// end, down to the next row's first pixel, so that nothing is lost at the sides.
-template <int step, bool record, bool modulated>
-float diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
-  float carry, int rowBegin, const DiffusionCoefficients* table, Noise& noise,
-  std::vector<int>& samples)
+/// The columns of the samples go to hits, whose end is returned: no call in this loop, so that its
+/// state stays in registers.
+template <int step, bool modulated>
+int* diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
+  float& carryInOut, const DiffusionCoefficients* table, Noise& noise, int* hits)
 {
+  float carry = carryInOut;
   float pending = 0;
   int x = step > 0 ? 0 : width - 1;
   const float toIndex = scale * diffusionTableScale;
@@ -46,14 +48,11 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     float error = in * scale + current[x] + carry;
     // A sample is rare, so that the branch is predicted and the chain of dependent operations stays
     // short.
-    const float threshold = modulated ? 0.5f + c.modulation * noise.next() : 0.5f;
+    const float threshold = modulated ? c.threshold + c.modulation * noise.next() : c.threshold;
     if (error >= threshold && in > 0)
     {
       error -= 1.f;
-      if (record)
-      {
-        samples.push_back(rowBegin + x);
-      }
+      *hits++ = x;
     }
     carry = error * c.right;
     const float back = error * c.downLeft;
@@ -61,12 +60,12 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     pending = error - carry - back;
   }
   next[x - step] = pending;
-  return carry;
+  carryInOut = carry;
+  return hits;
 }
 
-/// The rows [-warmUpRows, height), those below zero being the flipped copy's.
 template <bool modulated>
-void diffuseRows(const WantedRow& wanted, int width, int height, int warmUpRows, float scale,
+void diffuseRows(const WantedRow& wanted, int width, int height, float scale,
   const DiffusionCoefficients* table, std::vector<int>& samples)
 {
   std::vector<float> lines(2 * (static_cast<std::size_t>(width) + 2), 0.f);
@@ -74,31 +73,28 @@ void diffuseRows(const WantedRow& wanted, int width, int height, int warmUpRows,
   float* next = current + width + 2;
   float carry = 0;
   Noise noise;
-  bool forward = warmUpRows % 2 == 0; // so that row 0 always runs forward
-  for (int y = -warmUpRows; y < height; ++y)
+  std::vector<int> hits(static_cast<std::size_t>(width));
+  for (int y = 0; y < height; ++y)
   {
-    const bool record = y >= 0;
-    const float* w = wanted(record ? y : -1 - y);
-    const int begin = record ? y * width : 0;
-    const std::size_t first = samples.size();
-    if (forward)
+    const float* w = wanted(y);
+    int* end = nullptr;
+    if (y % 2 == 0)
     {
-      carry = record ? diffuseRow<1, true, modulated>(
-                         w, current, next, width, scale, carry, begin, table, noise, samples)
-                     : diffuseRow<1, false, modulated>(
-                         w, current, next, width, scale, carry, begin, table, noise, samples);
+      end =
+        diffuseRow<1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
       next[0] += next[-1];
     }
     else
     {
-      carry = record ? diffuseRow<-1, true, modulated>(
-                         w, current, next, width, scale, carry, begin, table, noise, samples)
-                     : diffuseRow<-1, false, modulated>(
-                         w, current, next, width, scale, carry, begin, table, noise, samples);
-      std::reverse(samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
+      end =
+        diffuseRow<-1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
+      std::reverse(hits.data(), end);
       next[width - 1] += next[width];
     }
-    forward = !forward;
+    for (const int* x = hits.data(); x < end; ++x)
+    {
+      samples.push_back(y * width + *x);
+    }
     std::swap(current, next);
   }
 }
@@ -112,26 +108,15 @@ void diffuseErrors(const WantedRow& wanted, int width, int height,
   {
     return;
   }
-  int warmUpRows = 0;
-  for (double depth = 0; depth < options.warmUpDepth && warmUpRows < height; ++warmUpRows)
-  {
-    float sum = 0;
-    const float* w = wanted(warmUpRows);
-    for (int x = 0; x < width; ++x)
-    {
-      sum += w[x];
-    }
-    depth += std::sqrt(static_cast<double>(sum) * options.scale / width);
-  }
   const DiffusionCoefficients* table = diffusionTable(options.method);
   const auto scale = static_cast<float>(options.scale);
   if (options.method == DiffusionMethod::ZhouFang)
   {
-    diffuseRows<true>(wanted, width, height, warmUpRows, scale, table, samples);
+    diffuseRows<true>(wanted, width, height, scale, table, samples);
   }
   else
   {
-    diffuseRows<false>(wanted, width, height, warmUpRows, scale, table, samples);
+    diffuseRows<false>(wanted, width, height, scale, table, samples);
   }
 }
 

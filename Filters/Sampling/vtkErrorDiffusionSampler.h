@@ -63,9 +63,10 @@ public:
   ///@{
   /**
    * The coefficients of error diffusion inside charts: OSTROMOUKHOV's of 2001, as in the paper, or
-   * those of ZHOU_FANG of 2003, whose threshold is modulated by noise (the same in every run): it
-   * breaks the regular patches of levels near 1/4 and 1/2 (see the sampling's documentation for
-   * spectra), where few samples of a control image are. The default is OSTROMOUKHOV.
+   * those of ZHOU_FANG of 2003, whose threshold is modulated by noise (the same in every run). The
+   * noise breaks the regular patches that the former makes where pixels want 1/4 or 1/2 of a sample
+   * (automatic maps seldom do), for a little more power at low frequencies. The default is
+   * OSTROMOUKHOV.
    */
   vtkSetClampMacro(DiffusionMethod, int, OSTROMOUKHOV, ZHOU_FANG);
   vtkGetMacro(DiffusionMethod, int);

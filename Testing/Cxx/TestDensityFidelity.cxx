@@ -317,10 +317,10 @@ int TestDensityFidelity(int argc, char* argv[])
 {
   const std::string folder = testing::argument(argc, argv, "--models", "");
   const bool measure = std::find(argv, argv + argc, std::string("--measure")) != argv + argc;
-  std::vector<std::string> models = { "bunny00", "fandisk", "elephant", "armadillo" };
+  std::vector<std::string> models = { "bunny00", "fandisk", "elephant", "armadillo", "holes" };
   if (measure)
   {
-    models.insert(models.end(), { "anchor_dense", "bones", "holes", "blade" });
+    models.insert(models.end(), { "anchor_dense", "bones", "blade" });
   }
   constexpr int numberOfSamples = 5000;
   for (const std::string& model : models)
