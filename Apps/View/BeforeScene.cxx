@@ -91,11 +91,12 @@ std::vector<SurfaceMetric> metricsOf(vtkPolyData* chart)
   return metrics;
 }
 
-/// Paints the part of a disc on the surface into the texture; its middle and the metric are in
-/// pixels of the texture.
-void paintDot(vtkImageData* texture, double x, double y, const SurfaceMetric& m, double radius)
+/// Paints a disc on the surface into the texture, as dark as `strength` (0 to 1); its middle and
+/// the metric are in pixels of the texture.
+void paintDot(
+  vtkImageData* texture, double x, double y, const SurfaceMetric& m, double radius, double strength)
 {
-  constexpr double Farthest = 24; // pixels: flat ellipses of a bad map must not cost much
+  constexpr double Farthest = 24; // pixels: a dot on a bad map must not cost much
   const int width = texture->GetDimensions()[0];
   const int height = texture->GetDimensions()[1];
   auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
@@ -116,12 +117,11 @@ void paintDot(vtkImageData* texture, double x, double y, const SurfaceMetric& m,
       const double inPlane = std::sqrt(dx * dx + dy * dy);
       // Pixels from the rim, on the line through the middle.
       const double depth = onSurface > 0 ? inPlane * (radius / onSurface - 1) : 1;
-      const double cover = std::clamp(depth + 0.5, 0., 1.);
+      const double cover = strength * std::clamp(depth + 0.5, 0., 1.);
       Pixel& pixel = pixels[static_cast<vtkIdType>(py) * width + px];
       for (int k = 0; cover > 0 && k < 3; ++k)
       {
-        pixel[k] = std::min(pixel[k],
-          static_cast<unsigned char>(SurfacePixel[k] + cover * (SamplePixel[k] - SurfacePixel[k])));
+        pixel[k] = static_cast<unsigned char>(pixel[k] + cover * (SamplePixel[k] - pixel[k]));
       }
     }
   }
@@ -135,7 +135,8 @@ void paintSamples(vtkImageData* halftone, vtkImageData* controls,
 {
   constexpr int Zoom = 2; // texture pixels a pixel of the halftone
   constexpr double Share = 0.24;
-  constexpr double LeastRadius = 0.9; // texture pixels
+  constexpr double LeastRadius = 0.75; // texture pixels
+  constexpr double Stretch = 24;       // bounds the squared ratio of a dot's axes in the texture
   auto* dots = vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"));
   auto* control = vtkFloatArray::SafeDownCast(controls->GetPointData()->GetArray("Control"));
   auto* faces = vtkIntArray::SafeDownCast(controls->GetPointData()->GetArray("FaceIndex"));
@@ -160,12 +161,18 @@ void paintSamples(vtkImageData* halftone, vtkImageData* controls,
       static_cast<vtkIdType>(column) * controlSize[0] / size[0];
     SurfaceMetric m = metrics[faces->GetValue(pixel)];
     m = { m.uu * du * du, m.uv * du * dv, m.vv * dv * dv };
+    // Where the map is squeezed to a thread, dots are not.
+    const double trace = (m.uu + m.vv) / Stretch;
+    m.uu += trace;
+    m.vv += trace;
     const double area = std::sqrt(std::max(0., m.uu * m.vv - m.uv * m.uv)); // of a pixel
     const double wanted = samplesPerControl * control->GetValue(pixel) * du * dv;
-    const double largest = std::sqrt(0.5 * (m.uu + m.vv) + std::hypot(0.5 * (m.uu - m.vv), m.uv));
-    const double radius =
-      std::max(wanted > 0 ? Share * std::sqrt(area / wanted) : 0., LeastRadius * largest);
-    paintDot(texture, Zoom * (column + 0.5), Zoom * (row + 0.5), m, radius);
+    const double radius = wanted > 0 ? Share * std::sqrt(area / wanted) : 0.;
+    // A dot smaller than a pixel is a pixel, but paler: as much ink.
+    const double least = LeastRadius * std::sqrt(area);
+    const double strength = radius < least ? radius * radius / (least * least) : 1.;
+    paintDot(
+      texture, Zoom * (column + 0.5), Zoom * (row + 0.5), m, std::max(radius, least), strength);
   }
   texture->Modified();
 }
