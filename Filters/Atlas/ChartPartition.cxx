@@ -232,9 +232,13 @@ public:
   {
     while (true)
     {
-      const std::vector<int> changed = this->prepareChanged();
+      const std::vector<int> changed = this->prepareReshaped();
       if (changed.empty())
       {
+        for (int r = 0; r < this->Regions.size(); ++r)
+        {
+          this->followSplits(r);
+        }
         return Status::success();
       }
       if (!report(progress, this->finishedFraction(changed)))
@@ -253,7 +257,7 @@ public:
         });
       for (int r : changed)
       {
-        this->Regions.clearChanged(r);
+        this->Regions.clearChanges(r);
       }
       for (int r : changed)
       {
@@ -278,7 +282,7 @@ public:
             this->Charts[b] = std::move(this->Charts.back());
           }
           this->Charts.pop_back();
-          this->Regions.clearChanged(a);
+          this->Regions.clearChanges(a);
         },
         progress);
   }
@@ -292,13 +296,13 @@ private:
     double densityRatio = std::numeric_limits<double>::infinity();
   };
 
-  /// Makes the regions that changed ready to be flattened. A rectangle's corners need four boundary
-  /// vertices; splitting an edge changes the region across, too.
-  std::vector<int> prepareChanged()
+  /// Makes the regions whose shape changed ready to be flattened. A rectangle's corners need four
+  /// boundary vertices.
+  std::vector<int> prepareReshaped()
   {
     for (int r = 0; r < this->Regions.size(); ++r)
     {
-      while (this->Regions.isChanged(r) && this->Regions.mesh(r).boundary.size() < 4)
+      while (this->Regions.isReshaped(r) && this->Regions.mesh(r).boundary.size() < 4)
       {
         splitLongestBoundaryEdge(this->Regions, r);
       }
@@ -306,7 +310,7 @@ private:
     std::vector<int> changed;
     for (int r = 0; r < this->Regions.size(); ++r)
     {
-      if (this->Regions.isChanged(r))
+      if (this->Regions.isReshaped(r))
       {
         this->Regions.splitChords(r);
         changed.push_back(r);
@@ -315,6 +319,47 @@ private:
     this->Charts.resize(this->Regions.size());
     this->Histories.resize(this->Regions.size());
     return changed;
+  }
+
+  /// Carries on the map of a chart whose triangles were split along edges, by a neighbour's cuts or
+  /// seams: split triangles are mapped as before.
+  void followSplits(int r)
+  {
+    if (this->Regions.splits(r).empty() || this->Regions.isReshaped(r))
+    {
+      return;
+    }
+    FlatChart& chart = this->Charts[r];
+    std::vector<Vec2>& at = this->UV;
+    at.resize(3 * this->Regions.surface().triangles.size());
+    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        at[3 * chart.mesh.faces[i] + k] = chart.map.uv[chart.mesh.triangles[i][k]];
+      }
+    }
+    for (const ChartRegions::Split& split : this->Regions.splits(r))
+    {
+      const int next = nextHalfedge(split.halfedge);
+      // In this form a coordinate that both ends share is kept to the bit.
+      const Vec2 middle = at[split.halfedge] + split.t * (at[next] - at[split.halfedge]);
+      at[3 * split.added] = middle;
+      at[3 * split.added + 1] = at[next];
+      at[3 * split.added + 2] = at[previousHalfedge(split.halfedge)];
+      at[next] = middle;
+    }
+    chart.mesh = this->Regions.mesh(r);
+    chart.map.uv.resize(chart.mesh.vertices.size());
+    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        chart.map.uv[chart.mesh.triangles[i][k]] = at[3 * chart.mesh.faces[i] + k];
+      }
+    }
+    measureMap(this->Regions.surface(), chart.mesh, chart.map);
+    this->Regions.clearChanges(r);
   }
 
   double finishedFraction(const std::vector<int>& changed) const
@@ -330,6 +375,7 @@ private:
   /// Cuts or splits a region if its chart breaks the bound.
   Status relieve(int r)
   {
+    this->followSplits(r);
     const FlatChart& chart = this->Charts[r];
     const ConformalMap& map = chart.map;
     History& history = this->Histories[r];
@@ -388,9 +434,14 @@ private:
     }
   }
 
-  /// Flattens two regions as one; whether that keeps the bound.
+  /// Flattens two regions as one; whether that keeps the bound. Large ones are not worth the time.
   bool tryToMerge(int a, int b)
   {
+    constexpr std::size_t large = 60000; // triangles
+    if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > large)
+    {
+      return false;
+    }
     const std::optional<SeamArc> seam = onlySeam(this->Regions, a, b);
     if (!seam)
     {
@@ -416,6 +467,7 @@ private:
   ChartRegions& Regions;
   const ChartPartitionOptions& Options;
   FlatChart Merged;
+  std::vector<Vec2> UV; // by halfedge, of its tail; scratch
   std::vector<FlatChart> Charts;
   std::vector<History> Histories;
 };

@@ -12,7 +12,8 @@ ChartRegions::ChartRegions(CutSurface& surface)
   , NumberOfInputTriangles(surface.numberOfFaces())
   , Owner(surface.triangles.size(), -1)
   , Faces(chartFaces(surface))
-  , Changed(this->Faces.size(), 1)
+  , Reshaped(this->Faces.size(), 1)
+  , Splits(this->Faces.size())
 {
   for (int r = 0; r < this->size(); ++r)
   {
@@ -42,16 +43,17 @@ int ChartRegions::numberOfInputTriangles(int region) const
 int ChartRegions::splitEdge(int h, double t)
 {
   const int g = this->Surface.twin[h];
-  const auto adopt = [&](int parent) {
-    const int region = this->Owner[parent];
-    this->Faces[region].push_back(static_cast<int>(this->Owner.size()));
+  const auto adopt = [&](int halfedge, double where) {
+    const int region = this->Owner[halfedge / 3];
+    const int added = static_cast<int>(this->Owner.size());
+    this->Faces[region].push_back(added);
     this->Owner.push_back(region);
-    this->Changed[region] = 1;
+    this->Splits[region].push_back({ halfedge, where, added });
   };
-  adopt(h / 3);
+  adopt(h, t);
   if (g >= 0)
   {
-    adopt(g / 3);
+    adopt(g, 1 - t);
   }
   return this->Surface.splitEdge(h, t);
 }
@@ -59,7 +61,7 @@ int ChartRegions::splitEdge(int h, double t)
 void ChartRegions::cutOpen(int h)
 {
   this->Surface.setCut(h, true);
-  this->Changed[this->Owner[h / 3]] = 1;
+  this->Reshaped[this->Owner[h / 3]] = 1;
 }
 
 void ChartRegions::closeSlits(int region)
@@ -88,7 +90,7 @@ void ChartRegions::closeSlits(int region)
         slit >= 0 && this->Surface.cut[slit] && this->ownerAcross(slit) == region && isEnd(slit))
       {
         this->Surface.setCut(slit, false);
-        this->Changed[region] = 1;
+        this->Reshaped[region] = 1;
         // The slit now ends at the head: find the cut there.
         const int start = nextHalfedge(slit);
         int g = start;
@@ -147,7 +149,8 @@ void ChartRegions::splitChords(int region)
 int ChartRegions::divide(int region, const std::vector<char>& side)
 {
   this->Faces.emplace_back();
-  this->Changed.push_back(1);
+  this->Reshaped.push_back(1);
+  this->Splits.emplace_back();
   this->shareOut(region, this->size() - 1, side);
   return this->size() - 1;
 }
@@ -176,8 +179,8 @@ std::vector<int> ChartRegions::shareOut(int a, int b, const std::vector<char>& s
       }
     }
   }
-  this->Changed[a] = 1;
-  this->Changed[b] = 1;
+  this->Reshaped[a] = 1;
+  this->Reshaped[b] = 1;
   return opened;
 }
 
@@ -203,15 +206,17 @@ void ChartRegions::merge(int a, int b)
     }
   }
   give(b, a);
-  this->Changed[a] = 1;
+  this->Reshaped[a] = 1;
   const int last = this->size() - 1;
   if (b != last)
   {
     give(last, b);
-    this->Changed[b] = this->Changed[last];
+    this->Reshaped[b] = this->Reshaped[last];
+    this->Splits[b] = std::move(this->Splits[last]);
   }
   this->Faces.pop_back();
-  this->Changed.pop_back();
+  this->Reshaped.pop_back();
+  this->Splits.pop_back();
 }
 
 int ChartRegions::nextOnBoundary(int h) const

@@ -37,10 +37,24 @@ public:
   /// Triangles of the region that splits did not add.
   int numberOfInputTriangles(int region) const;
 
-  /// Whether a region's triangles, cuts or boundary changed since its mark was cleared; a new
-  /// region is marked.
-  bool isChanged(int region) const { return this->Changed[region]; }
-  void clearChanged(int region) { this->Changed[region] = 0; }
+  /// A triangle of the region that was split at an edge: its halfedge now ends at the new point,
+  /// t of the way, and the triangle that was added has the corners new point, the halfedge's old
+  /// head, the corner across.
+  struct Split
+  {
+    int halfedge;
+    double t;
+    int added;
+  };
+  /// Whether a region's extent or cuts changed since its mark was cleared; a new region is marked.
+  bool isReshaped(int region) const { return this->Reshaped[region]; }
+  /// The splits in the region since its mark was cleared, in order.
+  const std::vector<Split>& splits(int region) const { return this->Splits[region]; }
+  void clearChanges(int region)
+  {
+    this->Reshaped[region] = 0;
+    this->Splits[region].clear();
+  }
 
   /// CutSurface::splitEdge; the halves stay with their triangle's region. Returns the new point.
   int splitEdge(int h, double t);
@@ -75,7 +89,8 @@ private:
   int NumberOfInputTriangles;
   std::vector<int> Owner;
   std::vector<std::vector<int>> Faces;
-  std::vector<char> Changed;
+  std::vector<char> Reshaped;
+  std::vector<std::vector<Split>> Splits;
 };
 }
 

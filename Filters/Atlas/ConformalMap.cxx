@@ -69,8 +69,19 @@ void markFlipped(
   }
 }
 
-void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalMap& map)
+std::vector<double> areas(const TriangleSurface& surface, const ChartMesh& chart)
 {
+  std::vector<double> area(chart.faces.size());
+  std::transform(chart.faces.begin(), chart.faces.end(), area.begin(),
+    [&](int f) { return surface.faceArea(f); });
+  return area;
+}
+}
+
+void measureMap(const TriangleSurface& surface, const ChartMesh& chart, ConformalMap& map)
+{
+  const std::vector<double> area = areas(surface, chart);
+  map.valid = isValid(chart, map.uv);
   const std::size_t n = area.size();
   map.density.resize(n);
   double total = 0;
@@ -102,18 +113,13 @@ void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalM
     }
   }
 }
-}
 
 ConformalMap mapToRectangle(
   const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options)
 {
   ConformalMap map;
   map.uv.assign(chart.vertices.size(), Vec2::Zero());
-  std::vector<double> area(chart.triangles.size());
-  for (std::size_t i = 0; i < area.size(); ++i)
-  {
-    area[i] = surface.faceArea(chart.faces[i]);
-  }
+  const std::vector<double> area = areas(surface, chart);
   HarmonicSystem solver(surface, chart, chart.onBoundary);
   const RectangleLayout layout(surface, chart);
 
@@ -163,7 +169,7 @@ ConformalMap mapToRectangle(
     }
   }
   map.extent = best->extent;
-  measure(area, chart, map);
+  measureMap(surface, chart, map);
   return map;
 }
 }

@@ -65,8 +65,8 @@ std::vector<int> densestTriangles(
       }
     }
   }
-  parts.erase(std::remove_if(parts.begin(), parts.end(),
-                [](const Part& part) { return part.densest < 0; }),
+  parts.erase(
+    std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.densest < 0; }),
     parts.end());
   std::stable_sort(
     parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.area > b.area; });

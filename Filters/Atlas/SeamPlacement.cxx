@@ -89,6 +89,7 @@ public:
     , Value(both.mesh.vertices.size(), 0.)
     , Surface(surface)
     , Both(both)
+    , Distance(distanceFromSeam(surface, both))
   {
     if (both.mesh.boundary.empty())
     {
@@ -104,6 +105,49 @@ public:
   std::vector<char> Given;
   std::vector<double> Value;
 
+  /// Leaves out of the map what is far from the seam: of the area that will be on either side, the
+  /// half that is farthest. Lines near the middle hardly change, and the system is smaller.
+  void leaveOutFar(double areaFraction)
+  {
+    constexpr double leftOut = 0.5;
+    const ChartMesh& mesh = this->Both.mesh;
+    struct Face
+    {
+      double distance;
+      double area;
+      int index;
+    };
+    std::array<std::vector<Face>, 2> faces;
+    double total = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+      const Triangle& t = mesh.triangles[i];
+      const double area = this->Surface.faceArea(mesh.faces[i]);
+      total += area;
+      faces[this->Both.side[i]].push_back(
+        { std::min({ this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] }), area,
+          static_cast<int>(i) });
+    }
+    for (int side : { 0, 1 })
+    {
+      std::stable_sort(faces[side].begin(), faces[side].end(),
+        [](const Face& a, const Face& b) { return a.distance > b.distance; });
+      double rest = leftOut * total * (side == 0 ? areaFraction : 1 - areaFraction);
+      for (const Face& face : faces[side])
+      {
+        rest -= face.area;
+        if (rest < 0 || face.distance == 0)
+        {
+          break;
+        }
+        for (int v : mesh.triangles[face.index])
+        {
+          this->give(v, side);
+        }
+      }
+    }
+  }
+
 private:
   void give(int v, int side)
   {
@@ -114,13 +158,13 @@ private:
   /// The vertex of the region that is farthest from the seam.
   void givePole(int side)
   {
-    const std::vector<double> distance = distanceFromSeam(this->Surface, this->Both);
     int farthest = -1;
     for (std::size_t i = 0; i < this->Both.mesh.triangles.size(); ++i)
     {
       for (int v : this->Both.mesh.triangles[i])
       {
-        if (this->Both.side[i] == side && (farthest < 0 || distance[v] > distance[farthest]))
+        if (this->Both.side[i] == side &&
+          (farthest < 0 || this->Distance[v] > this->Distance[farthest]))
         {
           farthest = v;
         }
@@ -169,6 +213,7 @@ private:
 
   const TriangleSurface& Surface;
   const SeamUnion& Both;
+  std::vector<double> Distance; // from the seam, by vertex
 };
 
 /// Fraction of a triangle's area on which a linear function with these corner values is below c.
@@ -353,10 +398,16 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
   return both;
 }
 
-/// The conformal map's coordinate across the seam; empty if it can't be computed.
-std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& both)
+/// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
+/// the line that has it on the first side; empty if it can't be computed.
+std::vector<double> acrossSeam(
+  const TriangleSurface& surface, const SeamUnion& both, double areaFraction)
 {
   FarSides sides(surface, both);
+  if (areaFraction >= 0)
+  {
+    sides.leaveOutFar(areaFraction);
+  }
   HarmonicSystem system(surface, both.mesh, sides.Given);
   // Slivers can cost the cotangent Laplacian its definiteness.
   if (!system.factorize() && !system.factorize(std::vector<char>(sides.Given.size(), 1)))
@@ -399,7 +450,7 @@ bool placeSeam(
   std::vector<double> value;
   if (arc.closed ? both.mesh.euler == 2 : both.mesh.isDisk())
   {
-    value = acrossSeam(surface, both);
+    value = acrossSeam(surface, both, placement.areaFraction);
   }
   std::vector<char> side;
   if (!value.empty())
@@ -558,11 +609,14 @@ Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Prog
   {
     how.areaFraction = -1;
   }
-  else if (const Status status =
-             balanceAreas(regions, [&](double f) { return report(progress, 0.7 * f); });
-           !status.ok())
+  else if (regions.size() > 2) // one seam alone is placed by cutting it
   {
-    return status;
+    if (const Status status =
+          balanceAreas(regions, [&](double f) { return report(progress, 0.7 * f); });
+        !status.ok())
+    {
+      return status;
+    }
   }
   return cutSeams(regions, how, [&](double f) { return report(progress, 0.7 + 0.3 * f); });
 }

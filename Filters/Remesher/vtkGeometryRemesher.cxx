@@ -314,9 +314,15 @@ double vtkGeometryRemesher::GetStageSeconds(int stage)
 
 stippleForwardClamped(Atlas, FeatureAngle, double);
 stippleForward(Atlas, FeatureEdges, vtkIdTypeArray*);
+stippleForward(Atlas, FeatureCurves, vtkPolyData*);
 stippleForward(Atlas, Constraints, vtkPoints*);
+stippleForward(Atlas, ChartConstraints, vtkDoubleArray*);
 stippleForwardClamped(Atlas, NumberOfCharts, int);
 stippleForward(Atlas, MaximumDensityRatio, double);
+stippleForward(Atlas, BoundaryPlacement, int);
+stippleForwardChoice(Atlas, BoundaryPlacement, AreaMedian);
+stippleForwardChoice(Atlas, BoundaryPlacement, Middle);
+stippleForwardChoice(Atlas, BoundaryPlacement, Voronoi);
 stippleForwardClamped(MapRenderer, MapSize, int);
 stippleForward(MapRenderer, Backend, int);
 stippleForwardChoice(MapRenderer, Backend, Auto);

@@ -49,11 +49,13 @@ class vtkControlMap;
 class vtkDoubleArray;
 class vtkErrorDiffusionSampler;
 class vtkGeometryMapRenderer;
+class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkImageData;
 class vtkPartitionedDataSetCollection;
 class vtkPiecewiseFunction;
 class vtkPoints;
+class vtkPolyData;
 class vtkRemeshOptimizer;
 class vtkRenderWindow;
 
@@ -85,10 +87,18 @@ public:
   /// default is none.
   void SetFeatureEdges(vtkIdTypeArray* edges);
   vtkIdTypeArray* GetFeatureEdges();
+  /// Curves to keep as features: the polylines of a vtkPolyData, whose points are moved to the
+  /// nearest place on the surface. The default is none. See vtkConformalAtlas.
+  void SetFeatureCurves(vtkPolyData* curves);
+  vtkPolyData* GetFeatureCurves();
   /// Positions that must become vertices; each is moved to the nearest place on the surface. The
   /// default is none.
   void SetConstraints(vtkPoints* positions);
   vtkPoints* GetConstraints();
+  /// Places that must become vertices, in parameters: three components, chart, u, v. The default is
+  /// none.
+  void SetChartConstraints(vtkDoubleArray* places);
+  vtkDoubleArray* GetChartConstraints();
   ///@}
 
   ///@{
@@ -105,6 +115,16 @@ public:
   /// vtkConformalAtlas.
   void SetMaximumDensityRatio(double ratio);
   double GetMaximumDensityRatio();
+  ///@}
+
+  ///@{
+  /// Where the seam between two charts runs, a member of vtkConformalAtlas::BoundaryPlacementType.
+  /// The default is AREA_MEDIAN.
+  void SetBoundaryPlacement(int placement);
+  int GetBoundaryPlacement();
+  void SetBoundaryPlacementToAreaMedian();
+  void SetBoundaryPlacementToMiddle();
+  void SetBoundaryPlacementToVoronoi();
   ///@}
 
   ///@{
