@@ -83,24 +83,6 @@ Setter choice(std::string Options::*member, const std::vector<std::string>& word
   };
 }
 
-/// An option whose stage comes later; the words that are available already are accepted.
-Setter notYet(const std::vector<std::string>& available, const std::vector<std::string>& later)
-{
-  return [=](Options&, const std::string& s) -> std::string {
-    if (std::find(available.begin(), available.end(), s) != available.end())
-    {
-      return {};
-    }
-    if (later.empty() || std::find(later.begin(), later.end(), s) != later.end())
-    {
-      return s + " is not available yet";
-    }
-    std::vector<std::string> all = available;
-    all.insert(all.end(), later.begin(), later.end());
-    return "is one of " + list(all) + ", not '" + s + "'";
-  };
-}
-
 std::string setMapSize(Options& o, const std::string& s)
 {
   o.mapSize = 0;
@@ -196,15 +178,26 @@ const std::vector<Group>& groups()
         { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
           choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
     { "Mesh",
-      { { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
+      { { "--preset", "NAME",
+          "uniform (whatever the importance), adaptive or rib (two\nneighbours on each side of "
+          "features) (default: adaptive)",
+          choice(&Options::preset, { "uniform", "adaptive", "rib" }) },
+        { "--placement", "KIND",
+          "points on the surface, or least-squares: off it, where\ntriangles fit it best (default: "
+          "surface)",
+          choice(&Options::placement, { "surface", "least-squares" }) },
+        { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
           choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
         { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
           choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
-        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 40)",
+        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 60)",
           integer(&Options::iterations, 0, 10000) },
-        { "--pattern", "KIND", "triangles (default); quads and semiregular are not\navailable yet",
-          notYet({ "triangles" }, { "quads", "semiregular" }) },
-        { "--subdivisions", "L", "not available yet", notYet({}, {}) } } },
+        { "--pattern", "KIND",
+          "triangles, quads (regular in every chart) or semiregular\n(triangles split 1 to 4; N is "
+          "the base mesh's) (default: triangles)",
+          choice(&Options::pattern, { "triangles", "quads", "semiregular" }) },
+        { "--subdivisions", "L", "levels of --pattern semiregular, 0 to 8 (default: 2)",
+          integer(&Options::subdivisions, 0, 8) } } },
     { "Files beside the output",
       { { "--report", "FILE.json", "counts, seconds, repairs and quality figures",
           text(&Options::report) },

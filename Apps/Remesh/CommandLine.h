@@ -59,6 +59,10 @@ struct Options
   std::string connectivity; ///< empty: the filter's default
   std::string smoothing;    ///< empty: the filter's default
   int iterations = -1;      ///< -1: the filter's default
+  std::string preset;       ///< empty: the filter's default
+  std::string placement = "surface";
+  std::string pattern = "triangles";
+  int subdivisions = -1; ///< -1: the filter's default
 
   // Files beside the output
   std::string report;

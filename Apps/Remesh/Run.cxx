@@ -242,6 +242,22 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   {
     remesher->SetFeatureAngle(o.featureAngle);
   }
+  if (o.preset == "uniform")
+  {
+    remesher->SetPresetToUniform();
+  }
+  else if (o.preset == "rib")
+  {
+    remesher->SetPresetToRib();
+  }
+  else if (o.preset == "adaptive")
+  {
+    remesher->SetPresetToAdaptive();
+  }
+  if (o.placement == "least-squares")
+  {
+    remesher->SetPlacementToLeastSquares();
+  }
   if (!o.connectivity.empty())
   {
     remesher->SetConnectivity(swaps.at(o.connectivity));
@@ -253,6 +269,13 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   if (o.iterations >= 0)
   {
     remesher->SetNumberOfIterations(o.iterations);
+  }
+  remesher->SetPattern(o.pattern == "quads" ? vtkGeometryRemesher::QUADS
+      : o.pattern == "semiregular"          ? vtkGeometryRemesher::SEMIREGULAR
+                                            : vtkGeometryRemesher::TRIANGLES);
+  if (o.subdivisions >= 0)
+  {
+    remesher->SetNumberOfSubdivisions(o.subdivisions);
   }
   if (!o.transfer.empty())
   {

@@ -271,6 +271,12 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
     }
   }
   this->removeBends(mesh);
+  if (!complex.isSound())
+  {
+    return Status::error(chart +
+      " cannot be triangulated: its triangles do not fit together without the bends of its "
+      "backbones; use more points.");
+  }
   std::vector<char> used(this->Sample.size(), 0);
   for (const Triangle& t : complex.triangles)
   {

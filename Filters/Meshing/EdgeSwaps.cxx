@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stipple
 {
@@ -40,7 +41,11 @@ double angleAt(const Vec3& p, const Vec3& q, const Vec3& r)
 
 double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
-  return std::min({ angleAt(a, b, c), angleAt(b, c, a), angleAt(c, a, b) });
+  // It is opposite to the shortest edge.
+  const double ab = (b - a).squaredNorm();
+  const double bc = (c - b).squaredNorm();
+  const double ca = (a - c).squaredNorm();
+  return ab <= bc && ab <= ca ? angleAt(c, a, b) : bc <= ca ? angleAt(a, b, c) : angleAt(b, c, a);
 }
 
 bool exceedsHalfTurn(const OptimizedMesh& mesh, const Quad& q)
@@ -111,14 +116,13 @@ int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses)
   });
 }
 
-int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
+namespace
+{
+/// Triangles of the sector of v between creases or boundaries that start is in, and its angle.
+std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start)
 {
   const auto& graph = mesh.graph();
   const OptimizedMesh::Vertex v = graph.from_vertex_handle(start);
-  if (mesh.freedom(v.idx()) == Freedom::Surface && !graph.is_boundary(v))
-  {
-    return mesh.valence(v.idx()) - 6;
-  }
   // Turn clockwise to the first edge of the sector, then count and measure counterclockwise.
   Halfedge first = start;
   while (!mesh.isFeature(graph.edge_handle(first).idx()))
@@ -149,7 +153,31 @@ int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
     }
     h = graph.opposite_halfedge_handle(last);
   } while (h != first && !graph.is_boundary(h));
+  return { triangles, angle };
+}
+
+bool isOrdinary(const OptimizedMesh& mesh, OptimizedMesh::Vertex v)
+{
+  return mesh.freedom(v.idx()) == Freedom::Surface && !mesh.graph().is_boundary(v);
+}
+}
+
+int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
+{
+  const OptimizedMesh::Vertex v = mesh.graph().from_vertex_handle(start);
+  if (isOrdinary(mesh, v))
+  {
+    return mesh.valence(v.idx()) - 6;
+  }
+  const auto [triangles, angle] = sectorOf(mesh, start);
   return triangles - std::max(1, static_cast<int>(std::lround(angle / (Pi / 3.))));
+}
+
+int ribExcess(const OptimizedMesh& mesh, Halfedge start)
+{
+  const OptimizedMesh::Vertex v = mesh.graph().from_vertex_handle(start);
+  return mesh.freedom(v.idx()) == Freedom::Backbone ? sectorOf(mesh, start).first - 3
+                                                    : valenceExcess(mesh, start);
 }
 
 int dispersionChange(const OptimizedMesh& mesh, int edge)

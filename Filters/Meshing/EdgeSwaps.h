@@ -28,6 +28,10 @@ STIPPLEFILTERSMESHING_EXPORT int aspectSwaps(OptimizedMesh& mesh, int maximumNum
 STIPPLEFILTERSMESHING_EXPORT int valenceExcess(
   const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
 
+/// The same, but beside creases and boundaries always to three triangles, so that their vertices
+/// have two neighbours on each side (Figure 8).
+STIPPLEFILTERSMESHING_EXPORT int ribExcess(const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
+
 /// By how much swapping the edge changes the sum of the squared excesses of its four vertices.
 STIPPLEFILTERSMESHING_EXPORT int dispersionChange(const OptimizedMesh& mesh, int edge);
 }

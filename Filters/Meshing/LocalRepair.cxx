@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalRepair.h"
 
+#include "EdgeSwaps.h"
 #include "Relaxation.h"
 
 #include <algorithm>
@@ -45,20 +46,6 @@ void forEachFace(const OptimizedMesh& mesh, int v, const Visit& visit)
     }
     h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
   } while (h != first);
-}
-
-/// The worst quality about v, and, so that one of several folds counts too, a little of the sum of
-/// what is folded.
-double starQuality(const OptimizedMesh& mesh, int v)
-{
-  double worst = 10;
-  double folded = 0;
-  forEachFace(mesh, v, [&](int f) {
-    const double q = faceQuality(mesh, f);
-    worst = std::min(worst, q);
-    folded += std::min(0., q);
-  });
-  return folded < 0 ? folded : worst;
 }
 
 bool improveBySwap(OptimizedMesh& mesh, int f)
@@ -166,6 +153,18 @@ bool improveByMove(OptimizedMesh& mesh, int v)
 }
 }
 
+double starQuality(const OptimizedMesh& mesh, int v)
+{
+  double worst = 10;
+  double folded = 0;
+  forEachFace(mesh, v, [&](int f) {
+    const double q = faceQuality(mesh, f);
+    worst = std::min(worst, q);
+    folded += std::min(0., q);
+  });
+  return folded < 0 ? folded : worst;
+}
+
 double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
 {
   const Vec3& p = mesh.position(a);
@@ -191,8 +190,12 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
       return own / area;
     }
   }
-  const auto angle = [area](const Vec3& s, const Vec3& t) { return std::atan2(area, -s.dot(t)); };
-  return std::min({ angle(u, z), angle(u, w), angle(w, z) });
+  // The smallest angle is opposite to the shortest edge.
+  const double uu = u.squaredNorm();
+  const double ww = w.squaredNorm();
+  const double zz = z.squaredNorm();
+  const double dot = uu <= ww && uu <= zz ? w.dot(z) : ww <= zz ? u.dot(z) : u.dot(w);
+  return std::atan2(area, -dot);
 }
 
 int repairTriangles(
@@ -247,5 +250,139 @@ int repairTriangles(
     }
   }
   return bad;
+}
+
+namespace
+{
+/// What a vertex costs whose valence is off by `excess`: one too many or too few is as good as any.
+int irregularity(int excess)
+{
+  const int beyond = std::abs(excess) - 1;
+  return beyond > 0 ? 1 + beyond * beyond : 0;
+}
+
+/// What one neighbour too many beside a crease weighs against irregular vertices elsewhere.
+constexpr int RibWeight = 8;
+
+/// Where a triangle is worse than this (radians), valences are the lesser worry.
+constexpr double LeastQuality = 0.05;
+
+/// Swaps an edge and moves the vertices about it until all triangles there are good; false, and
+/// nothing is changed, if that does not succeed.
+bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
+{
+  const auto& graph = mesh.graph();
+  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const Halfedge g = graph.opposite_halfedge_handle(h);
+  const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
+    graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
+    graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
+  std::vector<int> movable;
+  for (int v : quad)
+  {
+    forEachFace(mesh, v, [&](int f) {
+      for (int u : corners(mesh, f))
+      {
+        if (mesh.freedom(u) == Freedom::Surface)
+        {
+          movable.push_back(u);
+        }
+      }
+    });
+  }
+  std::sort(movable.begin(), movable.end());
+  movable.erase(std::unique(movable.begin(), movable.end()), movable.end());
+  std::vector<SurfacePlace> before;
+  for (int v : movable)
+  {
+    before.push_back(mesh.place(v));
+  }
+  const auto worst = [&]() {
+    double q = 10;
+    for (int v : movable)
+    {
+      q = std::min(q, starQuality(mesh, v));
+    }
+    for (int v : quad)
+    {
+      q = std::min(q, starQuality(mesh, v));
+    }
+    return q;
+  };
+  const double wanted = std::min(threshold, worst());
+  if (wanted < LeastQuality)
+  {
+    return false;
+  }
+  mesh.forceSwap(edge);
+  constexpr int Rounds = 4;
+  for (int round = 0; round < Rounds; ++round)
+  {
+    bool changed = false;
+    for (int v : movable)
+    {
+      if (starQuality(mesh, v) < threshold)
+      {
+        changed = improveByMove(mesh, v) || changed;
+      }
+    }
+    if (worst() >= wanted)
+    {
+      return true;
+    }
+    if (!changed)
+    {
+      break;
+    }
+  }
+  mesh.forceSwap(edge);
+  for (std::size_t i = 0; i < movable.size(); ++i)
+  {
+    mesh.moveOne(movable[i], before[i], Vec3::Zero(), []() { return true; });
+  }
+  return false;
+}
+}
+
+int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs)
+{
+  const auto& graph = mesh.graph();
+  int total = 0;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  {
+    int swaps = 0;
+    for (int edge = 0; edge < mesh.numberOfEdges(); ++edge)
+    {
+      if (!mesh.isSwappable(edge))
+      {
+        continue;
+      }
+      const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+      const Halfedge g = graph.opposite_halfedge_handle(h);
+      const std::array<Halfedge, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
+        graph.prev_halfedge_handle(g) } };
+      int change = 0;
+      for (int i = 0; i < 4; ++i)
+      {
+        const bool isRib =
+          ribs && mesh.freedom(graph.from_vertex_handle(corner[i]).idx()) == Freedom::Backbone;
+        const int before = isRib ? ribExcess(mesh, corner[i]) : valenceExcess(mesh, corner[i]);
+        const int after = before + (i < 2 ? -1 : 1);
+        change += isRib ? RibWeight * (after * after - before * before)
+                        : irregularity(after) - irregularity(before);
+      }
+      if (change < 0 && graph.is_flip_ok(OpenMesh::EdgeHandle(edge)) &&
+        swapAndSettle(mesh, edge, threshold))
+      {
+        ++swaps;
+      }
+    }
+    total += swaps;
+    if (swaps == 0)
+    {
+      break;
+    }
+  }
+  return total;
 }
 }

@@ -13,11 +13,22 @@ namespace stipple
 /// lower the farther.
 STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
 
+/// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
+STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
+
 /// Swaps edges and moves vertices about every triangle whose quality is below `threshold`
 /// (radians), always such that the worst triangle touched becomes better. Returns the number of
 /// triangles that stay below the threshold.
 STIPPLEFILTERSMESHING_EXPORT int repairTriangles(
   OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses);
+
+/// Swaps edges where that brings valences nearer to 5 to 7 (beside creases and boundaries, to one
+/// off what the angle holds), if moves then make all triangles about the edge as good as
+/// `threshold` (radians), or as good as the worst of them was. With `ribs`, vertices
+/// on creases and boundaries come first, and get two neighbours on each side. Returns the number of
+/// swaps.
+STIPPLEFILTERSMESHING_EXPORT int repairValences(
+  OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs = false);
 }
 
 #endif

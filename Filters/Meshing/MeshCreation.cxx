@@ -242,9 +242,9 @@ vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
   for (vtkIdType t = 0; withSeams && t < mesh->GetNumberOfPolys(); ++t)
   {
     mesh->GetPolys()->GetCellAtId(t, size, corner);
-    for (int k = 0; k < 3; ++k)
+    for (vtkIdType k = 0; k < size; ++k)
     {
-      edges.insert(key(corner[k], corner[(k + 1) % 3]));
+      edges.insert(key(corner[k], corner[(k + 1) % size]));
     }
   }
   for (std::size_t b = 0; b < chains.size(); ++b)

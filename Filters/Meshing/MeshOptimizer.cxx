@@ -5,6 +5,8 @@
 #include "EdgeSwaps.h"
 #include "LocalRepair.h"
 #include "Relaxation.h"
+#include "SelfIntersections.h"
+#include "SurfaceError.h"
 
 #include "vtkSMPTools.h"
 
@@ -31,6 +33,14 @@ constexpr double SmallAngle = 0.62;
 /// Smallest angle (degrees) that swaps for regularity may make. They come last: mixed with Delaunay
 /// swaps and moves they cost quality, for the moves spread what they disturb.
 constexpr double RegularityAngle = 36.;
+/// Angles (radians) that triangles keep when valences are repaired (only few are touched), and when
+/// the error is reduced.
+constexpr double ValenceAngle = 0.56;
+constexpr double ErrorAngle = 0.616;
+/// When vertices on creases get two neighbours on each side.
+constexpr double RibAngle = 0.35;
+/// And when triangles that pass through each other are parted.
+constexpr double PartingAngle = 0.5;
 /// In between, once the first rounds have brought order, those below this one and all folds are.
 constexpr double SliverAngle = 0.25;
 /// Rounds between repairs.
@@ -107,6 +117,22 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     regularitySwaps(mesh, RegularityAngle, 2);
   }
   repairTriangles(mesh, SmallAngle, swaps, moves, 5);
+  if (moves && options.swaps == Swaps::Regularity)
+  {
+    repairValences(mesh, ValenceAngle, 3);
+    if (options.ribs)
+    {
+      repairValences(mesh, RibAngle, 10, true);
+    }
+  }
+  if (moves && options.errorReduction > 0)
+  {
+    reduceSurfaceError(mesh, ErrorAngle, options.errorReduction);
+  }
+  if (moves)
+  {
+    resolveSelfIntersections(mesh, PartingAngle, 8);
+  }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }

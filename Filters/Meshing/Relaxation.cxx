@@ -66,7 +66,7 @@ Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
 /// vertices.
 double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
 {
-  constexpr double Largest = 4.;
+  constexpr double Largest = 3.;
   return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
 }
 }

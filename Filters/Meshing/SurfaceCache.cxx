@@ -52,6 +52,7 @@ Status SurfaceCache::update(vtkPartitionedDataSetCollection* charts, vtkPolyData
     }
   }
   this->smoothNormals(wall);
+  this->findNeighbours();
   this->Walk = std::make_unique<SurfaceWalk>(this->Surface, std::move(wall));
   this->Topology = this->Surface.topology();
   this->KeyOfContents = std::move(key);
@@ -86,5 +87,47 @@ void SurfaceCache::smoothNormals(const std::vector<char>& wall)
       this->SmoothNormal[f] = length > 0 ? Vec3(sum / length) : before[f];
     }
   }
+}
+
+void SurfaceCache::findNeighbours()
+{
+  const AtlasSurface& surface = this->Surface;
+  const int n = static_cast<int>(surface.points.size());
+  const int halfedges = static_cast<int>(surface.twin.size());
+  const auto forEachEdge = [&](const auto& visit) {
+    for (int h = 0; h < halfedges; ++h)
+    {
+      if (h > surface.twin[h])
+      {
+        visit(surface.tail(h), surface.head(h));
+      }
+    }
+  };
+  this->Outgoing.assign(n, -1);
+  for (int h = 0; h < halfedges; ++h)
+  {
+    this->Outgoing[surface.tail(h)] = h;
+  }
+  this->NeighbourBegin.assign(n + 1, 0);
+  forEachEdge([&](int p, int q) {
+    ++this->NeighbourBegin[p + 1];
+    ++this->NeighbourBegin[q + 1];
+  });
+  for (int p = 0; p < n; ++p)
+  {
+    this->NeighbourBegin[p + 1] += this->NeighbourBegin[p];
+  }
+  this->Neighbours.resize(this->NeighbourBegin.back());
+  std::vector<int> next = this->NeighbourBegin;
+  forEachEdge([&](int p, int q) {
+    this->Neighbours[next[p]++] = q;
+    this->Neighbours[next[q]++] = p;
+  });
+}
+
+SurfacePlace SurfaceCache::placeOfPoint(int p) const
+{
+  const int h = this->Outgoing[p];
+  return { h / 3, Vec3::Unit(h % 3) };
 }
 }

@@ -31,12 +31,19 @@ public:
   /// Normal of a face averaged with those about it on the same side of creases; unit length, or
   /// zero.
   const Vec3& smoothNormal(int face) const { return this->SmoothNormal[face]; }
+  /// The neighbours of point p along edges are neighbours()[neighbourBegin()[p]] to
+  /// neighbours()[neighbourBegin()[p + 1] - 1].
+  const std::vector<int>& neighbourBegin() const { return this->NeighbourBegin; }
+  const std::vector<int>& neighbours() const { return this->Neighbours; }
+  /// A point that a triangle uses, as a place.
+  SurfacePlace placeOfPoint(int p) const;
   const SurfaceTopology& topology() const { return this->Topology; }
   /// Counts the times that the inputs were read.
   int generation() const { return this->Generation; }
 
 private:
   void smoothNormals(const std::vector<char>& wall);
+  void findNeighbours();
 
   using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
   Key KeyOfContents;
@@ -45,6 +52,9 @@ private:
   std::vector<BackboneTrace> Traces;
   std::unique_ptr<SurfaceWalk> Walk;
   std::vector<Vec3> SmoothNormal;
+  std::vector<int> NeighbourBegin;
+  std::vector<int> Neighbours;
+  std::vector<int> Outgoing; // a halfedge a point
   SurfaceTopology Topology;
   int Generation = 0;
 };

@@ -19,10 +19,10 @@ struct Hole
   std::vector<std::vector<int>> neighbours; ///< by vertex, before the hole was made
 };
 
-/// The fan from the labelled halfedge `first` counterclockwise to the next labelled edge.
-Hole openSide(const TriangleComplex& c, int first)
+/// The fan from the labelled halfedge `first` counterclockwise to the next labelled edge. False if
+/// it has no such end, or meets a vertex twice, so that no disk would be left to fill.
+bool openSide(const TriangleComplex& c, int first, Hole& hole)
 {
-  Hole hole;
   int h = first;
   hole.vertices.push_back(c.head(h));
   while (true)
@@ -37,15 +37,24 @@ Hole openSide(const TriangleComplex& c, int first)
       break;
     }
     h = c.turnLeft(h);
+    if (h < 0 || h == first)
+    {
+      return false;
+    }
+  }
+  std::vector<int> sorted = hole.vertices;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+  {
+    return false;
   }
   for (std::size_t i = 0; i < hole.vertices.size(); ++i)
   {
-    const int outgoing = i < hole.faces.size() ? 3 * hole.faces[i] : 3 * hole.faces.back();
-    int g = outgoing;
-    while (c.tail(g) != hole.vertices[i])
-    {
-      g = nextHalfedge(g);
-    }
+    // Face i lies between the vertices i and i + 1; `vertex` is the third.
+    const int f = i < hole.faces.size() ? hole.faces[i] : hole.faces.back();
+    const auto& t = c.triangles[f];
+    const int g =
+      3 * f + static_cast<int>(std::find(t.begin(), t.end(), hole.vertices[i]) - t.begin());
     std::vector<int> near;
     for (int o : c.star(g))
     {
@@ -54,7 +63,40 @@ Hole openSide(const TriangleComplex& c, int first)
     }
     hole.neighbours.push_back(std::move(near));
   }
-  return hole;
+  return true;
+}
+
+/// Swaps edges of a vertex's star until no two of its edges run to the same vertex: such a pair
+/// encloses others, which would be cut off if the vertex went.
+void separateStar(TriangleComplex& c, int vertex, std::vector<int>& outgoing)
+{
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    const std::vector<int> star = c.star(outgoing[vertex]);
+    for (int h : star)
+    {
+      const int twin = c.twin[h];
+      const bool isDouble = std::any_of(
+        star.begin(), star.end(), [&](int g) { return g != h && c.head(g) == c.head(h); });
+      if (!isDouble || twin < 0 || c.label[h] >= 0 || c.apex(h) == c.apex(twin) ||
+        c.apex(h) == vertex || c.apex(twin) == vertex)
+      {
+        continue;
+      }
+      const int faces[2] = { h / 3, twin / 3 };
+      c.flip(h);
+      for (int f : faces)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          outgoing[c.triangles[f][k]] = 3 * f + k;
+        }
+      }
+      changed = true;
+      break;
+    }
+  }
 }
 
 /// Clips the best ear again and again; returns the halfedge on the closing edge, from the last
@@ -189,28 +231,51 @@ void TriangleComplex::flip(int h)
 
 std::vector<int> TriangleComplex::star(int outgoing) const
 {
+  const int v = this->tail(outgoing);
+  const auto most = static_cast<std::size_t>(this->numberOfHalfedges());
   int first = outgoing;
-  for (int h = this->turnRight(first); h >= 0; h = this->turnRight(h))
+  std::size_t steps = 0;
+  for (int h = this->turnRight(first); h >= 0 && h != outgoing; h = this->turnRight(h))
   {
     first = h;
-    if (h == outgoing)
+    if (++steps > most || this->tail(h) != v)
     {
-      break;
+      return {};
     }
   }
   std::vector<int> result;
   int h = first;
   do
   {
+    if (result.size() == most || this->tail(h) != v)
+    {
+      return {};
+    }
     result.push_back(h);
     h = this->turnLeft(h);
   } while (h >= 0 && h != first);
   return result;
 }
 
+bool TriangleComplex::isSound() const
+{
+  for (int h = 0; h < this->numberOfHalfedges(); ++h)
+  {
+    const int g = this->twin[h];
+    if (this->tail(h) >= 0 && g >= 0 &&
+      (g == h || this->twin[g] != h || this->tail(g) != this->head(h) ||
+        this->head(g) != this->tail(h)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score,
   std::vector<std::array<int, 2>>& merged)
 {
+  separateStar(*this, vertex, outgoing);
   std::array<int, 2> first = { { -1, -1 } };
   int sides = 0;
   int constraint = -1;
@@ -230,7 +295,10 @@ bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, co
   int unfilled = 0;
   for (int s = 0; s < sides; ++s)
   {
-    hole[s] = openSide(*this, first[s]);
+    if (!openSide(*this, first[s], hole[s]))
+    {
+      return false;
+    }
     unfilled += hole[s].faces.size() == 1 ? 1 : 0;
   }
   if (unfilled == 2 || (sides == 1 && unfilled == 1 && hole[0].outer.front() < 0))

@@ -43,15 +43,19 @@ struct STIPPLEFILTERSMESHING_EXPORT TriangleComplex
   int turnLeft(int h) const { return this->twin[previousHalfedge(h)]; }
   int turnRight(int h) const { return this->twin[h] < 0 ? -1 : nextHalfedge(this->twin[h]); }
   /// All outgoing halfedges of the tail of `outgoing`, counterclockwise; from the boundary on if
-  /// there is one.
+  /// there is one. Empty if the halfedges about the vertex form no star: see isSound().
   std::vector<int> star(int outgoing) const;
+  /// Every halfedge's twin has it as its own twin, and runs the other way between the same
+  /// vertices.
+  bool isSound() const;
   /// Rates a triangle (three corners) that could fill a hole; larger is better.
   using Score = std::function<double(int, int, int)>;
   /// Takes a vertex of valence two in its chain of constraints out of the chain and of the complex,
   /// and fills the hole; the chain then runs directly between its neighbours. `outgoing` holds a
   /// halfedge a vertex and is kept so. Where nothing lies between two chains, they become one edge:
-  /// merged gets the pair of their labels. False, and nothing is changed, if no triangle would be
-  /// left on either side. Freed triangles have corners -1.
+  /// merged gets the pair of their labels. Where two edges run between the vertex and another,
+  /// swaps separate them first. False, and the vertex stays, if no triangle would be left on either
+  /// side, or no disk. Freed triangles have corners -1.
   bool removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score,
     std::vector<std::array<int, 2>>& merged);
   /// Drops freed triangles.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRemeshOptimizer.h"
 
+#include "LeastSquaresPlacement.h"
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
 #include "PolyDataConversion.h"
@@ -60,7 +61,7 @@ int vtkRemeshOptimizer::RequestData(
   stipple::Status status = atlas.update(charts, featureGraph);
   if (status.ok())
   {
-    status = density.read(control, atlas.surface());
+    status = density.read(this->FollowDensity ? control : nullptr, atlas.surface());
   }
   if (status.ok())
   {
@@ -77,6 +78,8 @@ int vtkRemeshOptimizer::RequestData(
     options.swaps = static_cast<Options::Swaps>(this->Connectivity);
     options.moves = static_cast<Options::Moves>(this->Smoothing);
     options.iterations = this->NumberOfIterations;
+    options.ribs = this->Ribs;
+    options.errorReduction = 0.01 * this->ErrorReduction;
     status = stipple::optimizeMesh(mesh, options, [this](double fraction) {
       this->UpdateProgress(0.05 + 0.9 * fraction);
       return this->GetAbortExecute() == 0;
@@ -95,11 +98,27 @@ int vtkRemeshOptimizer::RequestData(
     this->Smoothing != vtkRemeshOptimizer::SMOOTHING_NONE && this->NumberOfIterations > 0;
   const auto result =
     stipple::meshToPolyData(atlas, moved ? mesh.samples() : samples, mesh.triangles());
+  if (this->Placement == LEAST_SQUARES)
+  {
+    const std::vector<stipple::Vec3> positions = stipple::leastSquaresPositions(mesh);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      result->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
+    }
+  }
   const auto lines = stipple::featureLines(atlas.graph(), mesh.chains(), result, false);
   meshOutput->ShallowCopy(result);
   linesOutput->ShallowCopy(lines);
   this->UpdateProgress(1.);
   return 1;
+}
+
+void vtkRemeshOptimizer::SetPreset(bool followDensity, bool ribs)
+{
+  this->SetConnectivity(REGULARITY);
+  this->SetSmoothing(LLOYD);
+  this->SetFollowDensity(followDensity);
+  this->SetRibs(ribs);
 }
 
 void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
@@ -108,5 +127,9 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Connectivity: " << this->Connectivity << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "FollowDensity: " << this->FollowDensity << "\n";
+  os << indent << "Ribs: " << this->Ribs << "\n";
+  os << indent << "Placement: " << this->Placement << "\n";
+  os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
   os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

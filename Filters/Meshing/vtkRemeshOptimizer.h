@@ -9,10 +9,10 @@
  * elsewhere on the surface.
  *
  * Vertices walk straight over the triangles of the surface, across the seams of the charts: they
- * stay exactly on it, and no seam shows in the result. Vertices on sharp and boundary backbones
- * move along their backbone only; corners and constraints do not move. Edges along sharp and
- * boundary backbones are never swapped. No swap and no move folds the mesh over, makes a degenerate
- * triangle or a second edge between two vertices.
+ * stay exactly on it (but see Placement), and no seam shows in the result. Vertices on sharp and
+ * boundary backbones move along their backbone only; corners and constraints do not move. Edges
+ * along sharp and boundary backbones are never swapped. No swap and no move folds the mesh over,
+ * makes a degenerate triangle or a second edge between two vertices.
  *
  * Input ports:
  * - 0: mesh, a vtkPolyData (vtkCDTRemesh, port 0), with its arrays SampleKind, ChartId,
@@ -97,6 +97,67 @@ public:
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the density of the control images is kept; off, the mesh becomes uniform as without
+   * them. The default is on.
+   */
+  vtkSetMacro(FollowDensity, bool);
+  vtkGetMacro(FollowDensity, bool);
+  vtkBooleanMacro(FollowDensity, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether vertices on sharp and boundary backbones get two neighbours on each side (paper, Figure
+   * 8), at the cost of smaller angles there. It takes effect with Connectivity REGULARITY and
+   * moves. The default is off.
+   */
+  vtkSetMacro(Ribs, bool);
+  vtkGetMacro(Ribs, bool);
+  vtkBooleanMacro(Ribs, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The paper's combinations (section 4.4), by their names: all set Connectivity to REGULARITY and
+   * Smoothing to LLOYD. Uniform ignores the density, adaptive follows it, rib follows it and turns
+   * Ribs on.
+   */
+  void SetPresetToUniform() { this->SetPreset(false, false); }
+  void SetPresetToAdaptive() { this->SetPreset(true, false); }
+  void SetPresetToRib() { this->SetPreset(true, true); }
+  ///@}
+
+  enum PlacementType
+  {
+    ON_SURFACE = 0,
+    LEAST_SQUARES = 1
+  };
+  ///@{
+  /**
+   * Where vertices end: ON_SURFACE, exactly, or LEAST_SQUARES, moved along the normal from there to
+   * where the triangles between them are nearest to the surface in the sense of least squares (the
+   * paper's geometric approximation). The provenance arrays then name the place that a point moved
+   * away from. Points on sharp and boundary backbones, corners and constraints stay. The default is
+   * ON_SURFACE.
+   */
+  vtkSetClampMacro(Placement, int, ON_SURFACE, LEAST_SQUARES);
+  vtkGetMacro(Placement, int);
+  void SetPlacementToOnSurface() { this->SetPlacement(ON_SURFACE); }
+  void SetPlacementToLeastSquares() { this->SetPlacement(LEAST_SQUARES); }
+  ///@}
+
+  ///@{
+  /**
+   * Percentage of the points, 0 to 100, about which the last step brings the mesh nearer to the
+   * surface: those with the input's farthest points beside them. They move on the surface, at the
+   * cost of less even areas. It takes no effect if Smoothing is NONE. The default is 0.65.
+   */
+  vtkSetClampMacro(ErrorReduction, double, 0., 100.);
+  vtkGetMacro(ErrorReduction, double);
+  ///@}
+
 protected:
   vtkRemeshOptimizer();
   ~vtkRemeshOptimizer() override;
@@ -108,9 +169,15 @@ private:
   vtkRemeshOptimizer(const vtkRemeshOptimizer&) = delete;
   void operator=(const vtkRemeshOptimizer&) = delete;
 
+  void SetPreset(bool followDensity, bool ribs);
+
   int Connectivity = REGULARITY;
   int Smoothing = LLOYD;
   int NumberOfIterations = 60;
+  double ErrorReduction = 0.65;
+  bool FollowDensity = true;
+  bool Ribs = false;
+  int Placement = ON_SURFACE;
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 };

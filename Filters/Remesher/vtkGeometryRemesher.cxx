@@ -22,8 +22,10 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkRenderWindow.h"
+#include "vtkSemiRegularSubdivision.h"
 #include "vtkTimerLog.h"
 #include "vtkWeakPointer.h"
 
@@ -36,13 +38,25 @@ vtkStandardNewMacro(vtkGeometryRemesher);
 namespace
 {
 constexpr int NumberOfStages = 6;
+// Behind the stages come the algorithms that other patterns put in their places.
+constexpr int QuadMeshing = 6;
+constexpr int Subdivision = 7;
+constexpr int NumberOfAlgorithms = 8;
+
+/// The stage that an algorithm belongs to.
+int stageOf(int algorithm)
+{
+  return algorithm == QuadMeshing ? vtkGeometryRemesher::MESHING
+    : algorithm == Subdivision    ? vtkGeometryRemesher::OPTIMISATION
+                                  : algorithm;
+}
 
 /// Where each stage's progress begins in the whole: about the shares of time it takes, and the end.
 constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
   1. } };
 
-constexpr const char* StageNames[NumberOfStages] = { "atlas", "map renderer", "control map",
-  "sampler", "mesher", "optimizer" };
+constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
+  "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
 }
 
 struct vtkGeometryRemesher::Internals
@@ -53,7 +67,9 @@ struct vtkGeometryRemesher::Internals
   vtkNew<vtkErrorDiffusionSampler> Sampler;
   vtkNew<vtkCDTRemesh> Mesher;
   vtkNew<vtkRemeshOptimizer> Optimizer;
-  std::array<vtkAlgorithm*, NumberOfStages> InOrder;
+  vtkNew<vtkQuadRemesh> QuadMesher;
+  vtkNew<vtkSemiRegularSubdivision> Subdivider;
+  std::array<vtkAlgorithm*, NumberOfAlgorithms> InOrder;
   std::array<double, NumberOfStages> Seconds = {};
 
   vtkWeakPointer<vtkPolyData> Input;
@@ -73,7 +89,7 @@ struct vtkGeometryRemesher::Internals
     : Self(self)
   {
     this->InOrder = { { this->Atlas, this->MapRenderer, this->ControlMap, this->Sampler,
-      this->Mesher, this->Optimizer } };
+      this->Mesher, this->Optimizer, this->QuadMesher, this->Subdivider } };
     vtkAlgorithmOutput* charts = this->Atlas->GetOutputPort(0);
     vtkAlgorithmOutput* graph = this->Atlas->GetOutputPort(1);
     this->MapRenderer->SetInputConnection(0, charts);
@@ -89,6 +105,12 @@ struct vtkGeometryRemesher::Internals
     this->Optimizer->SetInputConnection(1, charts);
     this->Optimizer->SetInputConnection(2, graph);
     this->Optimizer->SetInputConnection(3, this->ControlMap->GetOutputPort(0));
+    this->QuadMesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
+    this->QuadMesher->SetInputConnection(1, charts);
+    this->QuadMesher->SetInputConnection(2, graph);
+    this->Subdivider->SetInputConnection(0, this->Optimizer->GetOutputPort(0));
+    this->Subdivider->SetInputConnection(1, charts);
+    this->Subdivider->SetInputConnection(2, graph);
     this->Observer->SetClientData(this);
     this->Observer->SetCallback(&Internals::execute);
     for (vtkAlgorithm* stage : this->InOrder)
@@ -123,8 +145,8 @@ struct vtkGeometryRemesher::Internals
     }
     else if (caller == stage)
     {
-      const double begin = ProgressBegin[self->Current];
-      const double end = ProgressBegin[self->Current + 1];
+      const double begin = ProgressBegin[stageOf(self->Current)];
+      const double end = ProgressBegin[stageOf(self->Current) + 1];
       self->Self->UpdateProgress(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
       if (self->Self->GetAbortExecute())
       {
@@ -201,29 +223,30 @@ vtkMTimeType vtkGeometryRemesher::GetMTime()
   return std::max(time, this->Stages->StoppedTime.GetMTime());
 }
 
-bool vtkGeometryRemesher::RunStage(int stage)
+bool vtkGeometryRemesher::RunStage(int algorithm)
 {
   Internals& s = *this->Stages;
-  s.Current = stage;
+  const int stage = stageOf(algorithm);
+  s.Current = algorithm;
   s.StageError.clear();
   s.ExecutiveError.clear();
   const double begin = vtkTimerLog::GetUniversalTime();
-  const bool updated = s.InOrder[stage]->GetExecutive()->Update() != 0;
-  s.Seconds[stage] = vtkTimerLog::GetUniversalTime() - begin;
-  if (s.InOrder[stage]->GetAbortExecute() || this->AbortExecute)
+  const bool updated = s.InOrder[algorithm]->GetExecutive()->Update() != 0;
+  s.Seconds[stage] += vtkTimerLog::GetUniversalTime() - begin;
+  if (s.InOrder[algorithm]->GetAbortExecute() || this->AbortExecute)
   {
     this->AbortExecute = 1;
-    s.InOrder[stage]->Modified(); // what it left is not its result
+    s.InOrder[algorithm]->Modified(); // what it left is not its result
     return false;
   }
   if (!updated || !s.StageError.empty())
   {
-    s.InOrder[stage]->Modified();
+    s.InOrder[algorithm]->Modified();
     const std::string sentence = !s.StageError.empty()
       ? s.StageError
       : (!s.ExecutiveError.empty()
             ? s.ExecutiveError
-            : "The " + std::string(StageNames[stage]) + " failed without saying why.");
+            : "The " + std::string(AlgorithmNames[algorithm]) + " failed without saying why.");
     s.Failed = true;
     vtkErrorMacro(<< sentence);
     return false;
@@ -251,8 +274,16 @@ bool vtkGeometryRemesher::RunStages()
   s.selectMaps();
   s.MapRenderer->SetNumberOfSamples(points);
   s.Sampler->SetNumberOfSamples(points);
-  return this->RunStage(MAPS) && this->RunStage(CONTROL) && this->RunStage(SAMPLING) &&
-    this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
+  if (!this->RunStage(MAPS) || !this->RunStage(CONTROL) || !this->RunStage(SAMPLING))
+  {
+    return false;
+  }
+  if (this->Pattern == QUADS)
+  {
+    return this->RunStage(QuadMeshing);
+  }
+  return this->RunStage(MESHING) && this->RunStage(OPTIMISATION) &&
+    (this->Pattern != SEMIREGULAR || this->RunStage(Subdivision));
 }
 
 int vtkGeometryRemesher::RequestData(
@@ -271,8 +302,11 @@ int vtkGeometryRemesher::RequestData(
   const bool done = this->RunStages();
   if (done)
   {
-    const std::array<vtkDataObject*, 7> results = { { s.Optimizer->GetOutputDataObject(0),
-      s.Optimizer->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0),
+    vtkAlgorithm* last = s.InOrder[this->Pattern == QUADS ? QuadMeshing
+        : this->Pattern == SEMIREGULAR                    ? Subdivision
+                                                          : OPTIMISATION];
+    const std::array<vtkDataObject*, 7> results = { { last->GetOutputDataObject(0),
+      last->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0),
       s.Atlas->GetOutputDataObject(1), s.ControlMap->GetOutputDataObject(0),
       s.Sampler->GetOutputDataObject(0), s.Sampler->GetOutputDataObject(1) } };
     for (int port = 0; port < 7; ++port)
@@ -365,6 +399,14 @@ stippleForwardChoice(Optimizer, Smoothing, Area);
 stippleForwardChoice(Optimizer, Smoothing, Density);
 stippleForwardChoice(Optimizer, Smoothing, Lloyd);
 stippleForwardClamped(Optimizer, NumberOfIterations, int);
+stippleForwardClamped(Optimizer, ErrorReduction, double);
+stippleForwardChoice(Optimizer, Preset, Uniform);
+stippleForwardChoice(Optimizer, Preset, Adaptive);
+stippleForwardChoice(Optimizer, Preset, Rib);
+stippleForward(Optimizer, Placement, int);
+stippleForwardChoice(Optimizer, Placement, OnSurface);
+stippleForwardChoice(Optimizer, Placement, LeastSquares);
+stippleForwardClamped(Subdivider, NumberOfSubdivisions, int);
 
 void vtkGeometryRemesher::SetBandPass(double fine, double coarse)
 {
@@ -431,13 +473,29 @@ vtkRemeshOptimizer* vtkGeometryRemesher::GetOptimizer()
   return this->Stages->Optimizer;
 }
 
+vtkQuadRemesh* vtkGeometryRemesher::GetQuadMesher()
+{
+  return this->Stages->QuadMesher;
+}
+
+vtkSemiRegularSubdivision* vtkGeometryRemesher::GetSubdivision()
+{
+  return this->Stages->Subdivider;
+}
+
 void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
-  for (int stage = 0; stage < NumberOfStages; ++stage)
+  os << indent << "Pattern: " << this->Pattern << "\n";
+  for (int a = 0; a < NumberOfAlgorithms; ++a)
   {
-    os << indent << "The " << StageNames[stage] << " (" << this->Stages->Seconds[stage] << " s):\n";
-    this->Stages->InOrder[stage]->PrintSelf(os, indent.GetNextIndent());
+    os << indent << "The " << AlgorithmNames[a];
+    if (a < NumberOfStages)
+    {
+      os << " (" << this->Stages->Seconds[a] << " s)";
+    }
+    os << ":\n";
+    this->Stages->InOrder[a]->PrintSelf(os, indent.GetNextIndent());
   }
 }

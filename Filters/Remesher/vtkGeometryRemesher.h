@@ -33,7 +33,7 @@
  * number that works.
  *
  * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh
- * vtkRemeshOptimizer
+ * vtkRemeshOptimizer vtkQuadRemesh vtkSemiRegularSubdivision
  */
 #ifndef vtkGeometryRemesher_h
 #define vtkGeometryRemesher_h
@@ -49,15 +49,16 @@ class vtkControlMap;
 class vtkDoubleArray;
 class vtkErrorDiffusionSampler;
 class vtkGeometryMapRenderer;
-class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkImageData;
 class vtkPartitionedDataSetCollection;
 class vtkPiecewiseFunction;
 class vtkPoints;
 class vtkPolyData;
+class vtkQuadRemesh;
 class vtkRemeshOptimizer;
 class vtkRenderWindow;
+class vtkSemiRegularSubdivision;
 
 class STIPPLEFILTERSREMESHER_EXPORT vtkGeometryRemesher : public vtkPolyDataAlgorithm
 {
@@ -271,6 +272,52 @@ public:
   ///@}
 
   ///@{
+  /// Percentage of the points, 0 to 100, about which the last step brings the mesh nearer to the
+  /// input. The default is vtkRemeshOptimizer's.
+  void SetErrorReduction(double percent);
+  double GetErrorReduction();
+  double GetErrorReductionMinValue();
+  double GetErrorReductionMaxValue();
+  ///@}
+
+  ///@{
+  /// The paper's combinations of swaps and moves: see vtkRemeshOptimizer.
+  void SetPresetToUniform();
+  void SetPresetToAdaptive();
+  void SetPresetToRib();
+  /// Whether points stay on the surface (vtkRemeshOptimizer::ON_SURFACE, the default) or leave it
+  /// to fit it better (vtkRemeshOptimizer::LEAST_SQUARES).
+  void SetPlacement(int placement);
+  int GetPlacement();
+  void SetPlacementToOnSurface();
+  void SetPlacementToLeastSquares();
+  ///@}
+
+  enum PatternType
+  {
+    TRIANGLES = 0,
+    QUADS = 1,
+    SEMIREGULAR = 2
+  };
+  ///@{
+  /// What the mesh is made of. TRIANGLES: the optimised mesh. QUADS: regular quads in the charts'
+  /// parameter planes, with triangles along backbones (see vtkQuadRemesh); one open chart becomes a
+  /// grid of quads of at most NumberOfPoints points. SEMIREGULAR: the optimised mesh of
+  /// NumberOfPoints points is the base mesh, and all its triangles are split 1 to 4
+  /// NumberOfSubdivisions times (see vtkSemiRegularSubdivision). The default is TRIANGLES.
+  vtkSetClampMacro(Pattern, int, TRIANGLES, SEMIREGULAR);
+  vtkGetMacro(Pattern, int);
+  void SetPatternToTriangles() { this->SetPattern(TRIANGLES); }
+  void SetPatternToQuads() { this->SetPattern(QUADS); }
+  void SetPatternToSemiRegular() { this->SetPattern(SEMIREGULAR); }
+  /// Levels of the pattern SEMIREGULAR, 0 to 8. The default is 2.
+  void SetNumberOfSubdivisions(int levels);
+  int GetNumberOfSubdivisions();
+  int GetNumberOfSubdivisionsMinValue();
+  int GetNumberOfSubdivisionsMaxValue();
+  ///@}
+
+  ///@{
   /// The stages, for parameters that are not here and for their getters after an update. Do not
   /// change their inputs.
   vtkConformalAtlas* GetAtlas();
@@ -279,6 +326,8 @@ public:
   vtkErrorDiffusionSampler* GetSampler();
   vtkCDTRemesh* GetMesher();
   vtkRemeshOptimizer* GetOptimizer();
+  vtkQuadRemesh* GetQuadMesher();
+  vtkSemiRegularSubdivision* GetSubdivision();
   ///@}
 
   /// The stages in their order.
@@ -312,6 +361,7 @@ private:
   bool RunStages();
 
   int NumberOfPoints = 0;
+  int Pattern = TRIANGLES;
   struct Internals;
   std::unique_ptr<Internals> Stages;
 };

@@ -228,10 +228,6 @@ class Options(Case):
         self.assertTrue(os.path.getsize(self.path("samples.vtp")) > 10000)
         self.assertTrue(os.path.exists(self.path("charts.vtpc")))
 
-    def test_later_stages_say_so(self):
-        for options in (["--pattern", "quads"], ["--pattern", "semiregular"], ["--subdivisions", "2"]):
-            self.refuse(2, ["not available yet"], model("fandisk"), "-o", self.path("out.ply"), *options)
-
 
 class Files(Case):
     def test_every_format_is_read_and_written(self):

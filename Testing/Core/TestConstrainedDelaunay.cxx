@@ -188,3 +188,81 @@ TEST(TriangleComplex, TakesAVertexOutOfAChain)
   }
   EXPECT_EQ(chain, 2);
 }
+
+namespace
+{
+/// Vertex 6 amid 0 to 5, with a chain from 0 by 6 to 3 and two edges to vertex 1: between them lies
+/// vertex 7, which touches nothing else. Halfedge 3 i leaves 6 for the i-th vertex about it.
+TriangleComplex starWithTwoEdgesToOneVertex()
+{
+  TriangleComplex c;
+  const std::array<int, 8> ring = { { 0, 1, 7, 1, 2, 3, 4, 5 } };
+  for (int i = 0; i < 8; ++i)
+  {
+    c.triangles.push_back({ 6, ring[i], ring[(i + 1) % 8] });
+  }
+  c.twin.assign(24, -1);
+  c.label.assign(24, -1);
+  for (int i = 0; i < 8; ++i)
+  {
+    c.glue(3 * i + 2, 3 * ((i + 1) % 8));
+    c.label[3 * i + 1] = 100 + i;
+  }
+  c.glue(3 * 1 + 1, 3 * 2 + 1); // the edge from 1 to 7
+  c.label[3 * 1 + 1] = c.label[3 * 2 + 1] = -1;
+  for (int i : { 0, 5 })
+  {
+    c.label[3 * i] = c.label[c.twin[3 * i]] = 5;
+  }
+  return c;
+}
+}
+
+TEST(TriangleComplex, KeepsWhatTwoEdgesToOneVertexEnclose)
+{
+  TriangleComplex c = starWithTwoEdgesToOneVertex();
+  ASSERT_TRUE(c.isSound());
+  std::vector<int> outgoing(8);
+  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  {
+    outgoing[c.tail(h)] = h;
+  }
+  std::vector<std::array<int, 2>> merged;
+  ASSERT_TRUE(c.removeFromChain(
+    6, outgoing, [](int, int, int) { return 0.; }, merged));
+  c.compact();
+  EXPECT_TRUE(c.isSound());
+  EXPECT_EQ(c.triangles.size(), 6u); // 2 V - 2 - boundary, with V = 7
+  std::set<int> used;
+  int chain = 0;
+  int boundary = 0;
+  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  {
+    used.insert(c.tail(h));
+    boundary += c.twin[h] < 0 ? 1 : 0;
+    chain += c.label[h] == 5 && ordered(c.tail(h), c.head(h)) == ordered(0, 3) ? 1 : 0;
+  }
+  EXPECT_EQ(used, std::set<int>({ 0, 1, 2, 3, 4, 5, 7 }));
+  EXPECT_EQ(boundary, 6);
+  EXPECT_EQ(chain, 2);
+}
+
+TEST(TriangleComplex, StarThatDoesNotCloseIsEmpty)
+{
+  TriangleComplex c = starWithTwoEdgesToOneVertex();
+  EXPECT_EQ(c.star(0).size(), 8u);
+  // Turning left from the edge to 2 leads back to itself: a star that never comes round to the edge
+  // to 0.
+  c.twin[3 * 4 + 2] = 3 * 4;
+  EXPECT_FALSE(c.isSound());
+  EXPECT_TRUE(c.star(0).empty());
+  std::vector<int> outgoing(8, 0);
+  std::vector<std::array<int, 2>> merged;
+  EXPECT_FALSE(c.removeFromChain(
+    6, outgoing, [](int, int, int) { return 0.; }, merged));
+  // A twin at another vertex.
+  c = starWithTwoEdgesToOneVertex();
+  c.twin[3 * 4 + 2] = 3 * 6 + 1;
+  EXPECT_FALSE(c.isSound());
+  EXPECT_TRUE(c.star(0).empty());
+}

@@ -11,6 +11,7 @@
 #include "vtkRemeshOptimizer.h"
 #include "vtkSMPTools.h"
 
+#include <array>
 #include <iostream>
 #include <set>
 
@@ -253,6 +254,22 @@ void checkFeatures()
   }
 }
 
+/// So few points that nearly all lie on edges: a swap there must not put three of one edge into a
+/// triangle.
+void checkCoarseFeatures()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 1, false);
+  synthetic::Atlas& atlas = b.finish();
+  for (const int n : { 14, 20, 32, 44, 56, 80 })
+  {
+    Run run(atlas, n);
+    const std::string name = "cube of " + std::to_string(n) + " points";
+    checkContract(name, atlas, run);
+    check(measure(run.result()).smallestAngle > 8, name + ": no degenerate triangle");
+  }
+}
+
 void checkOptions()
 {
   synthetic::Builder b;
@@ -283,6 +300,63 @@ void checkOptions()
         name + ": quality");
     }
   }
+}
+
+/// Squared distance of p to the triangle (a, b, c), by trying plane, edges and corners in turn.
+double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 n = (b - a).cross(c - a).normalized();
+  const Vec3 foot = p - n.dot(p - a) * n;
+  double best = 1e300;
+  const std::array<Vec3, 3> corner = { { a, b, c } };
+  bool inside = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3& q = corner[k];
+    const Vec3 edge = corner[(k + 1) % 3] - q;
+    inside = inside && edge.cross(foot - q).dot(n) >= 0;
+    const double t = std::clamp(edge.dot(p - q) / edge.squaredNorm(), 0., 1.);
+    best = std::min(best, (q + t * edge - p).squaredNorm());
+  }
+  return inside ? (foot - p).squaredNorm() : best;
+}
+
+/// Sum of squares and maximum of the distances of the surface's points to the mesh.
+std::pair<double, double> distances(const TriangleSurface& surface, const TriangleSurface& mesh)
+{
+  double sum = 0;
+  double largest = 0;
+  for (const Vec3& p : surface.points)
+  {
+    double best = 1e300;
+    for (int f = 0; f < mesh.numberOfFaces(); ++f)
+    {
+      best =
+        std::min(best, squaredDistance(p, mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2)));
+    }
+    sum += best;
+    largest = std::max(largest, std::sqrt(best));
+  }
+  return { sum, largest };
+}
+
+/// A thin torus: its tube is strongly curved where the mesh is coarse.
+void checkErrorReduction()
+{
+  synthetic::Builder b;
+  synthetic::torus(b, 80, 40);
+  synthetic::Atlas& atlas = b.finish();
+  Run run(atlas, 300);
+  check(run.optimizer->GetErrorReduction() == 0.65, "error reduction: the default");
+  run.optimizer->SetErrorReduction(0.);
+  const auto before = distances(atlas.surface, run.result());
+  run.optimizer->SetErrorReduction(30.);
+  checkContract("error reduction", atlas, run);
+  const TriangleSurface mesh = run.result();
+  const auto after = distances(atlas.surface, mesh);
+  check(after.first < 0.97 * before.first, "error reduction: the sum of squared distances falls");
+  check(after.second < 0.8 * before.second, "error reduction: so does the largest");
+  check(measure(mesh).smallestAngle > 30, "error reduction: angles are kept");
 }
 
 /// Four times the density on one half of a flat square.
@@ -352,8 +426,10 @@ int TestRemeshOptimizer(int, char*[])
 {
   checkSphere();
   checkFeatures();
+  checkCoarseFeatures();
   checkOptions();
   checkDensity();
+  checkErrorReduction();
 
   synthetic::Builder b;
   synthetic::bumpyGrid(b, 2, 20, true);

@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QuadPattern.h"
+
+#include "MeshCreation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+/// Nodes at origin + spacing * (i, j), 0 <= i < width, 0 <= j < height.
+struct Lattice
+{
+  Vec2 origin = Vec2::Zero();
+  Vec2 spacing = Vec2::Zero();
+  int width = 0;
+  int height = 0;
+  int size() const { return this->width * this->height; }
+  Vec2 node(int i, int j) const
+  {
+    return this->origin + Vec2(i * this->spacing.x(), j * this->spacing.y());
+  }
+  /// Calls visit(i, j) for the nodes in a box.
+  template <typename Visit>
+  void forEachIn(const Vec2& low, const Vec2& high, const Visit& visit) const
+  {
+    const auto clampedTo = [](double x, int n) {
+      return static_cast<int>(std::clamp(x, -1., static_cast<double>(n)));
+    };
+    const Vec2 a = (low - this->origin).cwiseQuotient(this->spacing);
+    const Vec2 b = (high - this->origin).cwiseQuotient(this->spacing);
+    const int i0 = std::max(0, clampedTo(std::ceil(a.x()), this->width));
+    const int j0 = std::max(0, clampedTo(std::ceil(a.y()), this->height));
+    for (int j = j0; j < this->height && j <= b.y(); ++j)
+    {
+      for (int i = i0; i < this->width && i <= b.x(); ++i)
+      {
+        visit(i, j);
+      }
+    }
+  }
+};
+
+/// The square lattice of a spacing, centred in a rectangle.
+Lattice centredLattice(const Vec2& extent, double spacing)
+{
+  Lattice lattice;
+  lattice.spacing = Vec2(spacing, spacing);
+  lattice.width = static_cast<int>(extent.x() / spacing) + 1;
+  lattice.height = static_cast<int>(extent.y() / spacing) + 1;
+  lattice.origin = 0.5 * (extent - spacing * Vec2(lattice.width - 1, lattice.height - 1));
+  return lattice;
+}
+
+double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b)
+{
+  const Vec2 ab = b - a;
+  const double square = ab.squaredNorm();
+  const double t = square > 0 ? std::clamp(ab.dot(p - a) / square, 0., 1.) : 0.;
+  return (a + t * ab - p).norm();
+}
+
+using Segment = std::array<Vec2, 2>;
+
+/// By node, whether it is farther than `clearance` from the rectangle's sides and all segments.
+std::vector<char> clearNodes(const Lattice& lattice, const Vec2& extent,
+  const std::vector<Segment>& segments, double clearance)
+{
+  std::vector<char> clear(lattice.size(), 0);
+  const Vec2 margin(clearance, clearance);
+  lattice.forEachIn(
+    margin, extent - margin, [&](int i, int j) { clear[j * lattice.width + i] = 1; });
+  for (const Segment& s : segments)
+  {
+    lattice.forEachIn(
+      s[0].cwiseMin(s[1]) - margin, s[0].cwiseMax(s[1]) + margin, [&](int i, int j) {
+        if (distanceToSegment(lattice.node(i, j), s[0], s[1]) < clearance)
+        {
+          clear[j * lattice.width + i] = 0;
+        }
+      });
+  }
+  return clear;
+}
+
+/// The place on the surface of every node of a chart's lattice; face -1 where there is none.
+std::vector<SurfacePlace> placesOf(const AtlasSurface& surface, int chart, const Lattice& lattice)
+{
+  constexpr double Tolerance = 1e-9;
+  std::vector<SurfacePlace> places(lattice.size());
+  std::vector<double> inside(lattice.size(), -Tolerance);
+  for (int f = surface.chartBegin[chart]; f < surface.chartBegin[chart + 1]; ++f)
+  {
+    const Vec2& a = surface.cornerUV(f, 0);
+    const Vec2& b = surface.cornerUV(f, 1);
+    const Vec2& c = surface.cornerUV(f, 2);
+    if (orient2(a, b, c) <= 0)
+    {
+      continue;
+    }
+    const Vec2 margin(Tolerance, Tolerance);
+    lattice.forEachIn(
+      a.cwiseMin(b).cwiseMin(c) - margin, a.cwiseMax(b).cwiseMax(c) + margin, [&](int i, int j) {
+        const Vec3 bary = barycentric(lattice.node(i, j), a, b, c);
+        const int n = j * lattice.width + i;
+        if (bary.minCoeff() > inside[n]) // the deepest wins: on edges, whatever the order of faces
+        {
+          inside[n] = bary.minCoeff();
+          places[n] = { f, clampedBarycentric(bary) };
+        }
+      });
+  }
+  return places;
+}
+
+Sample interiorSample(const SurfacePlace& place)
+{
+  Sample sample;
+  sample.face = place.face;
+  sample.bary = place.bary;
+  return sample;
+}
+
+/// A sample on the outline: a corner if a node of the graph is there, else on its backbone.
+class OutlineSamples
+{
+public:
+  explicit OutlineSamples(const SurfaceCache& atlas)
+    : Surface(atlas.surface())
+    , Atlas(atlas)
+    , IsNode(atlas.surface().points.size(), 0)
+  {
+    for (int p : atlas.graph().nodes())
+    {
+      this->IsNode[p] = 1;
+    }
+    for (std::size_t b = 0; b < atlas.traces().size(); ++b)
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        const auto& halfedges = atlas.traces()[b].halfedge[side];
+        for (std::size_t s = 0; s < halfedges.size(); ++s)
+        {
+          this->PieceOf[halfedges[s]] = { { static_cast<int>(b), static_cast<int>(s), side } };
+        }
+      }
+    }
+  }
+  Sample at(const SurfacePlace& place) const
+  {
+    constexpr double OnPoint = 1e-9;
+    Sample sample = interiorSample(place);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int p = this->Surface.triangles[place.face][k];
+      if (place.bary[k] > 1. - OnPoint && this->IsNode[p])
+      {
+        sample.kind = SampleKind::Corner;
+        sample.surfacePoint = p;
+        sample.bary = Vec3::Unit(k);
+        return sample;
+      }
+    }
+    double nearest = 1e300;
+    for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
+    {
+      const auto found = this->PieceOf.find(h);
+      const double away = place.bary[previousHalfedge(h) % 3];
+      if (found == this->PieceOf.end() || away >= nearest)
+      {
+        continue;
+      }
+      nearest = away;
+      const auto& [b, segment, side] = found->second;
+      const std::vector<double>& arc = this->Atlas.traces()[b].arcLength;
+      const double head = place.bary[nextHalfedge(h) % 3];
+      const double t = head / std::max(1e-300, head + place.bary[h % 3]);
+      sample.kind = SampleKind::Backbone;
+      sample.backbone = b;
+      sample.arcLength =
+        arc[segment] + (side == 0 ? t : 1. - t) * (arc[segment + 1] - arc[segment]);
+    }
+    return sample;
+  }
+
+private:
+  const AtlasSurface& Surface;
+  const SurfaceCache& Atlas;
+  std::vector<char> IsNode;
+  std::unordered_map<int, std::array<int, 3>> PieceOf; // by halfedge: backbone, segment, side
+};
+
+/// One chart that only its outline bounds.
+bool isOneOpenChart(const SurfaceCache& atlas)
+{
+  const auto& backbones = atlas.graph().backbones;
+  return atlas.surface().numberOfCharts() == 1 && atlas.graph().constraints.empty() &&
+    std::all_of(backbones.begin(), backbones.end(),
+      [](const Backbone& b) { return b.type == BackboneType::Boundary; });
+}
+
+Status gridOfOneChart(const SurfaceCache& atlas, int numberOfSamples, QuadMesh& mesh)
+{
+  const AtlasSurface& surface = atlas.surface();
+  const Vec2& extent = surface.extent[0];
+  // Cells as square as possible, and as many nodes as possible.
+  Lattice lattice;
+  double best = 1e300;
+  for (int width = 2; 2 * width <= numberOfSamples; ++width)
+  {
+    const int height = numberOfSamples / width;
+    const double aspect =
+      std::abs(std::log(extent.x() / (width - 1) / (extent.y() / (height - 1))));
+    const double missing = static_cast<double>(numberOfSamples - width * height) / numberOfSamples;
+    if (aspect + 4. * missing < best)
+    {
+      best = aspect + 4. * missing;
+      lattice.width = width;
+      lattice.height = height;
+    }
+  }
+  if (lattice.size() == 0)
+  {
+    return Status::error("A grid of quads needs at least 4 points; use more points.");
+  }
+  lattice.spacing = extent.cwiseQuotient(Vec2(lattice.width - 1, lattice.height - 1));
+  const OutlineSamples outline(atlas);
+  const std::vector<SurfacePlace> places = placesOf(surface, 0, lattice);
+  for (int j = 0; j < lattice.height; ++j)
+  {
+    for (int i = 0; i < lattice.width; ++i)
+    {
+      const SurfacePlace& place = places[j * lattice.width + i];
+      if (place.face < 0)
+      {
+        return Status::error("The parameters of chart 0 do not cover its rectangle: pass the "
+                             "output of vtkConformalAtlas.");
+      }
+      const bool onOutline = i == 0 || j == 0 || i == lattice.width - 1 || j == lattice.height - 1;
+      mesh.samples.push_back(onOutline ? outline.at(place) : interiorSample(place));
+      if (i > 0 && j > 0)
+      {
+        const int n = j * lattice.width + i;
+        mesh.polygons.push_back({ n - lattice.width - 1, n - lattice.width, n, n - 1 });
+      }
+    }
+  }
+  return Status::success();
+}
+
+/// Inner backbones of every chart in its parameter plane.
+std::vector<std::vector<Segment>> innerSegments(const SurfaceCache& atlas)
+{
+  const AtlasSurface& surface = atlas.surface();
+  std::vector<std::vector<Segment>> segments(surface.numberOfCharts());
+  for (const BackboneTrace& trace : atlas.traces())
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      for (int h : trace.halfedge[side])
+      {
+        if (h >= 0)
+        {
+          segments[surface.faceChart[h / 3]].push_back(
+            { { surface.uv[h], surface.uv[nextHalfedge(h)] } });
+        }
+      }
+    }
+  }
+  return segments;
+}
+
+/// The densest square lattice with at most `count` nodes that are half a spacing clear of backbones
+/// and of `fixed` points.
+Lattice latticeOfChart(const Vec2& extent, std::vector<Segment> segments,
+  const std::vector<Vec2>& fixed, int count, std::vector<char>& clear)
+{
+  constexpr double Clearance = 0.5; // in spacings
+  for (const Vec2& p : fixed)
+  {
+    segments.push_back({ { p, p } });
+  }
+  const auto nodes = [&](double spacing, Lattice& lattice) {
+    lattice = centredLattice(extent, spacing);
+    clear = clearNodes(lattice, extent, segments, Clearance * spacing);
+    return std::count(clear.begin(), clear.end(), 1);
+  };
+  Lattice lattice;
+  double coarse = extent.maxCoeff();
+  double fine = std::sqrt(extent.x() * extent.y() / (4. * (count + 4.)));
+  for (int step = 0; step < 30; ++step)
+  {
+    const double middle = std::sqrt(coarse * fine);
+    (nodes(middle, lattice) <= count ? coarse : fine) = middle;
+  }
+  if (nodes(coarse, lattice) > count) // nothing fits
+  {
+    std::fill(clear.begin(), clear.end(), 0);
+  }
+  return lattice;
+}
+
+/// Adds `missing` of the candidates, each time the one farthest from all that is there.
+void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples,
+  const std::vector<int>& candidates, std::vector<Vec2> present, int missing,
+  std::vector<Sample>& result)
+{
+  std::vector<Vec2> place;
+  std::vector<double> distance(candidates.size(), 1e300);
+  for (int s : candidates)
+  {
+    place.push_back(surface.parameter(samples[s].face, samples[s].bary));
+  }
+  const auto account = [&](const Vec2& p) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+    {
+      distance[i] = std::min(distance[i], (place[i] - p).squaredNorm());
+    }
+  };
+  for (const Vec2& p : present)
+  {
+    account(p);
+  }
+  for (int k = 0; k < missing; ++k)
+  {
+    const auto i = static_cast<std::size_t>(
+      std::max_element(distance.begin(), distance.end()) - distance.begin());
+    result.push_back(samples[candidates[i]]);
+    account(place[i]);
+    distance[i] = -1.;
+  }
+}
+}
+
+Status meshWithQuads(const SurfaceCache& atlas, const std::vector<Sample>& samples, QuadMesh& mesh,
+  const Progress& progress)
+{
+  mesh.samples.clear();
+  mesh.polygons.clear();
+  if (isOneOpenChart(atlas))
+  {
+    return gridOfOneChart(atlas, static_cast<int>(samples.size()), mesh);
+  }
+  const AtlasSurface& surface = atlas.surface();
+  const int charts = surface.numberOfCharts();
+  std::vector<std::vector<int>> interior(charts);
+  std::vector<std::vector<Vec2>> fixed(charts);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const Sample& s = samples[i];
+    if (s.kind == SampleKind::Interior)
+    {
+      interior[surface.faceChart[s.face]].push_back(static_cast<int>(i));
+      continue;
+    }
+    mesh.samples.push_back(s);
+    if (s.kind == SampleKind::Constraint)
+    {
+      fixed[surface.faceChart[s.face]].push_back(surface.parameter(s.face, s.bary));
+    }
+  }
+  const auto segments = innerSegments(atlas);
+  std::vector<std::array<int, 4>> cells;
+  for (int c = 0; c < charts; ++c)
+  {
+    if (!report(progress, 0.5 * c / charts))
+    {
+      return Status::aborted();
+    }
+    const int count = static_cast<int>(interior[c].size());
+    if (count == 0)
+    {
+      continue;
+    }
+    std::vector<char> clear;
+    const Lattice lattice = latticeOfChart(surface.extent[c], segments[c], fixed[c], count, clear);
+    const std::vector<SurfacePlace> places = placesOf(surface, c, lattice);
+    std::vector<int> sampleOf(lattice.size(), -1);
+    std::vector<Vec2> present = fixed[c];
+    int added = 0;
+    for (int n = 0; n < lattice.size(); ++n)
+    {
+      if (clear[n] && places[n].face >= 0)
+      {
+        sampleOf[n] = static_cast<int>(mesh.samples.size());
+        mesh.samples.push_back(interiorSample(places[n]));
+        present.push_back(lattice.node(n % lattice.width, n / lattice.width));
+        ++added;
+      }
+    }
+    for (int n = 0; n < lattice.size(); ++n)
+    {
+      if (n % lattice.width > 0 && n >= lattice.width)
+      {
+        cells.push_back({ { sampleOf[n - lattice.width - 1], sampleOf[n - lattice.width],
+          sampleOf[n], sampleOf[n - 1] } });
+      }
+    }
+    addFarthest(surface, samples, interior[c], present, count - added, mesh.samples);
+  }
+  std::vector<Triangle> triangles;
+  Status status = createMesh(atlas, mesh.samples, triangles,
+    [&](double fraction) { return report(progress, 0.5 + 0.5 * fraction); });
+  if (!status.ok())
+  {
+    return status;
+  }
+  // Two triangles that fill a cell of the lattice become its quad.
+  std::map<Triangle, int> find;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    Triangle sorted = triangles[t];
+    std::sort(sorted.begin(), sorted.end());
+    find[sorted] = static_cast<int>(t);
+  }
+  const auto triangleOf = [&](int a, int b, int c) {
+    Triangle sorted = { a, b, c };
+    std::sort(sorted.begin(), sorted.end());
+    const auto found = find.find(sorted);
+    return found == find.end() ? -1 : found->second;
+  };
+  std::vector<char> used(triangles.size(), 0);
+  for (const auto& q : cells)
+  {
+    if (*std::min_element(q.begin(), q.end()) < 0)
+    {
+      continue;
+    }
+    for (int diagonal = 0; diagonal < 2; ++diagonal)
+    {
+      const int s = triangleOf(q[diagonal], q[diagonal + 1], q[diagonal + 2]);
+      const int t = triangleOf(q[diagonal], q[diagonal + 2], q[(diagonal + 3) % 4]);
+      if (s >= 0 && t >= 0)
+      {
+        used[s] = used[t] = 1;
+        mesh.polygons.push_back({ q[0], q[1], q[2], q[3] });
+        break;
+      }
+    }
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (!used[t])
+    {
+      mesh.polygons.push_back({ triangles[t][0], triangles[t][1], triangles[t][2] });
+    }
+  }
+  return Status::success();
+}
+}

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SelfIntersections.h"
+
+#include "LocalRepair.h"
+#include "Relaxation.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangle_3.h>
+#include <CGAL/intersections.h>
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Halfedge = OptimizedMesh::Halfedge;
+
+std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
+{
+  const auto& graph = mesh.graph();
+  const Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+  return { { graph.from_vertex_handle(h).idx(), graph.to_vertex_handle(h).idx(),
+    graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx() } };
+}
+
+Kernel::Point_3 exact(const Vec3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+/// Two triangles that share no edge; at a vertex that they share they may touch.
+bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t)
+{
+  int sharedS = -1;
+  int sharedT = -1;
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (s[i] == t[j])
+      {
+        sharedS = i;
+        sharedT = j;
+        ++shared;
+      }
+    }
+  }
+  if (shared > 1)
+  {
+    return false;
+  }
+  const auto point = [&](int v) { return exact(mesh.position(v)); };
+  const Kernel::Triangle_3 first(point(s[0]), point(s[1]), point(s[2]));
+  const Kernel::Triangle_3 second(point(t[0]), point(t[1]), point(t[2]));
+  if (shared == 0)
+  {
+    return CGAL::do_intersect(first, second);
+  }
+  const Kernel::Segment_3 oppositeS(point(s[(sharedS + 1) % 3]), point(s[(sharedS + 2) % 3]));
+  const Kernel::Segment_3 oppositeT(point(t[(sharedT + 1) % 3]), point(t[(sharedT + 2) % 3]));
+  return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
+}
+
+std::vector<int> facesAbout(const OptimizedMesh& mesh, int v)
+{
+  const auto& graph = mesh.graph();
+  std::vector<int> faces;
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    if (!graph.is_boundary(h))
+    {
+      faces.push_back(graph.face_handle(h).idx());
+    }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  return faces;
+}
+}
+
+struct SelfIntersections::Internals
+{
+  const OptimizedMesh& Mesh;
+  double CellSize = 1;
+  struct Box
+  {
+    Vec3 low;
+    Vec3 high;
+  };
+  std::vector<Box> Boxes;                                    // as last updated
+  std::unordered_map<std::uint64_t, std::vector<int>> Cells; // faces whose boxes touch the cell
+
+  explicit Internals(const OptimizedMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+  Box boxOf(int f) const
+  {
+    const auto t = corners(this->Mesh, f);
+    const Vec3& a = this->Mesh.position(t[0]);
+    const Vec3& b = this->Mesh.position(t[1]);
+    const Vec3& c = this->Mesh.position(t[2]);
+    return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
+  }
+  template <typename Visit>
+  void forEachCell(const Box& box, const Visit& visit) const
+  {
+    const auto index = [this](double x) {
+      return static_cast<std::int64_t>(std::floor(x / this->CellSize));
+    };
+    for (std::int64_t i = index(box.low.x()); i <= index(box.high.x()); ++i)
+    {
+      for (std::int64_t j = index(box.low.y()); j <= index(box.high.y()); ++j)
+      {
+        for (std::int64_t k = index(box.low.z()); k <= index(box.high.z()); ++k)
+        {
+          constexpr std::uint64_t Mask = (1u << 21) - 1;
+          visit(((static_cast<std::uint64_t>(i) & Mask) << 42) |
+            ((static_cast<std::uint64_t>(j) & Mask) << 21) |
+            (static_cast<std::uint64_t>(k) & Mask));
+        }
+      }
+    }
+  }
+  /// Faces other than f whose boxes overlap the box, ascending.
+  std::vector<int> near(int f, const Box& box) const
+  {
+    std::vector<int> result;
+    this->forEachCell(box, [&](std::uint64_t cell) {
+      const auto found = this->Cells.find(cell);
+      if (found == this->Cells.end())
+      {
+        return;
+      }
+      for (int g : found->second)
+      {
+        if (g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
+          (box.low.array() <= this->Boxes[g].high.array()).all())
+        {
+          result.push_back(g);
+        }
+      }
+    });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+};
+
+SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
+  : Grid(std::make_unique<Internals>(mesh))
+{
+  Internals& grid = *this->Grid;
+  const int n = mesh.numberOfFaces();
+  grid.Boxes.resize(n);
+  double sum = 0;
+  for (int f = 0; f < n; ++f)
+  {
+    grid.Boxes[f] = grid.boxOf(f);
+    sum += (grid.Boxes[f].high - grid.Boxes[f].low).maxCoeff();
+  }
+  grid.CellSize = n > 0 && sum > 0 ? sum / n : 1.;
+  grid.Cells.reserve(n);
+  for (int f = 0; f < n; ++f)
+  {
+    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) { grid.Cells[cell].push_back(f); });
+  }
+}
+
+SelfIntersections::~SelfIntersections() = default;
+
+int SelfIntersections::count(const std::vector<int>& faces) const
+{
+  const Internals& grid = *this->Grid;
+  int pairs = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const auto t = corners(grid.Mesh, faces[i]);
+    for (int g : grid.near(faces[i], grid.boxOf(faces[i])))
+    {
+      if (std::find(faces.begin(), faces.end(), g) == faces.end())
+      {
+        pairs += intersect(grid.Mesh, t, corners(grid.Mesh, g)) ? 1 : 0;
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      pairs += intersect(grid.Mesh, t, corners(grid.Mesh, faces[j])) ? 1 : 0;
+    }
+  }
+  return pairs;
+}
+
+void SelfIntersections::update(const std::vector<int>& faces)
+{
+  Internals& grid = *this->Grid;
+  for (int f : faces)
+  {
+    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) {
+      std::vector<int>& list = grid.Cells[cell];
+      list.erase(std::remove(list.begin(), list.end(), f), list.end());
+    });
+    grid.Boxes[f] = grid.boxOf(f);
+    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) { grid.Cells[cell].push_back(f); });
+  }
+}
+
+std::vector<int> SelfIntersections::faces() const
+{
+  const int n = this->Grid->Mesh.numberOfFaces();
+  std::vector<char> does(n, 0);
+  vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
+    for (int f = static_cast<int>(begin); f < end; ++f)
+    {
+      does[f] = this->count({ f }) > 0;
+    }
+  });
+  std::vector<int> result;
+  for (int f = 0; f < n; ++f)
+  {
+    if (does[f])
+    {
+      result.push_back(f);
+    }
+  }
+  return result;
+}
+
+namespace
+{
+bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, double minimumAngle)
+{
+  const std::vector<int> faces = facesAbout(mesh, v);
+  int best = intersections.count(faces);
+  if (best == 0)
+  {
+    return false;
+  }
+  const double quality = std::min(minimumAngle, starQuality(mesh, v));
+  bool changed = false;
+  const auto accept = [&]() {
+    if (starQuality(mesh, v) < quality)
+    {
+      return false;
+    }
+    const int now = intersections.count(faces);
+    if (now >= best)
+    {
+      return false;
+    }
+    best = now;
+    intersections.update(faces);
+    changed = true;
+    return true;
+  };
+  const double reach = meanEdgeLength(mesh, v);
+  for (const double size : { 0.05, 0.15, 0.3, 0.5 })
+  {
+    if (mesh.freedom(v) == Freedom::Backbone)
+    {
+      mesh.slideOne(v, size * reach, accept);
+      mesh.slideOne(v, -size * reach, accept);
+    }
+    for (int k = 0; k < 8 && best > 0 && mesh.freedom(v) == Freedom::Surface; ++k)
+    {
+      const Vec3& n = mesh.normal(v);
+      const Vec3 e = n.unitOrthogonal();
+      const Vec3 g = n.cross(e);
+      const double angle = k * 0.785398163397448;
+      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+    }
+  }
+  return changed;
+}
+
+bool partBySwap(
+  OptimizedMesh& mesh, SelfIntersections& intersections, int edge, double minimumAngle)
+{
+  const auto& graph = mesh.graph();
+  if (!mesh.isSwappable(edge))
+  {
+    return false;
+  }
+  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const std::vector<int> faces = { graph.face_handle(h).idx(),
+    graph.face_handle(graph.opposite_halfedge_handle(h)).idx() };
+  const auto worst = [&]() {
+    double q = 10;
+    for (int f : faces)
+    {
+      const auto t = corners(mesh, f);
+      q = std::min(q, triangleQuality(mesh, t[0], t[1], t[2]));
+    }
+    return q;
+  };
+  const int before = intersections.count(faces);
+  const double quality = std::min(minimumAngle, worst());
+  if (before == 0 || !mesh.swap(edge))
+  {
+    return false;
+  }
+  if (worst() >= quality && intersections.count(faces) < before)
+  {
+    intersections.update(faces);
+    return true;
+  }
+  mesh.forceSwap(edge);
+  return false;
+}
+}
+
+int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses)
+{
+  SelfIntersections intersections(mesh);
+  std::vector<int> bad = intersections.faces();
+  const auto& graph = mesh.graph();
+  for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
+  {
+    bool changed = false;
+    for (int f : bad)
+    {
+      const auto t = corners(mesh, f);
+      for (int v : t)
+      {
+        changed = partByMove(mesh, intersections, v, minimumAngle) || changed;
+      }
+      Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+      for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
+      {
+        if (partBySwap(mesh, intersections, graph.edge_handle(h).idx(), minimumAngle))
+        {
+          changed = true;
+          break; // the triangle is another one now
+        }
+      }
+    }
+    bad = intersections.faces();
+    if (!changed)
+    {
+      break;
+    }
+  }
+  return static_cast<int>(bad.size());
+}
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles of the mesh that pass through each other, where two sheets of the surface are closer
+// than the mesh is fine; moves and swaps that part them.
+#ifndef stipple_SelfIntersections_h
+#define stipple_SelfIntersections_h
+
+#include "OptimizedMesh.h"
+
+#include <memory>
+
+namespace stipple
+{
+/// Finds intersecting triangles of a mesh while vertices move and edges are swapped.
+class STIPPLEFILTERSMESHING_EXPORT SelfIntersections
+{
+public:
+  /// Borrows the mesh.
+  explicit SelfIntersections(const OptimizedMesh& mesh);
+  ~SelfIntersections();
+
+  /// Pairs of intersecting triangles of which one at least is among `faces`, as the mesh is now.
+  /// The others must be where they were when update() last saw them.
+  int count(const std::vector<int>& faces) const;
+  /// Takes note of where triangles are now.
+  void update(const std::vector<int>& faces);
+  /// Triangles that intersect others, ascending; the same for any number of threads.
+  std::vector<int> faces() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Grid;
+};
+
+/// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
+/// intersect and no triangle gets worse than minimumAngle (radians) unless it was. Returns the
+/// number of triangles that still intersect others.
+STIPPLEFILTERSMESHING_EXPORT int resolveSelfIntersections(
+  OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses);
+}
+
+#endif

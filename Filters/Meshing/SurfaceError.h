@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How far the surface's points lie from the mesh, and moves and swaps that bring the mesh nearer.
+#ifndef stipple_SurfaceError_h
+#define stipple_SurfaceError_h
+
+#include "OptimizedMesh.h"
+
+namespace stipple
+{
+/// The points of the surface, each with the vertex of the mesh that is nearest along its edges.
+class STIPPLEFILTERSMESHING_EXPORT SurfaceError
+{
+public:
+  /// Borrows the mesh. Vertices may move and edges be swapped, as long as they stay near.
+  explicit SurfaceError(const OptimizedMesh& mesh);
+
+  /// Squared distances of points to the triangles about the vertices that they are next to.
+  struct Measure
+  {
+    double sum = 0;
+    double largest = 0;
+    int farthest = -1; ///< the point of the largest; -1 if all lie on the mesh
+  };
+  /// Of the points next to a vertex.
+  Measure at(int v) const;
+  /// Of the points next to a vertex and its one-ring: all that moving the vertex can change.
+  Measure about(int v) const;
+
+  /// The points next to a vertex, ascending.
+  std::vector<int> pointsOf(int v) const
+  {
+    return { this->Point.begin() + this->Begin[v], this->Point.begin() + this->Begin[v + 1] };
+  }
+
+private:
+  const OptimizedMesh& Mesh;
+  std::vector<int> Begin; // of the points of every vertex in Point
+  std::vector<int> Point;
+};
+
+/// Moves vertices where the surface is farthest from the mesh: about the given share (0 to 1) of
+/// all vertices, those with the farthest points beside them. Every move lowers the sum of squared
+/// distances about the vertex and does not raise the largest, makes no triangle worse than
+/// minimumAngle (radians), and keeps areas even. Returns the number of vertices moved.
+STIPPLEFILTERSMESHING_EXPORT int reduceSurfaceError(
+  OptimizedMesh& mesh, double minimumAngle, double share);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkQuadRemesh
+ * @brief   mesh charts with regular quads
+ *
+ * vtkQuadRemesh stands where vtkCDTRemesh stands, and lays regular quads into the parameter planes
+ * of the charts (paper, Figure 1). A surface that is one open chart, without features inside and
+ * constraints, becomes a grid of quads only, with at most as many points as there are samples.
+ * Otherwise the samples inside the charts give way to the nodes of square lattices; those on
+ * backbones and the constraints stay, triangles join the quads to them, and charts meet along their
+ * seams without cracks. The number of points is then that of the samples.
+ *
+ * Input ports:
+ * - 0: samples, a vtkPolyData (vtkErrorDiffusionSampler, port 0);
+ * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
+ * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1).
+ *
+ * Output ports, both vtkPolyData:
+ * - 0: the mesh of quads and triangles, oriented like the input, with the arrays that vtkCDTRemesh
+ * writes;
+ * - 1: the mesh's edges along backbones (see vtkCDTRemesh).
+ *
+ * @warning The sizes of quads follow the charts' area distortion. Corners of a one-chart surface's
+ * outline that are no corners of the chart are not kept.
+ *
+ * @sa vtkCDTRemesh vtkSemiRegularSubdivision
+ */
+#ifndef vtkQuadRemesh_h
+#define vtkQuadRemesh_h
+
+#include "StippleFiltersMeshingModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class STIPPLEFILTERSMESHING_EXPORT vtkQuadRemesh : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkQuadRemesh* New();
+  vtkTypeMacro(vtkQuadRemesh, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkQuadRemesh();
+  ~vtkQuadRemesh() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkQuadRemesh(const vtkQuadRemesh&) = delete;
+  void operator=(const vtkQuadRemesh&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+};
+
+#endif

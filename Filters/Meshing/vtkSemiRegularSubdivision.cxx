@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSemiRegularSubdivision.h"
+
+#include "MeshCreation.h"
+#include "PolyDataConversion.h"
+#include "SemiRegularSubdivision.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkSemiRegularSubdivision);
+
+struct vtkSemiRegularSubdivision::Internals
+{
+  stipple::SurfaceCache Atlas;
+};
+
+vtkSemiRegularSubdivision::vtkSemiRegularSubdivision()
+  : Implementation(new Internals)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkSemiRegularSubdivision::~vtkSemiRegularSubdivision() = default;
+
+int vtkSemiRegularSubdivision::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    port == 1 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  return 1;
+}
+
+namespace
+{
+void addHierarchy(const stipple::SubdividedMesh& mesh, vtkPolyData* data)
+{
+  vtkNew<vtkIntArray> level;
+  level->SetName("SubdivisionLevel");
+  level->SetNumberOfValues(static_cast<vtkIdType>(mesh.level.size()));
+  vtkNew<vtkIdTypeArray> parents;
+  parents->SetName("ParentPointIds");
+  parents->SetNumberOfComponents(2);
+  parents->SetNumberOfTuples(static_cast<vtkIdType>(mesh.parents.size()));
+  for (std::size_t i = 0; i < mesh.level.size(); ++i)
+  {
+    const vtkIdType id = static_cast<vtkIdType>(i);
+    level->SetValue(id, mesh.level[i]);
+    parents->SetTypedComponent(id, 0, mesh.parents[i][0]);
+    parents->SetTypedComponent(id, 1, mesh.parents[i][1]);
+  }
+  vtkNew<vtkIdTypeArray> base;
+  base->SetName("BaseCellId");
+  base->SetNumberOfValues(static_cast<vtkIdType>(mesh.baseTriangle.size()));
+  for (std::size_t f = 0; f < mesh.baseTriangle.size(); ++f)
+  {
+    base->SetValue(static_cast<vtkIdType>(f), mesh.baseTriangle[f]);
+  }
+  data->GetPointData()->AddArray(level);
+  data->GetPointData()->AddArray(parents);
+  data->GetCellData()->AddArray(base);
+}
+}
+
+int vtkSemiRegularSubdivision::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* meshInput = vtkPolyData::GetData(inputVector[0]);
+  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
+  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
+  if (!meshInput || !charts || meshInput->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  std::vector<stipple::Sample> samples;
+  stipple::SubdividedMesh mesh;
+  stipple::Status status = atlas.update(charts, featureGraph);
+  if (status.ok())
+  {
+    status = stipple::readSamples(meshInput, atlas.surface(), samples);
+  }
+  if (status.ok())
+  {
+    status =
+      stipple::subdivideSemiRegularly(atlas, samples, stipple::fromPolyData(meshInput).triangles,
+        this->NumberOfSubdivisions, this->NumberOfIterations, mesh, [this](double fraction) {
+          this->UpdateProgress(fraction);
+          return this->GetAbortExecute() == 0;
+        });
+  }
+  if (status.isAbort())
+  {
+    return 1;
+  }
+  if (!status.ok())
+  {
+    vtkErrorMacro(<< status.message());
+    return 0;
+  }
+  const auto result = stipple::meshToPolyData(atlas, mesh.samples, mesh.triangles);
+  addHierarchy(mesh, result);
+  const auto lines = stipple::featureLines(
+    atlas.graph(), stipple::backboneChains(atlas.graph(), mesh.samples), result, false);
+  vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
+  this->UpdateProgress(1.);
+  return 1;
+}
+
+void vtkSemiRegularSubdivision::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSubdivisions: " << this->NumberOfSubdivisions << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
+}

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkQuadRemesh and vtkSemiRegularSubdivision: what their arrays say, on surfaces made by hand.
+#include "SyntheticAtlas.h"
+
+#include "vtkCDTRemesh.h"
+#include "vtkCellArray.h"
+#include "vtkQuadRemesh.h"
+#include "vtkRemeshOptimizer.h"
+#include "vtkSemiRegularSubdivision.h"
+
+#include <iostream>
+#include <set>
+
+namespace
+{
+using namespace stipple;
+int failures = 0;
+
+void check(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    ++failures;
+    std::cerr << "FAILED: " << what << "\n";
+  }
+}
+
+template <typename Filter>
+void connect(Filter* filter, synthetic::Atlas& atlas, vtkPolyData* input)
+{
+  filter->SetInputData(0, input);
+  filter->SetInputData(1, atlas.charts.Get());
+  filter->SetInputData(2, atlas.graphData);
+}
+
+/// Every point's position is that of its place on the surface, and its attributes are.
+void checkPlaces(const std::string& name, const synthetic::Atlas& atlas, vtkPolyData* mesh)
+{
+  vtkDataArray* chart = mesh->GetPointData()->GetArray("ChartId");
+  vtkDataArray* cell = mesh->GetPointData()->GetArray("ChartCellId");
+  vtkDataArray* bary = mesh->GetPointData()->GetArray("BarycentricCoordinates");
+  vtkDataArray* height = mesh->GetPointData()->GetArray("Height");
+  vtkDataArray* material = mesh->GetCellData()->GetArray("Material");
+  check(chart && cell && bary && height && material, name + ": arrays");
+  check(material && material->GetNumberOfTuples() == mesh->GetNumberOfCells(),
+    name + ": a value a cell");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    Vec3 b;
+    Vec3 p;
+    bary->GetTuple(i, b.data());
+    mesh->GetPoint(i, p.data());
+    const int face = atlas.surface.chartBegin[static_cast<int>(chart->GetTuple1(i))] +
+      static_cast<int>(cell->GetTuple1(i));
+    check((atlas.surface.position(face, b) - p).norm() < 1e-12, name + ": on the surface");
+    check(std::abs(height->GetTuple1(i) - (p.x() + 2. * p.y() + 3. * p.z())) < 1e-12,
+      name + ": attributes");
+  }
+}
+
+void checkSubdivision()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 1, false);
+  synthetic::Atlas& atlas = b.finish();
+  vtkNew<vtkCDTRemesh> mesher;
+  connect(mesher.Get(), atlas, toPolyData(synthetic::sample(atlas, 80), atlas.surface));
+  vtkNew<vtkRemeshOptimizer> optimizer;
+  mesher->Update();
+  connect(optimizer.Get(), atlas, mesher->GetOutput(0));
+  optimizer->Update();
+  vtkPolyData* base = optimizer->GetOutput(0);
+  vtkNew<vtkSemiRegularSubdivision> subdivision;
+  connect(subdivision.Get(), atlas, base);
+  check(subdivision->GetNumberOfSubdivisions() == 2, "subdivision: the default");
+  subdivision->Update();
+  vtkPolyData* mesh = subdivision->GetOutput(0);
+  checkPlaces("subdivision", atlas, mesh);
+  const vtkIdType n = base->GetNumberOfPoints();
+  // Of a closed surface without handles: V = 2 + F / 2.
+  check(mesh->GetNumberOfPolys() == 16 * base->GetNumberOfPolys() &&
+      mesh->GetNumberOfPoints() == 2 + mesh->GetNumberOfPolys() / 2,
+    "subdivision: sixteen triangles for one");
+  TriangleSurface surface = fromPolyData(mesh);
+  surface.connect();
+  check(surface.topology() == atlas.surface.topology(), "subdivision: topology");
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    const Vec3 normal = surface.faceNormal(f);
+    const Vec3 outward = surface.point(f, 0) + surface.point(f, 1) + surface.point(f, 2);
+    check(normal.cwiseAbs().maxCoeff() > 1. - 1e-9 && normal.dot(outward) > 0,
+      "subdivision: no triangle cuts an edge of the cube off, or is folded");
+  }
+  vtkDataArray* level = mesh->GetPointData()->GetArray("SubdivisionLevel");
+  vtkDataArray* parents = mesh->GetPointData()->GetArray("ParentPointIds");
+  vtkDataArray* baseCell = mesh->GetCellData()->GetArray("BaseCellId");
+  check(level && parents && baseCell, "subdivision: arrays of the hierarchy");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double l = level->GetTuple1(i);
+    const double* p = parents->GetTuple2(i);
+    const int first = static_cast<int>(p[0]);
+    const int second = static_cast<int>(p[1]);
+    check((i < n) == (l == 0) && (i < n) == (first < 0), "subdivision: levels");
+    if (first >= 0)
+    {
+      check(first != second && first < i && second < i &&
+          std::max(level->GetTuple1(first), level->GetTuple1(second)) < l,
+        "subdivision: parents come before");
+    }
+  }
+  check(baseCell->GetRange()[0] == 0 && baseCell->GetRange()[1] == base->GetNumberOfPolys() - 1,
+    "subdivision: base cells");
+  check(subdivision->GetOutput(1)->GetNumberOfLines() == 12, "subdivision: the cube's edges");
+  subdivision->SetNumberOfSubdivisions(0);
+  subdivision->Update();
+  check(subdivision->GetOutput(0)->GetNumberOfPoints() == n, "subdivision: none");
+}
+
+void checkQuads()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 8, true);
+  synthetic::Atlas& atlas = b.finish();
+  vtkNew<vtkQuadRemesh> quads;
+  const std::vector<Sample> samples = synthetic::sample(atlas, 1500);
+  connect(quads.Get(), atlas, toPolyData(samples, atlas.surface));
+  quads->Update();
+  vtkPolyData* mesh = quads->GetOutput(0);
+  checkPlaces("quads", atlas, mesh);
+  check(mesh->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()),
+    "quads: as many points as samples");
+  std::set<std::pair<vtkIdType, vtkIdType>> halfedges;
+  vtkIdType size;
+  const vtkIdType* ids;
+  int count[5] = { 0, 0, 0, 0, 0 };
+  for (vtkIdType c = 0; c < mesh->GetNumberOfPolys(); ++c)
+  {
+    mesh->GetPolys()->GetCellAtId(c, size, ids);
+    check(size == 3 || size == 4, "quads: quads and triangles");
+    ++count[size];
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      check(halfedges.insert({ ids[k], ids[(k + 1) % size] }).second, "quads: oriented, manifold");
+    }
+  }
+  for (const auto& h : halfedges)
+  {
+    check(halfedges.count({ h.second, h.first }) == 1, "quads: no crack along seams");
+  }
+  check(count[4] > count[3], "quads: most cells are quads");
+  vtkNew<vtkPolyData> nothing;
+  connect(quads.Get(), atlas, nothing);
+  quads->Update();
+  check(quads->GetOutput(0)->GetNumberOfPoints() == 0, "quads: nothing in, nothing out");
+}
+}
+
+int TestPatterns(int, char*[])
+{
+  checkSubdivision();
+  checkQuads();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
