@@ -96,6 +96,16 @@ std::string setTransfer(Options& o, const std::string& s)
   return parseTransfer(s, o.transfer);
 }
 
+std::string setBandPass(Options& o, const std::string& s)
+{
+  const std::size_t comma = s.find(',');
+  return comma != std::string::npos && parseNumber(s.substr(0, comma), o.bandPass[0]) &&
+      parseNumber(s.substr(comma + 1), o.bandPass[1]) && o.bandPass[0] >= 0 &&
+      o.bandPass[0] < o.bandPass[1] && o.bandPass[1] <= 100
+    ? ""
+    : "needs FINE,COARSE with 0 <= FINE < COARSE <= 100, not '" + s + "'";
+}
+
 std::string setPanel(Options& o, const std::string& s)
 {
   const std::vector<std::string> words = { "all", "before", "charts", "maps", "samples", "after",
@@ -133,6 +143,14 @@ const std::vector<Group>& groups()
           text(&Options::importanceImage) },
         { "--importance-array", "NAME", "the input's point or cell array for --importance array",
           text(&Options::importanceArray) },
+        { "--image-projection", "HOW",
+          "chart: the image is pasted in every chart; x, y or z: it\nis projected along that axis "
+          "through the whole surface\n(default: chart)",
+          choice(&Options::imageProjection, { "chart", "x", "y", "z" }) },
+        { "--band-pass", "FINE,COARSE",
+          "only the importance's detail of sizes between, in % of the\nbounding-box diagonal "
+          "(default: all)",
+          setBandPass },
         { "--gamma", "G", "exponent on the importance, 0 (uniform) to 100 (default: 1)",
           number(&Options::gamma, &Options::hasGamma, 0, 100, "from 0 to 100") },
         { "--transfer", "X0:Y0,X1:Y1,...",
@@ -141,7 +159,10 @@ const std::vector<Group>& groups()
           "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
           number(&Options::gradation, &Options::hasGradation, 0, 100, "from 0 to 100") },
         { "--minimum-density", "D", "least density, 0 to 1 of the maximum (default: 0.02)",
-          number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") } } },
+          number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") },
+        { "--strokes", "FILE",
+          "painted density: x y z radius strength a line; strength > 0\nadds, -1 to 0 erases",
+          text(&Options::strokes) } } },
     { "Features and charts",
       { { "--feature-angle", "DEG",
           "an edge bent by more is a feature, 0 to 180 degrees\n(default: 40; 180: none)",
@@ -280,6 +301,10 @@ std::string checkTogether(Options& o, bool importanceGiven)
   if ((o.importance == "array") != !o.importanceArray.empty())
   {
     return "--importance array and --importance-array NAME go together";
+  }
+  if (o.imageProjection != "chart" && o.importance != "image")
+  {
+    return "--image-projection needs --importance-image FILE";
   }
   if (o.quiet && o.verbose)
   {

@@ -4,6 +4,7 @@
 #ifndef stipple_CommandLine_h
 #define stipple_CommandLine_h
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,8 @@ struct Options
   std::string importance = "uniform";
   std::string importanceImage;
   std::string importanceArray;
+  std::string imageProjection = "chart";
+  std::array<double, 2> bandPass = { { 0, 0 } }; ///< percent of the diagonal; (0, 0): none
   bool hasGamma = false;
   double gamma = 1;
   std::vector<std::pair<double, double>> transfer; ///< ascending in x
@@ -41,6 +44,7 @@ struct Options
   double gradation = 0; ///< percent of the bounding-box diagonal
   bool hasMinimumDensity = false;
   double minimumDensity = 0; ///< fraction of the maximum
+  std::string strokes;       ///< file
 
   // Features and charts
   bool hasFeatureAngle = false;

@@ -178,6 +178,18 @@ Status applyFiles(const Options& o, vtkPolyData* mesh, vtkGeometryRemesher* reme
     }
     remesher->SetFeatureEdges(ids);
   }
+  if (!o.strokes.empty())
+  {
+    std::vector<std::array<double, 5>> strokes;
+    if (Status status = readStrokes(o.strokes, strokes); !status.ok())
+    {
+      return status;
+    }
+    for (const auto& s : strokes)
+    {
+      remesher->AddStroke(s[0], s[1], s[2], s[3], s[4]);
+    }
+  }
   if (!o.importanceArray.empty())
   {
     if (Status status = checkArray(o.importanceArray, mesh); !status.ok())
@@ -196,6 +208,9 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
     { "minimum", vtkControlMap::MINIMUM }, { "maximum", vtkControlMap::MAXIMUM },
     { "total", vtkControlMap::TOTAL }, { "l2", vtkControlMap::L2 },
     { "image", vtkControlMap::IMAGE }, { "array", vtkControlMap::ARRAY } };
+  static const std::map<std::string, int> projections = { { "chart", vtkControlMap::CHART },
+    { "x", vtkControlMap::X_AXIS }, { "y", vtkControlMap::Y_AXIS },
+    { "z", vtkControlMap::Z_AXIS } };
   static const std::map<std::string, int> backends = { { "auto", vtkGeometryMapRenderer::AUTO },
     { "opengl", vtkGeometryMapRenderer::OPENGL }, { "cpu", vtkGeometryMapRenderer::CPU } };
   static const std::map<std::string, int> swaps = { { "none",
@@ -206,6 +221,8 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
     { "lloyd", vtkRemeshOptimizer::LLOYD } };
   remesher->SetNumberOfPoints(o.points);
   remesher->SetImportance(importances.at(o.importance));
+  remesher->SetImageProjection(projections.at(o.imageProjection));
+  remesher->SetBandPass(o.bandPass[0], o.bandPass[1]);
   remesher->SetNumberOfCharts(o.charts);
   remesher->SetMapSize(o.mapSize);
   remesher->SetBackend(backends.at(o.mapBackend));

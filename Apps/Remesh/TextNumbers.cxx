@@ -125,6 +125,29 @@ Status readPositions(const std::string& file, std::vector<Vec3>& positions)
   });
 }
 
+Status readStrokes(const std::string& file, std::vector<std::array<double, 5>>& strokes)
+{
+  strokes.clear();
+  return readWords(file, [&](const std::vector<std::string>& words) -> std::string {
+    std::array<double, 5> stroke;
+    bool good = words.size() == stroke.size();
+    for (std::size_t i = 0; good && i < stroke.size(); ++i)
+    {
+      good = parseNumber(words[i], stroke[i]);
+    }
+    if (!good)
+    {
+      return "is no stroke 'x y z radius strength'";
+    }
+    if (stroke[3] <= 0 || stroke[4] < -1)
+    {
+      return "needs a positive radius and a strength of at least -1";
+    }
+    strokes.push_back(stroke);
+    return {};
+  });
+}
+
 Status readEdges(
   const std::string& file, long long numberOfPoints, std::vector<std::array<long long, 2>>& edges)
 {

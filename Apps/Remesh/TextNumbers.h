@@ -35,6 +35,11 @@ namespace stipple
 /// Positions, x y z a line; empty lines and what follows # are skipped. Errors name file and line.
 [[nodiscard]] Status readPositions(const std::string& file, std::vector<Vec3>& positions);
 
+/// Strokes of the brush, x y z radius strength a line, the radius positive and the strength at
+/// least -1; empty lines and what follows # are skipped. Errors name file and line.
+[[nodiscard]] Status readStrokes(
+  const std::string& file, std::vector<std::array<double, 5>>& strokes);
+
 /// Pairs of point ids below numberOfPoints, two a line. Errors name file and line.
 [[nodiscard]] Status readEdges(
   const std::string& file, long long numberOfPoints, std::vector<std::array<long long, 2>>& edges);

@@ -3,7 +3,6 @@
 #include "ChartMesh.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace stipple
 {
@@ -13,10 +12,8 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
   std::sort(faces.begin(), faces.end());
   chart.faces = std::move(faces);
   const int n = static_cast<int>(chart.faces.size());
-  // Positions in the chart of the surface's faces: binary search would do, a map is faster on large
-  // charts.
-  std::unordered_map<int, int> localFace;
-  localFace.reserve(2 * n);
+  // Where the surface's faces are in the chart.
+  std::vector<int> localFace(surface.triangles.size(), -1);
   for (int i = 0; i < n; ++i)
   {
     localFace[chart.faces[i]] = i;
@@ -70,7 +67,7 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
     }
   }
   chart.euler = chart.numberOfVertices() - (3 * n + cutHalfedges) / 2 + n;
-  if (chart.isDisk() && firstBoundaryHalfedge >= 0)
+  if (firstBoundaryHalfedge >= 0)
   {
     int h = firstBoundaryHalfedge;
     do
@@ -82,6 +79,7 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
         h = nextHalfedge(surface.twin[h]);
       }
     } while (h != firstBoundaryHalfedge);
+    chart.boundaryLoops = static_cast<int>(chart.boundary.size()) == cutHalfedges ? 1 : 2;
   }
   return chart;
 }
@@ -114,46 +112,5 @@ std::vector<std::vector<int>> chartFaces(const CutSurface& surface)
     charts.push_back(std::move(faces));
   }
   return charts;
-}
-
-int splitChords(CutSurface& surface, std::vector<int>& faces)
-{
-  const ChartMesh chart = extractChart(surface, faces);
-  std::vector<int> chords;
-  std::unordered_map<int, std::size_t> indexOf;
-  for (std::size_t i = 0; i < chart.faces.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int h = 3 * chart.faces[i] + k;
-      if (!surface.cut[h] && h < surface.twin[h] && chart.onBoundary[chart.triangles[i][k]] &&
-        chart.onBoundary[chart.triangles[i][(k + 1) % 3]])
-      {
-        indexOf[h] = chords.size();
-        chords.push_back(h);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < chords.size(); ++i)
-  {
-    const int h = chords[i];
-    const int moved[2] = { nextHalfedge(h), nextHalfedge(surface.twin[h]) };
-    const int before = surface.numberOfFaces();
-    surface.splitEdge(h, 0.5);
-    // On both sides the edge after the split one now belongs to the new triangle.
-    for (int side = 0; side < 2; ++side)
-    {
-      faces.push_back(before + side);
-      const auto found = indexOf.find(moved[side]);
-      if (found != indexOf.end())
-      {
-        const std::size_t index = found->second;
-        chords[index] = 3 * (before + side) + 1;
-        indexOf.erase(found);
-        indexOf[chords[index]] = index;
-      }
-    }
-  }
-  return static_cast<int>(chords.size());
 }
 }

@@ -15,10 +15,11 @@ struct STIPPLEFILTERSATLAS_EXPORT ChartMesh
   std::vector<Triangle> triangles; ///< the chart's own vertices
   std::vector<int> vertices;    ///< surface point of every vertex; a point on a cut may occur twice
   std::vector<char> onBoundary; ///< by vertex
-  std::vector<int> boundary;    ///< the boundary vertices, counterclockwise, if the chart is a disk
+  std::vector<int> boundary;    ///< of the first boundary loop, counterclockwise
   int euler = 0;
+  int boundaryLoops = 0; ///< 0, 1, or 2 for more
 
-  bool isDisk() const { return this->euler == 1; }
+  bool isDisk() const { return this->euler == 1 && this->boundaryLoops == 1; }
   int numberOfVertices() const { return static_cast<int>(this->vertices.size()); }
 };
 
@@ -28,11 +29,6 @@ STIPPLEFILTERSATLAS_EXPORT ChartMesh extractChart(
 
 /// Faces of every chart (connected across edges that are not cut), charts by their smallest face.
 STIPPLEFILTERSATLAS_EXPORT std::vector<std::vector<int>> chartFaces(const CutSurface& surface);
-
-/// Splits every chord (an uncut edge between two boundary vertices) in the middle: on a convex
-/// boundary it would leave a triangle without area. Returns the number of splits; the faces' list
-/// is extended.
-STIPPLEFILTERSATLAS_EXPORT int splitChords(CutSurface& surface, std::vector<int>& faces);
 }
 
 #endif

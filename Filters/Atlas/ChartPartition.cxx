@@ -2,311 +2,207 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartPartition.h"
 
+#include "VoronoiDiagram.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
+#include <tuple>
 
 namespace stipple
 {
 namespace
 {
-using Faces = std::vector<int>;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Cuts the surface between farthest-point Voronoi cells, at least one a component, as many as
+/// asked for.
+void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
+{
+  VoronoiDiagram diagram(surface);
+  std::vector<int> all(surface.numberOfFaces());
+  std::iota(all.begin(), all.end(), 0);
+  int cells = 0;
+  for (const std::vector<int>& component : chartFaces(surface))
+  {
+    diagram.addSite(component.front(), cells);
+    const int far = diagram.farthest(component);
+    diagram.forget(component);
+    diagram.addSite(far, cells++);
+  }
+  while (cells < std::min(numberOfCells, surface.numberOfFaces()))
+  {
+    diagram.addSite(diagram.farthest(all), cells++);
+  }
+  diagram.removeSpikes(all);
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    if (!surface.cut[h] && diagram.cell(surface.twin[h] / 3) != diagram.cell(h / 3))
+    {
+      surface.setCut(h, true);
+    }
+  }
+}
 
-/// Geodesic Voronoi regions on the dual graph, grown face by face; seeds may be added one at a
-/// time.
-class VoronoiRegions
+/// Splits a region in two, between a triangle (the densest, or the one farthest from the region's
+/// first) and the triangle that is farthest from it. Returns the new region.
+int bisect(ChartRegions& regions, int region, int first)
+{
+  regions.closeSlits(region);
+  const std::vector<int>& faces = regions.faces(region);
+  VoronoiDiagram diagram(regions.surface());
+  if (first < 0)
+  {
+    diagram.addSite(faces.front(), 0);
+    first = diagram.farthest(faces);
+    diagram.forget(faces);
+  }
+  diagram.addSite(first, 0);
+  diagram.addSite(diagram.farthest(faces), 1);
+  diagram.removeSpikes(faces);
+  std::vector<char> side;
+  side.reserve(faces.size());
+  for (int f : faces)
+  {
+    side.push_back(diagram.cell(f) == 1);
+  }
+  return regions.divide(region, side);
+}
+
+/// Bisects regions until all are disks.
+Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
+{
+  for (int r = 0; r < regions.size(); ++r)
+  {
+    if (!report(progress, static_cast<double>(r) / regions.size()))
+    {
+      return Status::aborted();
+    }
+    while (!regions.mesh(r).isDisk())
+    {
+      bisect(regions, r, -1);
+    }
+  }
+  return Status::success();
+}
+
+/// The seam along which two disks can be glued to one disk: they can if it is their only one.
+std::optional<SeamArc> onlySeam(const ChartRegions& regions, int a, int b)
+{
+  std::vector<SeamArc> arcs = regions.arcs(a, b);
+  if (arcs.size() != 1 || arcs.front().closed)
+  {
+    return {};
+  }
+  return std::move(arcs.front());
+}
+
+/// Merges neighbours, the pair of least area first, down to a number of regions or as far as
+/// allowed.
+class GreedyMerge
 {
 public:
-  explicit VoronoiRegions(const CutSurface& surface)
-    : Surface(surface)
-    , Distance(surface.triangles.size(), Infinity)
-    , Owner(surface.triangles.size(), -1)
+  /// Asked once for every pair; and told after a merger, when the last region has taken b's number.
+  using Allowed = std::function<bool(int a, int b)>;
+  using Merged = std::function<void(int a, int b)>;
+
+  explicit GreedyMerge(ChartRegions& regions)
+    : Regions(regions)
   {
+    for (int r = 0; r < regions.size(); ++r)
+    {
+      this->Serial.push_back(r);
+      this->Place.push_back(r);
+      this->Area.push_back(regions.area(r));
+    }
+    for (int r = 0; r < regions.size(); ++r)
+    {
+      this->addPairs(r, true);
+    }
   }
 
-  void addSeed(int face, int owner)
+  Status run(int fewest, const Allowed& allowed, const Merged& merged, const Progress& progress)
   {
-    this->Distance[face] = 0;
-    this->Owner[face] = owner;
-    this->Front.push({ 0., face });
-    while (!this->Front.empty())
+    std::size_t asked = 0;
+    while (this->Regions.size() > fewest && !this->Pairs.empty())
     {
-      const auto [d, f] = this->Front.top();
-      this->Front.pop();
-      if (d > this->Distance[f])
+      const double done = static_cast<double>(asked++);
+      if (!report(progress, done / (done + static_cast<double>(this->Pairs.size()))))
+      {
+        return Status::aborted();
+      }
+      const Pair pair = this->Pairs.top();
+      this->Pairs.pop();
+      const int a = std::min(this->Place[pair.first], this->Place[pair.second]);
+      const int b = std::max(this->Place[pair.first], this->Place[pair.second]);
+      if (a < 0 || !allowed(a, b))
       {
         continue;
       }
-      for (int k = 0; k < 3; ++k)
+      this->Place[pair.first] = -1;
+      this->Place[pair.second] = -1;
+      this->Regions.merge(a, b);
+      const int last = this->Regions.size();
+      this->Area[a] += this->Area[b];
+      this->Area[b] = this->Area[last];
+      this->Area.pop_back();
+      this->Serial[b] = this->Serial[last];
+      this->Serial.pop_back();
+      if (b != last)
       {
-        const int h = 3 * f + k;
-        if (this->Surface.cut[h])
-        {
-          continue;
-        }
-        const int g = this->Surface.twin[h] / 3;
-        const double step = (this->center(g) - this->center(f)).norm();
-        if (d + step < this->Distance[g])
-        {
-          this->Distance[g] = d + step;
-          this->Owner[g] = owner;
-          this->Front.push({ d + step, g });
-        }
+        this->Place[this->Serial[b]] = b;
+      }
+      this->Serial[a] = static_cast<int>(this->Place.size());
+      this->Place.push_back(a);
+      this->addPairs(a, false);
+      if (merged)
+      {
+        merged(a, b);
       }
     }
-  }
-
-  int farthest(const Faces& faces) const
-  {
-    return *std::max_element(faces.begin(), faces.end(),
-      [&](int a, int b) { return this->Distance[a] < this->Distance[b]; });
-  }
-
-  void forget(const Faces& faces)
-  {
-    for (int f : faces)
-    {
-      this->Distance[f] = Infinity;
-      this->Owner[f] = -1;
-    }
-  }
-
-  int owner(int face) const { return this->Owner[face]; }
-
-  /// Gives triangles that hang on their region by one edge only to the region that surrounds them:
-  /// on a straight boundary they would have next to no area in the plane. Every step shortens the
-  /// regions' boundaries.
-  void removeSpikes(const Faces& faces)
-  {
-    bool changed = true;
-    while (changed)
-    {
-      changed = false;
-      for (int f : faces)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          changed = this->removeSpike(3 * f + k) || changed;
-        }
-      }
-    }
+    return Status::success();
   }
 
 private:
-  /// Neighbour's owner across a halfedge, -1 where the surface is cut.
-  int ownerAcross(int h) const
+  /// Two regions by serial number, which a merged region gets anew.
+  struct Pair
   {
-    return this->Surface.cut[h] ? -1 : this->Owner[this->Surface.twin[h] / 3];
-  }
-
-  /// The triangle of h goes to the other region if it is held by the edge opposite h's tail alone,
-  /// and if that region has the whole fan around the tail (else its boundary would touch itself
-  /// there).
-  bool removeSpike(int h)
-  {
-    const int other = this->ownerAcross(h);
-    const int own = this->Owner[h / 3];
-    if (other < 0 || other == own || this->ownerAcross(previousHalfedge(h)) != other ||
-      this->ownerAcross(nextHalfedge(h)) != own)
+    double area;
+    int first;
+    int second;
+    bool operator<(const Pair& o) const // the least area on top of the queue
     {
-      return false;
+      return std::tie(this->area, this->first, this->second) > std::tie(o.area, o.first, o.second);
     }
-    for (int g = this->Surface.twin[previousHalfedge(h)]; g != h;
-         g = this->Surface.twin[previousHalfedge(g)])
+  };
+
+  void addPairs(int r, bool laterOnly)
+  {
+    for (int q : this->Regions.neighbours(r))
     {
-      if (this->Surface.cut[previousHalfedge(g)] || this->Owner[g / 3] != other)
+      if (q > r || !laterOnly)
       {
-        return false;
+        this->Pairs.push({ this->Area[r] + this->Area[q], this->Serial[r], this->Serial[q] });
       }
     }
-    this->Owner[h / 3] = other;
-    return true;
   }
 
-  Vec3 center(int f) const
-  {
-    return (this->Surface.point(f, 0) + this->Surface.point(f, 1) + this->Surface.point(f, 2)) / 3.;
-  }
-
-  const CutSurface& Surface;
-  std::vector<double> Distance;
-  std::vector<int> Owner;
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Front;
+  ChartRegions& Regions;
+  std::vector<int> Serial; // by region
+  std::vector<int> Place;  // the region by serial number, -1 if merged
+  std::vector<double> Area;
+  std::priority_queue<Pair> Pairs;
 };
 
-/// Cuts along every edge between faces of different owners, then returns the faces by owner.
-std::vector<Faces> cutBetweenOwners(
-  CutSurface& surface, const VoronoiRegions& regions, const Faces& faces, int numberOfOwners)
+void splitLongestBoundaryEdge(ChartRegions& regions, int region)
 {
-  std::vector<Faces> parts(numberOfOwners);
-  for (int f : faces)
-  {
-    parts[regions.owner(f)].push_back(f);
-    for (int k = 0; k < 3; ++k)
-    {
-      const int h = 3 * f + k;
-      if (!surface.cut[h] && regions.owner(surface.twin[h] / 3) != regions.owner(f))
-      {
-        surface.setCut(h, true);
-      }
-    }
-  }
-  return parts;
-}
-
-/// Removes the cuts inside a chart, those with the chart on both sides.
-void closeInnerCuts(CutSurface& surface, const Faces& faces)
-{
-  const std::vector<int> sorted = [&] {
-    Faces copy = faces;
-    std::sort(copy.begin(), copy.end());
-    return copy;
-  }();
-  for (int f : faces)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int h = 3 * f + k;
-      if (surface.cut[h] && surface.twin[h] >= 0 &&
-        std::binary_search(sorted.begin(), sorted.end(), surface.twin[h] / 3))
-      {
-        surface.setCut(h, false);
-      }
-    }
-  }
-}
-
-/// Splits a chart in two, between a face (the densest, or the one farthest from the chart's first)
-/// and the face that is farthest from it.
-std::vector<Faces> bisect(CutSurface& surface, const Faces& faces, int first)
-{
-  closeInnerCuts(surface, faces);
-  VoronoiRegions regions(surface);
-  if (first < 0)
-  {
-    regions.addSeed(faces.front(), 0);
-    first = regions.farthest(faces);
-    regions.forget(faces);
-  }
-  regions.addSeed(first, 0);
-  regions.addSeed(regions.farthest(faces), 1);
-  regions.removeSpikes(faces);
-  return cutBetweenOwners(surface, regions, faces, 2);
-}
-
-/// Cuts from the densest place of every region denser than the bound to the chart's boundary, along
-/// shortest edge paths (Gu, Gortler, Hoppe 2002). False if there was nothing to cut.
-bool cutToDensePlaces(CutSurface& surface, const FlatChart& chart, double bound)
-{
-  const ChartMesh& mesh = chart.mesh;
-  const int n = static_cast<int>(mesh.triangles.size());
-  // Regions of dense triangles, joined across chart vertices.
-  std::vector<int> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v)
-    {
-      parent[v] = parent[parent[v]];
-      v = parent[v];
-    }
-    return v;
-  };
-  for (int i = 0; i < n; ++i)
-  {
-    if (chart.map.density[i] > bound)
-    {
-      parent[root(mesh.triangles[i][0])] = root(mesh.triangles[i][1]);
-      parent[root(mesh.triangles[i][1])] = root(mesh.triangles[i][2]);
-    }
-  }
-  std::vector<int> densest(mesh.vertices.size(), -1);
-  for (int i = 0; i < n; ++i)
-  {
-    if (chart.map.density[i] > bound)
-    {
-      int& d = densest[root(mesh.triangles[i][0])];
-      if (d < 0 || chart.map.density[i] > chart.map.density[d])
-      {
-        d = i;
-      }
-    }
-  }
-  // Shortest paths to the boundary.
-  std::vector<std::vector<std::pair<int, int>>> out(mesh.vertices.size()); // halfedges to other
-                                                                           // vertices
-  for (int i = 0; i < n; ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int h = 3 * mesh.faces[i] + k;
-      if (!surface.cut[h])
-      {
-        out[mesh.triangles[i][k]].push_back({ mesh.triangles[i][(k + 1) % 3], h });
-      }
-    }
-  }
-  std::vector<double> distance(mesh.vertices.size(), Infinity);
-  std::vector<std::pair<int, int>> toward(mesh.vertices.size(), { -1, -1 });
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  for (int v : mesh.boundary)
-  {
-    distance[v] = 0;
-    front.push({ 0., v });
-  }
-  while (!front.empty())
-  {
-    const auto [d, v] = front.top();
-    front.pop();
-    if (d > distance[v])
-    {
-      continue;
-    }
-    for (const auto& [w, h] : out[v])
-    {
-      const double step =
-        (surface.points[mesh.vertices[w]] - surface.points[mesh.vertices[v]]).norm();
-      if (d + step < distance[w])
-      {
-        distance[w] = d + step;
-        toward[w] = { v, h };
-        front.push({ d + step, w });
-      }
-    }
-  }
-  bool changed = false;
-  for (int d : densest)
-  {
-    if (d < 0)
-    {
-      continue;
-    }
-    const Triangle& t = mesh.triangles[d];
-    int v = *std::max_element(
-      t.begin(), t.end(), [&](int a, int b) { return distance[a] < distance[b]; });
-    while (toward[v].first >= 0 && !surface.cut[toward[v].second])
-    {
-      surface.setCut(toward[v].second, true);
-      changed = true;
-      v = toward[v].first;
-    }
-  }
-  return changed;
-}
-
-/// Splits the longest boundary edge of a chart; returns the new faces with the faces that they were
-/// part of.
-std::vector<std::array<int, 2>> splitLongestBoundaryEdge(CutSurface& surface, const Faces& faces)
-{
+  const CutSurface& surface = regions.surface();
   int longest = -1;
   double length = -1;
-  for (int f : faces)
+  for (int f : regions.faces(region))
   {
     for (int h = 3 * f; h < 3 * f + 3; ++h)
     {
@@ -318,70 +214,263 @@ std::vector<std::array<int, 2>> splitLongestBoundaryEdge(CutSurface& surface, co
       }
     }
   }
-  std::vector<std::array<int, 2>> added = { { surface.numberOfFaces(), longest / 3 } };
-  if (surface.twin[longest] >= 0)
-  {
-    added.push_back({ surface.numberOfFaces() + 1, surface.twin[longest] / 3 });
-  }
-  surface.splitEdge(longest, 0.5);
-  return added;
+  regions.splitEdge(longest, 0.5);
 }
 
-/// Farthest-point Voronoi regions of the whole surface, at least one a component, as many as asked
-/// for.
-void startWithVoronoi(CutSurface& surface, int numberOfCharts)
+/// Flattens regions, and cuts or splits those whose density is not bounded, until all charts keep
+/// the bound.
+class DensityBound
 {
-  const std::vector<Faces> components = chartFaces(surface);
-  VoronoiRegions regions(surface);
-  Faces all(surface.numberOfFaces());
-  std::iota(all.begin(), all.end(), 0);
-  int owners = 0;
-  for (const Faces& component : components)
+public:
+  DensityBound(ChartRegions& regions, const ChartPartitionOptions& options)
+    : Regions(regions)
+    , Options(options)
   {
-    regions.addSeed(component.front(), owners);
-    const int far = regions.farthest(component);
-    regions.forget(component);
-    regions.addSeed(far, owners++);
   }
-  while (owners < std::min(numberOfCharts, surface.numberOfFaces()))
-  {
-    regions.addSeed(regions.farthest(all), owners++);
-  }
-  regions.removeSpikes(all);
-  cutBetweenOwners(surface, regions, all, owners);
-}
 
-struct Candidate
-{
-  Faces faces;
-  int cutRounds = 0; ///< how often cuts into the chart have been tried
-  double previousRatio = Infinity;
+  Status run(const Progress& progress)
+  {
+    while (true)
+    {
+      const std::vector<int> changed = this->prepareReshaped();
+      if (changed.empty())
+      {
+        for (int r = 0; r < this->Regions.size(); ++r)
+        {
+          this->followSplits(r);
+        }
+        return Status::success();
+      }
+      if (!report(progress, this->finishedFraction(changed)))
+      {
+        return Status::aborted();
+      }
+      vtkSMPTools::For(
+        0, static_cast<vtkIdType>(changed.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            FlatChart& chart = this->Charts[changed[i]];
+            chart.mesh = this->Regions.mesh(changed[i]);
+            chart.map =
+              mapToRectangle(this->Regions.surface(), chart.mesh, { this->Options.square });
+          }
+        });
+      for (int r : changed)
+      {
+        this->Regions.clearChanges(r);
+      }
+      for (int r : changed)
+      {
+        if (const Status status = this->relieve(r); !status.ok())
+        {
+          return status;
+        }
+      }
+    }
+  }
+
+  /// Merges neighbours as long as the bound is kept and more charts than asked for are left.
+  Status merge(const Progress& progress)
+  {
+    return GreedyMerge(this->Regions)
+      .run(
+        this->Options.numberOfCharts, [this](int a, int b) { return this->tryToMerge(a, b); },
+        [this](int a, int b) {
+          this->Charts[a] = std::move(this->Merged);
+          if (b + 1 != static_cast<int>(this->Charts.size()))
+          {
+            this->Charts[b] = std::move(this->Charts.back());
+          }
+          this->Charts.pop_back();
+          this->Regions.clearChanges(a);
+        },
+        progress);
+  }
+
+  std::vector<FlatChart> takeCharts() { return std::move(this->Charts); }
+
+private:
+  struct History
+  {
+    int cutRounds = 0; ///< how often cuts into the chart have been tried
+    double densityRatio = std::numeric_limits<double>::infinity();
+  };
+
+  /// Makes the regions whose shape changed ready to be flattened. A rectangle's corners need four
+  /// boundary vertices.
+  std::vector<int> prepareReshaped()
+  {
+    for (int r = 0; r < this->Regions.size(); ++r)
+    {
+      while (this->Regions.isReshaped(r) && this->Regions.mesh(r).boundary.size() < 4)
+      {
+        splitLongestBoundaryEdge(this->Regions, r);
+      }
+    }
+    std::vector<int> changed;
+    for (int r = 0; r < this->Regions.size(); ++r)
+    {
+      if (this->Regions.isReshaped(r))
+      {
+        this->Regions.splitChords(r);
+        changed.push_back(r);
+      }
+    }
+    this->Charts.resize(this->Regions.size());
+    this->Histories.resize(this->Regions.size());
+    return changed;
+  }
+
+  /// Carries on the map of a chart whose triangles were split along edges, by a neighbour's cuts or
+  /// seams: split triangles are mapped as before.
+  void followSplits(int r)
+  {
+    if (this->Regions.splits(r).empty() || this->Regions.isReshaped(r))
+    {
+      return;
+    }
+    FlatChart& chart = this->Charts[r];
+    std::vector<Vec2>& at = this->UV;
+    at.resize(3 * this->Regions.surface().triangles.size());
+    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        at[3 * chart.mesh.faces[i] + k] = chart.map.uv[chart.mesh.triangles[i][k]];
+      }
+    }
+    for (const ChartRegions::Split& split : this->Regions.splits(r))
+    {
+      const int next = nextHalfedge(split.halfedge);
+      // In this form a coordinate that both ends share is kept to the bit.
+      const Vec2 middle = at[split.halfedge] + split.t * (at[next] - at[split.halfedge]);
+      at[3 * split.added] = middle;
+      at[3 * split.added + 1] = at[next];
+      at[3 * split.added + 2] = at[previousHalfedge(split.halfedge)];
+      at[next] = middle;
+    }
+    chart.mesh = this->Regions.mesh(r);
+    chart.map.uv.resize(chart.mesh.vertices.size());
+    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        chart.map.uv[chart.mesh.triangles[i][k]] = at[3 * chart.mesh.faces[i] + k];
+      }
+    }
+    measureMap(this->Regions.surface(), chart.mesh, chart.map);
+    this->Regions.clearChanges(r);
+  }
+
+  double finishedFraction(const std::vector<int>& changed) const
+  {
+    std::size_t open = 0;
+    for (int r : changed)
+    {
+      open += this->Regions.faces(r).size();
+    }
+    return 1 - static_cast<double>(open) / this->Regions.surface().numberOfFaces();
+  }
+
+  /// Cuts or splits a region if its chart breaks the bound.
+  Status relieve(int r)
+  {
+    this->followSplits(r);
+    const FlatChart& chart = this->Charts[r];
+    const ConformalMap& map = chart.map;
+    History& history = this->Histories[r];
+    if (map.valid && map.densityRatio <= this->Options.maximumDensityRatio)
+    {
+      return Status::success();
+    }
+    if (chart.mesh.faces.size() <= 2)
+    {
+      return Status::error(
+        "A chart of two triangles can't be flattened: the surface has triangles too thin "
+        "for double precision; repair it first.");
+    }
+    const bool helping = history.cutRounds == 0 || map.densityRatio < 0.5 * history.densityRatio;
+    if (map.valid && helping && history.cutRounds < 8 &&
+      cutToDensePlaces(this->Regions, r, chart, this->Options.maximumDensityRatio))
+    {
+      history = { history.cutRounds + 1, map.densityRatio };
+      return Status::success();
+    }
+    int densest = -1;
+    if (map.valid)
+    {
+      densest =
+        chart.mesh
+          .faces[std::max_element(map.density.begin(), map.density.end()) - map.density.begin()];
+    }
+    history = {};
+    this->split(r, densest);
+    return Status::success();
+  }
+
+  /// Splits a region at a triangle, into disks with smooth seams of their own.
+  void split(int r, int densest)
+  {
+    const int first = this->Regions.size();
+    bisect(this->Regions, r, densest);
+    std::vector<int> parts = { r };
+    for (int q = first; q < this->Regions.size(); ++q)
+    {
+      parts.push_back(q);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      while (!this->Regions.mesh(parts[i]).isDisk())
+      {
+        parts.push_back(bisect(this->Regions, parts[i], -1));
+      }
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < parts.size(); ++j)
+      {
+        smoothSeams(this->Regions, parts[i], parts[j], this->Options.placement);
+      }
+    }
+  }
+
+  /// Flattens two regions as one; whether that keeps the bound. Large ones are not worth the time.
+  bool tryToMerge(int a, int b)
+  {
+    constexpr std::size_t large = 60000; // triangles
+    if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > large)
+    {
+      return false;
+    }
+    const std::optional<SeamArc> seam = onlySeam(this->Regions, a, b);
+    if (!seam)
+    {
+      return false;
+    }
+    CutSurface& surface = this->Regions.surface();
+    for (int h : seam->halfedges)
+    {
+      surface.setCut(h, false);
+    }
+    std::vector<int> faces = this->Regions.faces(a);
+    faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
+    this->Merged.mesh = extractChart(surface, std::move(faces));
+    this->Merged.map = mapToRectangle(surface, this->Merged.mesh, { this->Options.square });
+    for (int h : seam->halfedges)
+    {
+      surface.setCut(h, true);
+    }
+    return this->Merged.map.valid &&
+      this->Merged.map.densityRatio <= this->Options.maximumDensityRatio;
+  }
+
+  ChartRegions& Regions;
+  const ChartPartitionOptions& Options;
+  FlatChart Merged;
+  std::vector<Vec2> UV; // by halfedge, of its tail; scratch
+  std::vector<FlatChart> Charts;
+  std::vector<History> Histories;
 };
-
-/// Adds a face that a split made to the chart of its parent; a finished chart has to be flattened
-/// again.
-void adopt(int added, int parent, std::vector<Candidate>& pending, std::vector<FlatChart>& finished)
-{
-  for (Candidate& c : pending)
-  {
-    if (std::find(c.faces.begin(), c.faces.end(), parent) != c.faces.end())
-    {
-      c.faces.push_back(added);
-      return;
-    }
-  }
-  for (auto chart = finished.begin(); chart != finished.end(); ++chart)
-  {
-    Faces& faces = chart->mesh.faces;
-    if (std::binary_search(faces.begin(), faces.end(), parent))
-    {
-      faces.push_back(added);
-      pending.push_back({ std::move(faces) });
-      finished.erase(chart);
-      return;
-    }
-  }
-}
 }
 
 Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& options,
@@ -392,97 +481,40 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   {
     return Status::success();
   }
-  startWithVoronoi(surface, options.numberOfCharts);
-  std::vector<Candidate> pending;
-  for (Faces& faces : chartFaces(surface))
+  const auto part = [&](double from, double to) -> Progress {
+    return [&, from, to](double f) { return report(progress, from + (to - from) * f); };
+  };
+  cutIntoVoronoiCells(surface, options.numberOfCharts);
+  ChartRegions regions(surface);
+  if (const Status status = splitIntoDisks(regions, part(0., .1)); !status.ok())
   {
-    pending.push_back({ std::move(faces) });
+    return status;
   }
-  std::size_t done = 0;
-  while (!pending.empty())
+  const auto canBeGlued = [&](int a, int b) { return onlySeam(regions, a, b).has_value(); };
+  if (const Status status =
+        GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, part(.1, .15));
+      !status.ok())
   {
-    if (!report(progress, static_cast<double>(done) / static_cast<double>(surface.numberOfFaces())))
-    {
-      return Status::aborted();
-    }
-    // Topology first: bisect until every chart is a disk.
-    std::vector<Candidate> disks;
-    for (std::size_t i = 0; i < pending.size(); ++i)
-    {
-      const ChartMesh mesh = extractChart(surface, pending[i].faces);
-      if (mesh.isDisk())
-      {
-        disks.push_back(std::move(pending[i]));
-        continue;
-      }
-      const Faces faces = std::move(pending[i].faces);
-      for (Faces& part : bisect(surface, faces, -1))
-      {
-        pending.push_back({ std::move(part) });
-      }
-    }
-    // A rectangle's corners need four boundary vertices; the neighbour across a split edge changes
-    // too.
-    for (std::size_t i = 0; i < disks.size(); ++i)
-    {
-      while (extractChart(surface, disks[i].faces).boundary.size() < 4)
-      {
-        for (const auto& [added, parent] : splitLongestBoundaryEdge(surface, disks[i].faces))
-        {
-          adopt(added, parent, disks, charts);
-        }
-      }
-    }
-    for (Candidate& c : disks)
-    {
-      splitChords(surface, c.faces);
-    }
-    std::vector<FlatChart> flat(disks.size());
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(disks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          flat[i].mesh = extractChart(surface, disks[i].faces);
-          flat[i].map = mapToRectangle(surface, flat[i].mesh, { options.square });
-        }
-      });
-    std::vector<Candidate> next;
-    for (std::size_t i = 0; i < disks.size(); ++i)
-    {
-      Candidate& c = disks[i];
-      const ConformalMap& map = flat[i].map;
-      if (map.valid && map.densityRatio <= options.maximumDensityRatio)
-      {
-        done += c.faces.size();
-        charts.push_back(std::move(flat[i]));
-        continue;
-      }
-      if (c.faces.size() <= 2)
-      {
-        return Status::error(
-          "A chart of two triangles can't be flattened: the surface has triangles too thin "
-          "for double precision; repair it first.");
-      }
-      const bool helping = c.cutRounds == 0 || map.densityRatio < 0.5 * c.previousRatio;
-      if (map.valid && helping && c.cutRounds < 8 &&
-        cutToDensePlaces(surface, flat[i], options.maximumDensityRatio))
-      {
-        next.push_back({ std::move(c.faces), c.cutRounds + 1, map.densityRatio });
-        continue;
-      }
-      int densest = -1;
-      if (map.valid)
-      {
-        densest = flat[i].mesh.faces[std::max_element(map.density.begin(), map.density.end()) -
-          map.density.begin()];
-      }
-      for (Faces& part : bisect(surface, c.faces, densest))
-      {
-        next.push_back({ std::move(part) });
-      }
-    }
-    pending = std::move(next);
+    return status;
   }
+  if (const Status status = placeSeams(regions, options.placement, part(.15, .4)); !status.ok())
+  {
+    return status;
+  }
+  for (int r = 0; r < regions.size(); ++r)
+  {
+    regions.closeSlits(r);
+  }
+  DensityBound bound(regions, options);
+  if (const Status status = bound.run(part(.4, .8)); !status.ok())
+  {
+    return status;
+  }
+  if (const Status status = bound.merge(part(.8, 1.)); !status.ok())
+  {
+    return status;
+  }
+  charts = bound.takeCharts();
   return Status::success();
 }
 }

@@ -4,22 +4,17 @@
 #ifndef stipple_ChartPartition_h
 #define stipple_ChartPartition_h
 
-#include "ConformalMap.h"
-#include "Progress.h"
+#include "DensityCuts.h"
+#include "SeamPlacement.h"
 
 namespace stipple
 {
 struct ChartPartitionOptions
 {
   int numberOfCharts = 1;           ///< at least, >= 1
-  double maximumDensityRatio = 200; ///< > 1; bound on ConformalMap::densityRatio
+  double maximumDensityRatio = 100; ///< > 1; bound on ConformalMap::densityRatio
   bool square = false;              ///< ConformalMapOptions::square
-};
-
-struct FlatChart
-{
-  ChartMesh mesh;
-  ConformalMap map;
+  BoundaryPlacement placement = BoundaryPlacement::AreaMedian;
 };
 
 /// Marks the cuts on the surface and returns its charts, flattened; their order does not depend on

@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <limits>
 #include <string>
 
 namespace stipple
@@ -184,6 +185,8 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
     }
     auto extent = addArray<vtkDoubleArray>(chart->GetFieldData(), "ChartExtent", 2, 1);
     extent->SetTuple(0, map.extent.data());
+    auto ratio = addArray<vtkDoubleArray>(chart->GetFieldData(), "DensityRatio", 1, 1);
+    ratio->SetValue(0, map.densityRatio);
 
     vtkNew<vtkPartitionedDataSet> set;
     set->SetNumberOfPartitions(1);
@@ -234,5 +237,81 @@ std::vector<ConstraintPoint> locateConstraints(
     c.chartCell = cellOf[f];
   }
   return constraints;
+}
+
+Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
+  vtkDoubleArray* places, std::vector<ConstraintPoint>& constraints)
+{
+  if (places->GetNumberOfComponents() != 3)
+  {
+    return Status::error("Chart constraints need three components: chart, u, v.");
+  }
+  for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+  {
+    const double chart = places->GetTypedComponent(i, 0);
+    const Vec2 p(places->GetTypedComponent(i, 1), places->GetTypedComponent(i, 2));
+    // The triangle that has the place most inside.
+    ConstraintPoint best;
+    double mostInside = -std::numeric_limits<double>::infinity();
+    if (chart >= 0 && chart < static_cast<double>(flat.size()))
+    {
+      best.chart = static_cast<int>(chart);
+      const ChartMesh& mesh = flat[best.chart].mesh;
+      const std::vector<Vec2>& uv = flat[best.chart].map.uv;
+      for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+      {
+        const Triangle& t = mesh.triangles[f];
+        const Vec3 bary = barycentric(p, uv[t[0]], uv[t[1]], uv[t[2]]);
+        if (bary.minCoeff() > mostInside)
+        {
+          mostInside = bary.minCoeff();
+          best.bary = bary;
+          best.chartCell = static_cast<int>(f);
+        }
+      }
+    }
+    constexpr double roundOff = 1e-6;
+    if (!(mostInside > -roundOff))
+    {
+      return Status::error("Chart constraint " + std::to_string(i) + ", u " +
+        std::to_string(p.x()) + ", v " + std::to_string(p.y()) + ", is not in a chart " +
+        std::to_string(chart) + "; there are " + std::to_string(flat.size()) + " charts.");
+    }
+    best.bary = clampedBarycentric(best.bary);
+    best.position = surface.position(flat[best.chart].mesh.faces[best.chartCell], best.bary);
+    constraints.push_back(best);
+  }
+  return Status::success();
+}
+
+void constrainPoints(const CutSurface& surface, const std::vector<FlatChart>& flat,
+  const std::vector<int>& points, std::vector<ConstraintPoint>& constraints)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  std::vector<char> wanted(surface.points.size(), 0);
+  for (int p : points)
+  {
+    wanted[p] = 1;
+  }
+  for (std::size_t c = 0; c < flat.size(); ++c)
+  {
+    const ChartMesh& mesh = flat[c].mesh;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int p = mesh.vertices[mesh.triangles[i][k]];
+        if (wanted[p])
+        {
+          wanted[p] = 0;
+          constraints.push_back(
+            { surface.points[p], static_cast<int>(c), static_cast<int>(i), Vec3::Unit(k) });
+        }
+      }
+    }
+  }
 }
 }

@@ -9,6 +9,7 @@
 #include "FeatureGraph.h"
 #include "SurfaceRepair.h"
 
+class vtkDoubleArray;
 class vtkPartitionedDataSetCollection;
 class vtkPoints;
 class vtkPolyData;
@@ -22,6 +23,14 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
 /// The place on the surface nearest to each point.
 std::vector<ConstraintPoint> locateConstraints(
   const CutSurface& surface, const std::vector<FlatChart>& flat, vtkPoints* points);
+
+/// Appends places given as chart, u, v. An error if one is not in its chart.
+Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
+  vtkDoubleArray* places, std::vector<ConstraintPoint>& constraints);
+
+/// Appends surface points that are not on the graph already.
+void constrainPoints(const CutSurface& surface, const std::vector<FlatChart>& flat,
+  const std::vector<int>& points, std::vector<ConstraintPoint>& constraints);
 }
 
 #endif

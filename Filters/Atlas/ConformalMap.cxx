@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConformalMap.h"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include "HarmonicSystem.h"
+#include "RectangleLayout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,204 +13,6 @@ namespace stipple
 {
 namespace
 {
-using SparseMatrix = Eigen::SparseMatrix<double>;
-using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-
-/// The interior's Laplacian, factorized once; serves any boundary.
-class HarmonicSolver
-{
-public:
-  HarmonicSolver(const TriangleSurface& surface, const ChartMesh& chart)
-    : Chart(chart)
-  {
-    this->InteriorIndex.assign(chart.vertices.size(), -1);
-    for (std::size_t v = 0; v < chart.vertices.size(); ++v)
-    {
-      if (!chart.onBoundary[v])
-      {
-        this->InteriorIndex[v] = this->NumberOfInterior++;
-      }
-    }
-    this->Cotangents.resize(chart.triangles.size());
-    for (std::size_t i = 0; i < chart.triangles.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto x = [&](int c) -> const Vec3& {
-          return surface.points[chart.vertices[chart.triangles[i][c % 3]]];
-        };
-        this->Cotangents[i][k] = 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3);
-      }
-    }
-  }
-
-  /// Lower bound of an edge's weight: -infinity for the conformal map, positive for a one-to-one
-  /// map.
-  bool factorize(double smallestWeight)
-  {
-    this->BoundaryTerms.clear();
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(9 * this->Chart.triangles.size());
-    // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
-    std::vector<Eigen::Triplet<double>> edges;
-    edges.reserve(3 * this->Chart.triangles.size());
-    const int n = this->Chart.numberOfVertices();
-    for (std::size_t i = 0; i < this->Chart.triangles.size(); ++i)
-    {
-      const Triangle& t = this->Chart.triangles[i];
-      for (int k = 0; k < 3; ++k)
-      {
-        const int a = t[(k + 1) % 3];
-        const int b = t[(k + 2) % 3];
-        edges.emplace_back(std::min(a, b), std::max(a, b), this->Cotangents[i][k]);
-      }
-    }
-    SparseMatrix weights(n, n);
-    weights.setFromTriplets(edges.begin(), edges.end());
-    for (int column = 0; column < n; ++column)
-    {
-      for (SparseMatrix::InnerIterator it(weights, column); it; ++it)
-      {
-        const int a = this->InteriorIndex[it.row()];
-        const int b = this->InteriorIndex[it.col()];
-        const double w = std::max(it.value(), smallestWeight);
-        if (a >= 0 && b >= 0)
-        {
-          entries.emplace_back(std::max(a, b), std::min(a, b), -w);
-        }
-        if (a >= 0)
-        {
-          entries.emplace_back(a, a, w);
-        }
-        if (b >= 0)
-        {
-          entries.emplace_back(b, b, w);
-        }
-        if ((a >= 0) != (b >= 0))
-        {
-          this->BoundaryTerms.push_back(
-            { a >= 0 ? a : b, static_cast<int>(a >= 0 ? it.col() : it.row()), w });
-        }
-      }
-    }
-    SparseMatrix laplacian(this->NumberOfInterior, this->NumberOfInterior);
-    laplacian.setFromTriplets(entries.begin(), entries.end());
-    this->Cholesky.compute(laplacian);
-    return this->Cholesky.info() == Eigen::Success;
-  }
-
-  /// Interior positions for the given boundary positions (rows of uv are overwritten).
-  void solve(std::vector<Vec2>& uv) const
-  {
-    if (this->NumberOfInterior == 0)
-    {
-      return;
-    }
-    Plane rhs = Plane::Zero(this->NumberOfInterior, 2);
-    for (const BoundaryTerm& term : this->BoundaryTerms)
-    {
-      rhs.row(term.interior) += term.weight * uv[term.boundary].transpose();
-    }
-    const Plane x = this->Cholesky.solve(rhs);
-    for (std::size_t v = 0; v < uv.size(); ++v)
-    {
-      if (this->InteriorIndex[v] >= 0)
-      {
-        uv[v] = x.row(this->InteriorIndex[v]).transpose();
-      }
-    }
-  }
-
-private:
-  struct BoundaryTerm
-  {
-    int interior;
-    int boundary;
-    double weight;
-  };
-  const ChartMesh& Chart;
-  std::vector<int> InteriorIndex;
-  int NumberOfInterior = 0;
-  std::vector<Vec3> Cotangents; // half cotangent of the angle at each corner
-  std::vector<BoundaryTerm> BoundaryTerms;
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> Cholesky;
-};
-
-/// A rectangle and where its corners sit on the boundary, as fractions of the boundary's length.
-struct Placement
-{
-  std::array<double, 4> corner;
-  Vec2 extent;
-};
-
-class BoundaryLayout
-{
-public:
-  BoundaryLayout(const TriangleSurface& surface, const ChartMesh& chart)
-    : Chart(chart)
-  {
-    const std::size_t n = chart.boundary.size();
-    this->ArcLength.assign(n + 1, 0.);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const Vec3& a = surface.points[chart.vertices[chart.boundary[i]]];
-      const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
-      this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
-    }
-  }
-
-  /// Puts the boundary vertices on the rectangle's sides, by arc length between its corners.
-  void place(const Placement& placement, std::vector<Vec2>& uv) const
-  {
-    const int n = static_cast<int>(this->Chart.boundary.size());
-    const double total = this->ArcLength[n];
-    std::array<int, 4> corner;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double s = (placement.corner[k] - std::floor(placement.corner[k])) * total;
-      const auto next = std::lower_bound(this->ArcLength.begin(), this->ArcLength.end() - 1, s);
-      int i = static_cast<int>(next - this->ArcLength.begin());
-      if (i > 0 && s - this->ArcLength[i - 1] < this->ArcLength[i] - s)
-      {
-        --i;
-      }
-      corner[k] = i % n;
-    }
-    // Corners in cyclic order and on different vertices, whatever the boundary's spacing.
-    for (int k = 1; k < 4; ++k)
-    {
-      const int from = (corner[k] - corner[0] + n) % n;
-      const int least = (corner[k - 1] - corner[0] + n) % n + 1;
-      corner[k] = (corner[0] + std::clamp(k == 0 ? 0 : from, least, n - 4 + k)) % n;
-    }
-    const Vec2& e = placement.extent;
-    const std::array<Vec2, 5> at = { Vec2(0, 0), Vec2(e.x(), 0), e, Vec2(0, e.y()), Vec2(0, 0) };
-    for (int k = 0; k < 4; ++k)
-    {
-      const int begin = corner[k];
-      const int count = (corner[(k + 1) % 4] - begin + n) % n;
-      const auto lengthTo = [&](int j) {
-        const int i = begin + j;
-        return i <= n ? this->ArcLength[i] - this->ArcLength[begin]
-                      : total - this->ArcLength[begin] + this->ArcLength[i - n];
-      };
-      const double side = lengthTo(count);
-      for (int j = 0; j < count; ++j)
-      {
-        const double t = side > 0 ? lengthTo(j) / side : static_cast<double>(j) / count;
-        // Exactly on the side: the coordinate that is constant is copied, not computed.
-        Vec2 p = at[k] + t * (at[k + 1] - at[k]);
-        p[k % 2 == 0 ? 1 : 0] = at[k][k % 2 == 0 ? 1 : 0];
-        uv[this->Chart.boundary[(begin + j) % n]] = p;
-      }
-    }
-  }
-
-private:
-  const ChartMesh& Chart;
-  std::vector<double> ArcLength;
-};
-
 /// Mean over the surface of the density A3D / A2D relative to its least possible value, 1.
 double meanDensity(
   const std::vector<double>& area, const ChartMesh& chart, const std::vector<Vec2>& uv)
@@ -229,14 +31,57 @@ double meanDensity(
   return sum * plane / (total * total);
 }
 
+/// The points as a matrix with a row each.
+auto rows(std::vector<Vec2>& uv)
+{
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<Matrix>(uv.data()->data(), static_cast<Eigen::Index>(uv.size()), 2);
+}
+
 bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
 {
   return std::all_of(chart.triangles.begin(), chart.triangles.end(),
     [&](const Triangle& t) { return orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0; });
 }
 
-void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalMap& map)
+/// Marks the vertices of triangles that are not counterclockwise in the plane, and so many rings of
+/// neighbours around everything marked.
+void markFlipped(
+  const ChartMesh& chart, const std::vector<Vec2>& uv, int rings, std::vector<char>& marked)
 {
+  for (const Triangle& t : chart.triangles)
+  {
+    if (!(orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0))
+    {
+      marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+    }
+  }
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<char> before = marked;
+    for (const Triangle& t : chart.triangles)
+    {
+      if (before[t[0]] || before[t[1]] || before[t[2]])
+      {
+        marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+      }
+    }
+  }
+}
+
+std::vector<double> areas(const TriangleSurface& surface, const ChartMesh& chart)
+{
+  std::vector<double> area(chart.faces.size());
+  std::transform(chart.faces.begin(), chart.faces.end(), area.begin(),
+    [&](int f) { return surface.faceArea(f); });
+  return area;
+}
+}
+
+void measureMap(const TriangleSurface& surface, const ChartMesh& chart, ConformalMap& map)
+{
+  const std::vector<double> area = areas(surface, chart);
+  map.valid = isValid(chart, map.uv);
   const std::size_t n = area.size();
   map.density.resize(n);
   double total = 0;
@@ -268,73 +113,63 @@ void measure(const std::vector<double>& area, const ChartMesh& chart, ConformalM
     }
   }
 }
-}
 
 ConformalMap mapToRectangle(
   const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options)
 {
   ConformalMap map;
   map.uv.assign(chart.vertices.size(), Vec2::Zero());
-  std::vector<double> area(chart.triangles.size());
-  for (std::size_t i = 0; i < area.size(); ++i)
-  {
-    area[i] = surface.faceArea(chart.faces[i]);
-  }
-  HarmonicSolver solver(surface, chart);
-  const BoundaryLayout layout(surface, chart);
+  const std::vector<double> area = areas(surface, chart);
+  HarmonicSystem solver(surface, chart, chart.onBoundary);
+  const RectangleLayout layout(surface, chart);
 
-  // One factorization serves every boundary, so several rectangles are tried: an opposite pair of
-  // sides of 1, 2 or 4 times the other pair's length, turned by eighths of the boundary.
-  std::vector<Placement> placements;
-  for (int turn = 0; turn < 2; ++turn)
-  {
-    placements.push_back(
-      { { turn / 8., .25 + turn / 8., .5 + turn / 8., .75 + turn / 8. }, Vec2::Ones() });
-  }
-  if (!options.square)
-  {
-    for (double aspect : { 2., 4. })
-    {
-      const double wide = 0.5 * aspect / (1 + aspect);
-      for (int turn = 0; turn < 4; ++turn)
-      {
-        const double s = turn / 8.;
-        placements.push_back({ { s, s + wide, s + 0.5, s + 0.5 + wide }, Vec2(1, 1 / aspect) });
-      }
-    }
-  }
-  const auto chooseBest = [&] {
-    double best = std::numeric_limits<double>::infinity();
-    std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
-    map.valid = false;
-    for (const Placement& placement : placements)
-    {
-      layout.place(placement, uv);
-      solver.solve(uv);
-      const bool valid = isValid(chart, uv);
-      const double cost = meanDensity(area, chart, uv);
-      if ((valid && !map.valid) || (valid == map.valid && cost < best))
-      {
-        best = cost;
-        map.uv = uv;
-        map.extent = placement.extent;
-        map.valid = valid;
-      }
-    }
+  // One factorization serves every boundary, so several rectangles are tried.
+  const std::vector<RectanglePlacement> placements = layout.placements(options.square);
+  const RectanglePlacement* best = nullptr;
+  const auto solve = [&](const RectanglePlacement& placement, std::vector<Vec2>& uv) {
+    layout.place(placement, uv);
+    solver.solve(rows(uv));
   };
-  if (solver.factorize(-std::numeric_limits<double>::infinity()))
+  if (solver.factorize())
   {
-    chooseBest();
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
+    for (const RectanglePlacement& placement : placements)
+    {
+      solve(placement, uv);
+      const double cost = meanDensity(area, chart, uv);
+      if (cost < least)
+      {
+        least = cost;
+        best = &placement;
+        map.uv = uv;
+      }
+    }
+    map.valid = best && isValid(chart, map.uv);
   }
-  if (!map.valid)
+  best = best ? best : &placements.front();
+  // Where triangles are flipped, and a wider neighbourhood every time, weights are made positive.
+  std::vector<char> positiveAt(map.uv.size(), 0);
+  constexpr int mostRepairs = 6;
+  for (int repair = 0; repair < mostRepairs && !map.valid; ++repair)
   {
     map.fallback = true;
-    if (solver.factorize(1e-2))
+    if (repair + 1 == mostRepairs)
     {
-      chooseBest();
+      positiveAt.assign(map.uv.size(), 1);
+    }
+    else
+    {
+      markFlipped(chart, map.uv, repair, positiveAt);
+    }
+    if (solver.factorize(positiveAt))
+    {
+      solve(*best, map.uv);
+      map.valid = isValid(chart, map.uv);
     }
   }
-  measure(area, chart, map);
+  map.extent = best->extent;
+  measureMap(surface, chart, map);
   return map;
 }
 }

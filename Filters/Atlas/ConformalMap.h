@@ -29,6 +29,10 @@ struct ConformalMap
 /// boundary needs four vertices or more.
 STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(
   const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options);
+
+/// Measures the map anew: valid, density and densityRatio from uv.
+STIPPLEFILTERSATLAS_EXPORT void measureMap(
+  const TriangleSurface& surface, const ChartMesh& chart, ConformalMap& map);
 }
 
 #endif

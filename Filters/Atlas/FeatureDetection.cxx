@@ -306,4 +306,50 @@ void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options)
     surface.setSharp(h, true);
   }
 }
+
+std::vector<int> findTips(const CutSurface& surface, const FeatureDetectionOptions& options)
+{
+  std::vector<int> tips;
+  if (options.angle >= 180)
+  {
+    return tips;
+  }
+  constexpr double ownShare = 0.25; // the largest defect beside a tip, as a fraction of the tip's
+                                    // own
+  std::vector<double> defect(surface.points.size(), 2 * Pi);
+  std::vector<char> onFeature(surface.points.size(), 0);
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    const int p = surface.tail(h);
+    const Vec3 u = surface.points[surface.head(h)] - surface.points[p];
+    const Vec3 v = surface.points[surface.tail(previousHalfedge(h))] - surface.points[p];
+    defect[p] -= std::atan2(u.cross(v).norm(), u.dot(v));
+    if (surface.sharp[h] || surface.isBoundary(h))
+    {
+      onFeature[p] = 1;
+      onFeature[surface.head(h)] = 1;
+    }
+  }
+  std::vector<double> largestBeside(surface.points.size(), 0.);
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    for (const auto& [p, q] :
+      { std::pair(surface.tail(h), surface.head(h)), std::pair(surface.head(h), surface.tail(h)) })
+    {
+      largestBeside[p] = std::max(largestBeside[p], onFeature[q] ? 0. : std::abs(defect[q]));
+    }
+  }
+  // On a cone whose sides make the angle a with its axis opposite normals differ by pi - 2 a, and
+  // the tip's defect is 2 pi (1 - sin a).
+  const double least = 2 * Pi * (1 - std::cos(options.angle * Pi / 360));
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    if (!onFeature[p] && defect[p] < 2 * Pi && defect[p] >= least &&
+      largestBeside[p] <= ownShare * defect[p])
+    {
+      tips.push_back(static_cast<int>(p));
+    }
+  }
+  return tips;
+}
 }

@@ -26,6 +26,12 @@ struct FeatureDetectionOptions
 /// Marks the sharp edges of the surface.
 STIPPLEFILTERSATLAS_EXPORT void detectFeatures(
   CutSurface& surface, const FeatureDetectionOptions& options);
+
+/// Points at the tip of a cone: those without a sharp or boundary edge whose angle defect is that
+/// of a circular cone on which opposite normals differ by the options' angle, or more, and which
+/// have most of the defect of their neighbourhood to themselves.
+STIPPLEFILTERSATLAS_EXPORT std::vector<int> findTips(
+  const CutSurface& surface, const FeatureDetectionOptions& options);
 }
 
 #endif

@@ -47,7 +47,8 @@ std::vector<GraphEdge> graphEdges(const CutSurface& surface)
 }
 }
 
-FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
+FeatureGraph buildFeatureGraph(
+  const CutSurface& surface, double cornerAngle, const std::vector<int>& tips)
 {
   FeatureGraph graph;
   const std::size_t n = surface.points.size();
@@ -60,6 +61,11 @@ FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
     at[edges[e].b].push_back(static_cast<int>(e));
   }
   const double straight = std::cos(cornerAngle * Pi / 180);
+  std::vector<char> isTip(n, 0);
+  for (int p : tips)
+  {
+    isTip[p] = 1;
+  }
   std::vector<char> isNode(n, 0);
   for (std::size_t p = 0; p < n; ++p)
   {
@@ -82,7 +88,7 @@ FeatureGraph buildFeatureGraph(const CutSurface& surface, double cornerAngle)
     }
     else
     {
-      graph.isCorner[p] = !feature.empty();
+      graph.isCorner[p] = !feature.empty() || (isTip[p] && !at[p].empty());
     }
     // Also where a cut that runs along a sharp line ends: beyond it the line lies inside a chart.
     isNode[p] = graph.isCorner[p] || (!at[p].empty() && at[p].size() != 2) ||

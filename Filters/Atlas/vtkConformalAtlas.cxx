@@ -5,10 +5,12 @@
 #include "ChartPartition.h"
 #include "ChartWriter.h"
 #include "Curvature.h"
+#include "FeatureCurves.h"
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
 #include "SurfaceRepair.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,9 +19,14 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <iterator>
+
 vtkStandardNewMacro(vtkConformalAtlas);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureEdges, vtkIdTypeArray);
+vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureCurves, vtkPolyData);
 vtkCxxSetObjectMacro(vtkConformalAtlas, Constraints, vtkPoints);
+vtkCxxSetObjectMacro(vtkConformalAtlas, ChartConstraints, vtkDoubleArray);
 
 namespace
 {
@@ -64,7 +71,9 @@ vtkConformalAtlas::vtkConformalAtlas()
 vtkConformalAtlas::~vtkConformalAtlas()
 {
   this->SetFeatureEdges(nullptr);
+  this->SetFeatureCurves(nullptr);
   this->SetConstraints(nullptr);
+  this->SetChartConstraints(nullptr);
 }
 
 vtkIdTypeArray* vtkConformalAtlas::GetFeatureEdges() const
@@ -72,9 +81,34 @@ vtkIdTypeArray* vtkConformalAtlas::GetFeatureEdges() const
   return this->FeatureEdges;
 }
 
+vtkPolyData* vtkConformalAtlas::GetFeatureCurves() const
+{
+  return this->FeatureCurves;
+}
+
 vtkPoints* vtkConformalAtlas::GetConstraints() const
 {
   return this->Constraints;
+}
+
+vtkDoubleArray* vtkConformalAtlas::GetChartConstraints() const
+{
+  return this->ChartConstraints;
+}
+
+vtkMTimeType vtkConformalAtlas::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* object :
+    { static_cast<vtkObject*>(this->FeatureEdges), static_cast<vtkObject*>(this->FeatureCurves),
+      static_cast<vtkObject*>(this->Constraints), static_cast<vtkObject*>(this->ChartConstraints) })
+  {
+    if (object)
+    {
+      time = std::max(time, object->GetMTime());
+    }
+  }
+  return time;
 }
 
 int vtkConformalAtlas::FillInputPortInformation(int, vtkInformation* info)
@@ -108,7 +142,8 @@ int vtkConformalAtlas::RequestData(
   };
   const auto progressIn = [this](double from, double to) {
     return [this, from, to](double fraction) {
-      this->UpdateProgress(from + (to - from) * fraction);
+      // Splitting a chart makes new work: better to wait than to go back.
+      this->UpdateProgress(std::max(this->GetProgress(), from + (to - from) * fraction));
       return !this->GetAbortExecute();
     };
   };
@@ -158,13 +193,26 @@ int vtkConformalAtlas::RequestData(
     }
   }
 
+  if (this->FeatureCurves)
+  {
+    if (const stipple::Status status =
+          stipple::insertFeatureCurves(surface, this->FeatureCurves, progressIn(0.1, 0.15));
+        !status.ok())
+    {
+      return fail(status);
+    }
+  }
+
+  const std::vector<int> tips = stipple::findTips(surface, detection);
+
   stipple::ChartPartitionOptions options;
   options.numberOfCharts = this->NumberOfCharts;
   options.maximumDensityRatio = this->MaximumDensityRatio;
   options.square = this->DomainShape == SQUARE;
+  options.placement = static_cast<stipple::BoundaryPlacement>(this->BoundaryPlacement);
   std::vector<stipple::FlatChart> flat;
   if (const stipple::Status status =
-        stipple::partitionSurface(surface, options, flat, progressIn(0.1, 0.9));
+        stipple::partitionSurface(surface, options, flat, progressIn(0.15, 0.9));
       !status.ok())
   {
     return fail(status);
@@ -175,11 +223,24 @@ int vtkConformalAtlas::RequestData(
     this->NumberOfFallbackCharts += chart.map.fallback;
   }
 
-  stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->CornerAngle);
+  stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->CornerAngle, tips);
   if (this->Constraints)
   {
     graph.constraints = stipple::locateConstraints(surface, flat, this->Constraints);
   }
+  if (this->ChartConstraints)
+  {
+    if (const stipple::Status status =
+          stipple::locateChartConstraints(surface, flat, this->ChartConstraints, graph.constraints);
+        !status.ok())
+    {
+      return fail(status);
+    }
+  }
+  std::vector<int> tipsInside;
+  std::copy_if(tips.begin(), tips.end(), std::back_inserter(tipsInside),
+    [&](int p) { return !graph.isCorner[p]; });
+  stipple::constrainPoints(surface, flat, tipsInside, graph.constraints);
   stipple::writeCharts(input, repaired, surface, flat, curvature, charts);
   graphOutput->ShallowCopy(stipple::toPolyData(graph, surface.points));
   this->UpdateProgress(1.);
@@ -193,9 +254,12 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumFeatureLength: " << this->MinimumFeatureLength << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "FeatureEdges: " << this->FeatureEdges << "\n";
+  os << indent << "FeatureCurves: " << this->FeatureCurves << "\n";
+  os << indent << "ChartConstraints: " << this->ChartConstraints << "\n";
   os << indent << "Constraints: " << this->Constraints << "\n";
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "MaximumDensityRatio: " << this->MaximumDensityRatio << "\n";
+  os << indent << "BoundaryPlacement: " << this->BoundaryPlacement << "\n";
   os << indent << "DomainShape: " << (this->DomainShape == SQUARE ? "SQUARE" : "RECTANGLE") << "\n";
   os << indent << "NumberOfWeldedPoints: " << this->NumberOfWeldedPoints << "\n";
   os << indent << "NumberOfUnusedPoints: " << this->NumberOfUnusedPoints << "\n";

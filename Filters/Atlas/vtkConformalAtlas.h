@@ -16,7 +16,8 @@
  * "MeanCurvature" (double), and the input's point arrays, interpolated at points that cutting
  * inserted (integers: from the nearer end). Cell arrays: "SourceCellId" (vtkIdType, the input
  * cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays. Field array:
- * "ChartExtent" (double x2, the rectangle's width and height, of which the larger is 1). An input
+ * "ChartExtent" (double x2, the rectangle's width and height, of which the larger is 1) and
+ * "DensityRatio" (double, see MaximumDensityRatio). An input
  * array of one of these names, or of one that the later stages give to their own arrays ("ChartId",
  * "SampleKind", ...), is left out.
  *
@@ -25,8 +26,8 @@
  * "Closed" (int). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner" (int), and for
  * constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
  *
- * Sections 2.1, 2.2 and 2.4 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing", SIGGRAPH
- * 2002.
+ * Sections 2.1, 2.2, 2.4 and 2.5 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing",
+ * SIGGRAPH 2002.
  *
  * @warning Triangles so thin that double precision can't tell their orientation in the plane end in
  * an error.
@@ -39,8 +40,10 @@
 #include "StippleFiltersAtlasModule.h" // for export macro
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
+class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkPoints;
+class vtkPolyData;
 
 class STIPPLEFILTERSATLAS_EXPORT vtkConformalAtlas : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -48,6 +51,11 @@ public:
   static vtkConformalAtlas* New();
   vtkTypeMacro(vtkConformalAtlas, vtkPartitionedDataSetCollectionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Changes with the feature edges, curves and constraints, too.
+   */
+  vtkMTimeType GetMTime() override;
 
   /**
    * Sets the surface to cut: a vtkPolyData.
@@ -59,7 +67,8 @@ public:
    * Angle in degrees between the normals beside an edge, from 0 to 180, at which the edge is sharp.
    * Chains of sharp edges are continued straight on along edges of half that angle. Chains that do
    * not stand out from the surface beside them, and short ones, are ignored as noise. 180 finds
-   * none. The default is 40.
+   * none. The tips of cones on which opposite normals differ by as much become vertices, too. The
+   * default is 40.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
@@ -94,11 +103,33 @@ public:
 
   ///@{
   /**
+   * Curves to keep as features: the polylines of a vtkPolyData. Their points are moved to the
+   * nearest place on the surface and become vertices of the charts; between two of them a curve
+   * runs where the plane through both and the surface's normal cuts the surface, so that they
+   * should be closer to each other than the surface's folds are. A curve that can't be followed is
+   * an error. The default is none.
+   */
+  virtual void SetFeatureCurves(vtkPolyData* curves);
+  vtkPolyData* GetFeatureCurves() const;
+  ///@}
+
+  ///@{
+  /**
    * Positions that must become vertices; each is moved to the nearest place on the surface. The
    * default is none.
    */
   virtual void SetConstraints(vtkPoints* points);
   vtkPoints* GetConstraints() const;
+  ///@}
+
+  ///@{
+  /**
+   * Places that must become vertices, in parameters: three components, the chart's index and the
+   * "UV" there, inside its rectangle. Charts do not depend on them. They follow the Constraints in
+   * the feature graph. The default is none.
+   */
+  virtual void SetChartConstraints(vtkDoubleArray* places);
+  vtkDoubleArray* GetChartConstraints() const;
   ///@}
 
   ///@{
@@ -118,6 +149,26 @@ public:
    */
   vtkSetClampMacro(MaximumDensityRatio, double, 2., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensityRatio, double);
+  ///@}
+
+  /// Where the seam between two charts runs, in the conformal map of both to one rectangle.
+  enum BoundaryPlacementType
+  {
+    AREA_MEDIAN = 0, ///< along the line that halves the charts' area
+    MIDDLE = 1,      ///< along the line halfway across (slips away from curved parts)
+    VORONOI = 2      ///< not smoothed: along edges of the input, between Voronoi cells
+  };
+  ///@{
+  /**
+   * Placement of the seams between charts: AREA_MEDIAN, MIDDLE or VORONOI. Lines of the conformal
+   * map are smooth on the surface; they cut triangles. AREA_MEDIAN makes the charts that
+   * NumberOfCharts and topology ask for alike in area. The default is AREA_MEDIAN.
+   */
+  vtkSetClampMacro(BoundaryPlacement, int, AREA_MEDIAN, VORONOI);
+  vtkGetMacro(BoundaryPlacement, int);
+  void SetBoundaryPlacementToAreaMedian() { this->SetBoundaryPlacement(AREA_MEDIAN); }
+  void SetBoundaryPlacementToMiddle() { this->SetBoundaryPlacement(MIDDLE); }
+  void SetBoundaryPlacementToVoronoi() { this->SetBoundaryPlacement(VORONOI); }
   ///@}
 
   /// Shape of the charts' parameter domain.
@@ -186,9 +237,12 @@ private:
   double MinimumFeatureLength = 0.02;
   double CornerAngle = 60;
   vtkIdTypeArray* FeatureEdges = nullptr;
+  vtkPolyData* FeatureCurves = nullptr;
   vtkPoints* Constraints = nullptr;
+  vtkDoubleArray* ChartConstraints = nullptr;
   int NumberOfCharts = 1;
-  double MaximumDensityRatio = 200;
+  double MaximumDensityRatio = 100;
+  int BoundaryPlacement = AREA_MEDIAN;
   int DomainShape = RECTANGLE;
 
   vtkIdType NumberOfWeldedPoints = 0;

@@ -83,7 +83,7 @@ struct vtkGeometryRemesher::Internals
   bool Failed = false;        ///< a stage did in this execution
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
-  std::string EnabledArray; ///< the map that the importance ARRAY made this filter add
+  std::string EnabledArray; ///< the map that the importance made this filter add
 
   explicit Internals(vtkGeometryRemesher* self)
     : Self(self)
@@ -169,13 +169,16 @@ struct vtkGeometryRemesher::Internals
     this->InputTime = input->GetMTime();
   }
 
-  /// The importance ARRAY reads a map that is not made by default.
+  /// The importance ARRAY, and a projected picture, read a map that is not made by default.
   void selectMaps()
   {
     vtkDataArraySelection* maps = this->MapRenderer->GetMapSelection();
     const char* name = this->ControlMap->GetImportanceArrayName();
+    const int importance = this->ControlMap->GetImportance();
+    const bool projected = importance == vtkControlMap::IMAGE &&
+      this->ControlMap->GetImageProjection() != vtkControlMap::CHART;
     const std::string wanted =
-      this->ControlMap->GetImportance() == vtkControlMap::ARRAY && name ? name : "";
+      importance == vtkControlMap::ARRAY && name ? name : (projected ? "Position" : "");
     if (wanted != this->EnabledArray && !this->EnabledArray.empty())
     {
       maps->DisableArray(this->EnabledArray.c_str());
@@ -345,9 +348,15 @@ double vtkGeometryRemesher::GetStageSeconds(int stage)
 
 stippleForwardClamped(Atlas, FeatureAngle, double);
 stippleForward(Atlas, FeatureEdges, vtkIdTypeArray*);
+stippleForward(Atlas, FeatureCurves, vtkPolyData*);
 stippleForward(Atlas, Constraints, vtkPoints*);
+stippleForward(Atlas, ChartConstraints, vtkDoubleArray*);
 stippleForwardClamped(Atlas, NumberOfCharts, int);
 stippleForward(Atlas, MaximumDensityRatio, double);
+stippleForward(Atlas, BoundaryPlacement, int);
+stippleForwardChoice(Atlas, BoundaryPlacement, AreaMedian);
+stippleForwardChoice(Atlas, BoundaryPlacement, Middle);
+stippleForwardChoice(Atlas, BoundaryPlacement, Voronoi);
 stippleForwardClamped(MapRenderer, MapSize, int);
 stippleForward(MapRenderer, Backend, int);
 stippleForwardChoice(MapRenderer, Backend, Auto);
@@ -366,10 +375,20 @@ stippleForwardChoice(ControlMap, Importance, Image);
 stippleForwardChoice(ControlMap, Importance, Array);
 stippleForward(ControlMap, ImportanceArrayName, const char*);
 stippleForward(ControlMap, ImportanceImage, vtkImageData*);
+stippleForward(ControlMap, ImageProjection, int);
+stippleForwardChoice(ControlMap, ImageProjection, Chart);
+stippleForwardChoice(ControlMap, ImageProjection, XAxis);
+stippleForwardChoice(ControlMap, ImageProjection, YAxis);
+stippleForwardChoice(ControlMap, ImageProjection, ZAxis);
+stippleGetFrom(ControlMap, BandPass, double*);
+stippleForward(ControlMap, Strokes, vtkDoubleArray*);
 stippleForwardClamped(ControlMap, Gamma, double);
 stippleForward(ControlMap, TransferFunction, vtkPiecewiseFunction*);
 stippleForwardClamped(ControlMap, Gradation, double);
 stippleForwardClamped(ControlMap, MinimumDensity, double);
+stippleForward(Sampler, DiffusionMethod, int);
+stippleForwardChoice(Sampler, DiffusionMethod, Ostromoukhov);
+stippleForwardChoice(Sampler, DiffusionMethod, ZhouFang);
 stippleForward(Optimizer, Connectivity, int);
 stippleForwardChoice(Optimizer, Connectivity, None);
 stippleForwardChoice(Optimizer, Connectivity, Regularity);
@@ -388,6 +407,41 @@ stippleForward(Optimizer, Placement, int);
 stippleForwardChoice(Optimizer, Placement, OnSurface);
 stippleForwardChoice(Optimizer, Placement, LeastSquares);
 stippleForwardClamped(Subdivider, NumberOfSubdivisions, int);
+
+void vtkGeometryRemesher::SetBandPass(double fine, double coarse)
+{
+  this->Stages->ControlMap->SetBandPass(fine, coarse);
+}
+
+void vtkGeometryRemesher::SetBandPass(const double sizes[2])
+{
+  this->Stages->ControlMap->SetBandPass(sizes);
+}
+
+bool vtkGeometryRemesher::AddStroke(double x, double y, double z, double radius, double strength)
+{
+  return this->Stages->ControlMap->AddStroke(x, y, z, radius, strength);
+}
+
+bool vtkGeometryRemesher::AddStroke(const double position[3], double radius, double strength)
+{
+  return this->Stages->ControlMap->AddStroke(position, radius, strength);
+}
+
+void vtkGeometryRemesher::RemoveLastStroke()
+{
+  this->Stages->ControlMap->RemoveLastStroke();
+}
+
+void vtkGeometryRemesher::RemoveAllStrokes()
+{
+  this->Stages->ControlMap->RemoveAllStrokes();
+}
+
+int vtkGeometryRemesher::GetNumberOfStrokes()
+{
+  return this->Stages->ControlMap->GetNumberOfStrokes();
+}
 
 vtkConformalAtlas* vtkGeometryRemesher::GetAtlas()
 {

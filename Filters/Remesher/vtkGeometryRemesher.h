@@ -46,6 +46,7 @@
 class vtkCDTRemesh;
 class vtkConformalAtlas;
 class vtkControlMap;
+class vtkDoubleArray;
 class vtkErrorDiffusionSampler;
 class vtkGeometryMapRenderer;
 class vtkIdTypeArray;
@@ -53,6 +54,7 @@ class vtkImageData;
 class vtkPartitionedDataSetCollection;
 class vtkPiecewiseFunction;
 class vtkPoints;
+class vtkPolyData;
 class vtkQuadRemesh;
 class vtkRemeshOptimizer;
 class vtkRenderWindow;
@@ -86,10 +88,18 @@ public:
   /// default is none.
   void SetFeatureEdges(vtkIdTypeArray* edges);
   vtkIdTypeArray* GetFeatureEdges();
+  /// Curves to keep as features: the polylines of a vtkPolyData, whose points are moved to the
+  /// nearest place on the surface. The default is none. See vtkConformalAtlas.
+  void SetFeatureCurves(vtkPolyData* curves);
+  vtkPolyData* GetFeatureCurves();
   /// Positions that must become vertices; each is moved to the nearest place on the surface. The
   /// default is none.
   void SetConstraints(vtkPoints* positions);
   vtkPoints* GetConstraints();
+  /// Places that must become vertices, in parameters: three components, chart, u, v. The default is
+  /// none.
+  void SetChartConstraints(vtkDoubleArray* places);
+  vtkDoubleArray* GetChartConstraints();
   ///@}
 
   ///@{
@@ -106,6 +116,16 @@ public:
   /// vtkConformalAtlas.
   void SetMaximumDensityRatio(double ratio);
   double GetMaximumDensityRatio();
+  ///@}
+
+  ///@{
+  /// Where the seam between two charts runs, a member of vtkConformalAtlas::BoundaryPlacementType.
+  /// The default is AREA_MEDIAN.
+  void SetBoundaryPlacement(int placement);
+  int GetBoundaryPlacement();
+  void SetBoundaryPlacementToAreaMedian();
+  void SetBoundaryPlacementToMiddle();
+  void SetBoundaryPlacementToVoronoi();
   ///@}
 
   ///@{
@@ -150,6 +170,22 @@ public:
   /// The picture for the importance IMAGE; bright means many points. The default is nullptr.
   void SetImportanceImage(vtkImageData* image);
   vtkImageData* GetImportanceImage();
+  /// Where the picture lies: pasted in every chart, or projected along an axis; a member of
+  /// vtkControlMap::ProjectionType. The default is CHART.
+  void SetImageProjection(int projection);
+  int GetImageProjection();
+  void SetImageProjectionToChart();
+  void SetImageProjectionToXAxis();
+  void SetImageProjectionToYAxis();
+  void SetImageProjectionToZAxis();
+  ///@}
+
+  ///@{
+  /// Keeps the importance's detail of sizes between a fine and a coarse one, in percent of the
+  /// bounding box's diagonal; a coarse one of 0 is none. The default is (0, 0). See vtkControlMap.
+  void SetBandPass(double fine, double coarse);
+  void SetBandPass(const double sizes[2]);
+  double* GetBandPass() VTK_SIZEHINT(2);
   ///@}
 
   ///@{
@@ -182,6 +218,28 @@ public:
   double GetMinimumDensity();
   double GetMinimumDensityMinValue();
   double GetMinimumDensityMaxValue();
+  ///@}
+
+  ///@{
+  /// Painting: dabs of a brush that add density to the surface, or erase it; radius in the unit of
+  /// the points, strength -1 or more. The default is none. See vtkControlMap.
+  bool AddStroke(double x, double y, double z, double radius, double strength);
+  bool AddStroke(const double position[3], double radius, double strength);
+  void RemoveLastStroke();
+  void RemoveAllStrokes();
+  int GetNumberOfStrokes();
+  /// All strokes: x, y, z, radius, strength.
+  void SetStrokes(vtkDoubleArray* strokes);
+  vtkDoubleArray* GetStrokes();
+  ///@}
+
+  ///@{
+  /// Coefficients of error diffusion, a member of vtkErrorDiffusionSampler::DiffusionMethodType.
+  /// The default is OSTROMOUKHOV.
+  void SetDiffusionMethod(int method);
+  int GetDiffusionMethod();
+  void SetDiffusionMethodToOstromoukhov();
+  void SetDiffusionMethodToZhouFang();
   ///@}
 
   ///@{

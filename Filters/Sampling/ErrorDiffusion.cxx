@@ -2,23 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorDiffusion.h"
 
-#include "OstromoukhovCoefficients.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace stipple
 {
 namespace
 {
+/// Noise in [0, 1) for the threshold: a linear congruential generator (Numerical Recipes), of which
+/// the upper bits count. The same in every run.
+class Noise
+{
+public:
+  float next()
+  {
+    this->State = this->State * 1664525u + 1013904223u;
+    return static_cast<float>(this->State >> 8) * (1.f / (1u << 24));
+  }
+
+private:
+  std::uint32_t State = 1;
+};
+
 /// Runs along one row in the direction of step. current holds the errors that the previous row left
 /// here; next receives those for the row below; carry travels from pixel to pixel and, at a row's
 /// end, down to the next row's first pixel, so that nothing is lost at the sides.
-template <int step, bool record>
-float diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
-  float carry, int rowBegin, const DiffusionCoefficients* table, std::vector<int>& samples)
+/// The columns of the samples go to hits, whose end is returned: no call in this loop, so that its
+/// state stays in registers.
+template <int step, bool modulated>
+int* diffuseRow(const float* wanted, const float* current, float* next, int width, float scale,
+  float& carryInOut, const DiffusionCoefficients* table, Noise& noise, int* hits)
 {
+  float carry = carryInOut;
   float pending = 0;
   int x = step > 0 ? 0 : width - 1;
   const float toIndex = scale * diffusionTableScale;
@@ -31,13 +48,11 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     float error = in * scale + current[x] + carry;
     // A sample is rare, so that the branch is predicted and the chain of dependent operations stays
     // short.
-    if (error >= 0.5f && in > 0)
+    const float threshold = modulated ? c.threshold + c.modulation * noise.next() : c.threshold;
+    if (error >= threshold && in > 0)
     {
       error -= 1.f;
-      if (record)
-      {
-        samples.push_back(rowBegin + x);
-      }
+      *hits++ = x;
     }
     carry = error * c.right;
     const float back = error * c.downLeft;
@@ -45,65 +60,70 @@ float diffuseRow(const float* wanted, const float* current, float* next, int wid
     pending = error - carry - back;
   }
   next[x - step] = pending;
-  return carry;
+  carryInOut = carry;
+  return hits;
+}
+
+template <bool modulated>
+void diffuseRows(const WantedRow& wanted, int width, int height, float scale,
+  const DiffusionCoefficients* table, std::vector<int>& samples)
+{
+  std::vector<float> lines(2 * (static_cast<std::size_t>(width) + 2), 0.f);
+  float* current = lines.data() + 1;
+  float* next = current + width + 2;
+  float carry = 0;
+  Noise noise;
+  std::vector<int> hits(static_cast<std::size_t>(width));
+  for (int y = 0; y < height; ++y)
+  {
+    const float* w = wanted(y);
+    int* end = nullptr;
+    if (y % 2 == 0)
+    {
+      end =
+        diffuseRow<1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
+      next[0] += next[-1];
+    }
+    else
+    {
+      end =
+        diffuseRow<-1, modulated>(w, current, next, width, scale, carry, table, noise, hits.data());
+      std::reverse(hits.data(), end);
+      next[width - 1] += next[width];
+    }
+    for (const int* x = hits.data(); x < end; ++x)
+    {
+      samples.push_back(y * width + *x);
+    }
+    std::swap(current, next);
+  }
 }
 }
 
-void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffusionOptions& options,
-  std::vector<int>& samples)
+void diffuseErrors(const WantedRow& wanted, int width, int height,
+  const ErrorDiffusionOptions& options, std::vector<int>& samples)
 {
   samples.clear();
   if (width <= 0 || height <= 0)
   {
     return;
   }
-  const DiffusionCoefficients* table = diffusionTable();
-  const float scale = static_cast<float>(options.scale);
-  const auto row = [&](int y) { return wanted + static_cast<std::ptrdiff_t>(y) * width; };
-
-  int warmUpRows = 0;
-  for (double depth = 0; depth < options.warmUpDepth && warmUpRows < height; ++warmUpRows)
+  const DiffusionCoefficients* table = diffusionTable(options.method);
+  const auto scale = static_cast<float>(options.scale);
+  if (options.method == DiffusionMethod::ZhouFang)
   {
-    float sum = 0;
-    const float* w = row(warmUpRows);
-    for (int x = 0; x < width; ++x)
-    {
-      sum += w[x];
-    }
-    depth += std::sqrt(static_cast<double>(sum) * options.scale / width);
+    diffuseRows<true>(wanted, width, height, scale, table, samples);
   }
-
-  std::vector<float> lines(2 * (static_cast<std::size_t>(width) + 2), 0.f);
-  float* current = lines.data() + 1;
-  float* next = current + width + 2;
-  float carry = 0;
-  bool forward = warmUpRows % 2 == 0; // so that row 0 always runs forward
-  for (int y = -warmUpRows; y < height; ++y)
+  else
   {
-    const bool record = y >= 0;
-    const float* w = row(record ? y : -1 - y);
-    const int begin = record ? y * width : 0;
-    if (forward)
-    {
-      carry = record
-        ? diffuseRow<1, true>(w, current, next, width, scale, carry, begin, table, samples)
-        : diffuseRow<1, false>(w, current, next, width, scale, carry, begin, table, samples);
-      next[0] += next[-1];
-    }
-    else if (record)
-    {
-      const std::size_t first = samples.size();
-      carry = diffuseRow<-1, true>(w, current, next, width, scale, carry, begin, table, samples);
-      std::reverse(samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
-      next[width - 1] += next[width];
-    }
-    else
-    {
-      carry = diffuseRow<-1, false>(w, current, next, width, scale, carry, begin, table, samples);
-      next[width - 1] += next[width];
-    }
-    forward = !forward;
-    std::swap(current, next);
+    diffuseRows<false>(wanted, width, height, scale, table, samples);
   }
+}
+
+void diffuseErrors(const float* wanted, int width, int height, const ErrorDiffusionOptions& options,
+  std::vector<int>& samples)
+{
+  diffuseErrors([=](int y) { return wanted + static_cast<std::ptrdiff_t>(y) * width; }, width,
+    height, options, samples);
 }
 }

@@ -103,31 +103,9 @@ void InteriorSampler::prepare(int factor)
   r.factor = factor;
   r.width = this->Image.width * factor;
   r.height = this->Image.height * factor;
-  r.wanted.resize(static_cast<std::size_t>(r.width) * r.height);
-  const float toWanted = static_cast<float>(
+  r.open.assign(static_cast<std::size_t>(r.width) * r.height, 1);
+  r.toWanted = static_cast<float>(
     this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
-  for (int y = 0; y < this->Image.height; ++y)
-  {
-    const float* in = this->Image.control + static_cast<std::size_t>(y) * this->Image.width;
-    float* out = r.wanted.data() + static_cast<std::size_t>(y) * factor * r.width;
-    if (factor == 1)
-    {
-      for (int x = 0; x < r.width; ++x)
-      {
-        out[x] = in[x] > 0 ? in[x] * toWanted : 0.f;
-      }
-      continue;
-    }
-    for (int x = 0; x < this->Image.width; ++x)
-    {
-      std::fill_n(
-        out + static_cast<std::size_t>(x) * factor, factor, in[x] > 0 ? in[x] * toWanted : 0.f);
-    }
-    for (int k = 1; k < factor; ++k)
-    {
-      std::copy_n(out, r.width, out + static_cast<std::size_t>(k) * r.width);
-    }
-  }
   this->maskOutside();
   for (const ChartGraph::Segment& s : this->Graph.segments)
   {
@@ -143,7 +121,32 @@ void InteriorSampler::prepare(int factor)
 
 void InteriorSampler::release()
 {
-  std::vector<float>().swap(this->Raster.wanted);
+  std::vector<unsigned char>().swap(this->Raster.open);
+}
+
+void InteriorSampler::fillRow(int y, float* wanted) const
+{
+  const InteriorRaster& r = this->Raster;
+  const float* in =
+    this->Image.control + static_cast<std::size_t>(y / r.factor) * this->Image.width;
+  const unsigned char* open = r.open.data() + static_cast<std::size_t>(y) * r.width;
+  if (r.factor == 1)
+  {
+    for (int x = 0; x < r.width; ++x)
+    {
+      const float v = in[x] > 0 ? in[x] * r.toWanted : 0.f;
+      wanted[x] = open[x] ? v : 0.f;
+    }
+    return;
+  }
+  for (int x = 0; x < this->Image.width; ++x)
+  {
+    const float v = in[x] > 0 ? in[x] * r.toWanted : 0.f;
+    for (int k = 0; k < r.factor; ++k, ++open, ++wanted)
+    {
+      *wanted = *open ? v : 0.f;
+    }
+  }
 }
 
 void InteriorSampler::maskOutside()
@@ -184,8 +187,7 @@ void InteriorSampler::maskOutside()
       end = std::min(end, r.width);
       if (begin < end)
       {
-        std::fill_n(
-          r.wanted.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0.f);
+        std::fill_n(r.open.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0);
       }
     }
   }
@@ -243,11 +245,11 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
     }
     const int xBegin = std::max(0, static_cast<int>(xLow / pixel.x()));
     const int xEnd = std::min(r.width, static_cast<int>(xHigh / pixel.x()) + 1);
-    float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    unsigned char* row = r.open.data() + static_cast<std::size_t>(y) * r.width;
     const int imageRow = (y / factor) * this->Image.width;
     for (int x = xBegin; x < xEnd; ++x)
     {
-      if (row[x] <= 0)
+      if (!row[x])
       {
         continue;
       }
@@ -289,9 +291,10 @@ void InteriorSampler::sumLeft()
 {
   InteriorRaster& r = this->Raster;
   r.left = 0;
+  std::vector<float> row(static_cast<std::size_t>(r.width));
   for (int y = 0; y < r.height; ++y)
   {
-    const float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    this->fillRow(y, row.data());
     std::array<float, 4> sum = { { 0, 0, 0, 0 } };
     int x = 0;
     for (; x + 4 <= r.width; x += 4)
@@ -309,7 +312,7 @@ void InteriorSampler::sumLeft()
   }
 }
 
-std::vector<Vec2> InteriorSampler::sample(int count)
+std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
 {
   std::vector<Vec2> places;
   if (count <= 0)
@@ -321,11 +324,16 @@ std::vector<Vec2> InteriorSampler::sample(int count)
   {
     ErrorDiffusionOptions options;
     options.scale = count / this->Raster.left;
+    options.method = method;
     std::vector<int> trial;
+    std::vector<float> row(static_cast<std::size_t>(this->Raster.width));
+    const WantedRow wanted = [&](int y) {
+      this->fillRow(y, row.data());
+      return row.data();
+    };
     for (int pass = 0; pass < 4; ++pass)
     {
-      diffuseErrors(
-        this->Raster.wanted.data(), this->Raster.width, this->Raster.height, options, trial);
+      diffuseErrors(wanted, this->Raster.width, this->Raster.height, options, trial);
       const int got = static_cast<int>(trial.size());
       if (pass == 0 || std::abs(got - count) < std::abs(static_cast<int>(pixels.size()) - count))
       {
@@ -386,9 +394,10 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count) const
   const double step =
     r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
   double sum = 0;
+  std::vector<float> row(static_cast<std::size_t>(r.width));
   for (int y = 0; y < r.height && r.left > 0; ++y)
   {
-    const float* row = r.wanted.data() + static_cast<std::size_t>(y) * r.width;
+    this->fillRow(y, row.data());
     constexpr int run = 16; // added up side by side; only few runs pass a step
     for (int begin = 0; begin < r.width; begin += run)
     {
@@ -430,7 +439,8 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count) const
       continue;
     }
     // Distances only shrink while samples are added: what is still on top is the largest hole.
-    const Ranked now = { away * r.wanted[top.index], top.index };
+    const double wanted = this->control(p) * r.toWanted;
+    const Ranked now = { away * wanted, top.index };
     if (!holes.empty() && now < holes.top())
     {
       holes.push(now);

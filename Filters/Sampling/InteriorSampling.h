@@ -5,27 +5,29 @@
 #define stipple_InteriorSampling_h
 
 #include "ControlImage.h"
+#include "DiffusionCoefficients.h"
 #include "NeighbourGrid.h"
 #include "SamplingDomain.h"
 
 namespace stipple
 {
-/// A chart's wanted samples, pixel by pixel; white along backbones and outside the boundary's
-/// polygon.
+/// A chart's wanted samples, pixel by pixel: those of the control image, enlarged, but none along
+/// backbones and outside the boundary's polygon.
 struct InteriorRaster
 {
   int factor = 1; ///< pixels of this raster a pixel of the control image, in each direction
   int width = 0;
   int height = 0;
-  std::vector<float> wanted;
-  double left = 0; ///< sum of wanted
+  std::vector<unsigned char> open; ///< 0 where no sample may be
+  float toWanted = 0;              ///< control to samples a pixel
+  double left = 0;                 ///< sum of what is wanted
 };
 
 /// Limits of upsampling a control image that is too coarse for its samples.
-constexpr int largestUpsampling = 16;                   ///< pixels a pixel, in each direction
-constexpr double largestRasterSize = 32. * 1024 * 1024; ///< pixels of one chart
+constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in each direction
+constexpr double largestRasterSize = 512. * 1024 * 1024; ///< pixels of one chart
 /// Rasters of all charts together beyond which they are drawn twice rather than kept.
-constexpr double mostKeptPixels = 32. * 1024 * 1024;
+constexpr double mostKeptPixels = 128. * 1024 * 1024;
 /// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
 /// and more than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins
 /// to show; what a pixel cannot take, error diffusion hands to those beside it, and nothing is
@@ -56,12 +58,14 @@ public:
 
   /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
   /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.
-  std::vector<Vec2> sample(int count);
+  std::vector<Vec2> sample(int count, DiffusionMethod method);
 
 private:
   void maskOutside();
   void maskSegment(const Vec2& a, const Vec2& b, double radius);
   void sumLeft();
+  /// What the pixels of a row want.
+  void fillRow(int y, float* wanted) const;
   Vec2 centre(int pixel) const;
   double control(const Vec2& uv) const;
   void add(std::vector<Vec2>& places, int count) const;

@@ -105,7 +105,7 @@ int SurfaceSampler::count(const ValidPlaces& valid) const
 }
 
 Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
-  const Progress& progress, SurfaceSamples& result) const
+  const Progress& progress, SurfaceSamples& result, DiffusionMethod method) const
 {
   result = {};
   const SamplingDomain& domain = this->Domain;
@@ -233,7 +233,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     {
       samplers[c].prepare(factor[c]);
     }
-    result.interior[c] = samplers[c].sample(share[c]);
+    result.interior[c] = samplers[c].sample(share[c], method);
     samplers[c].release();
     for (const Vec2& uv : result.interior[c])
     {

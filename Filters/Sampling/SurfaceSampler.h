@@ -5,6 +5,7 @@
 #define stipple_SurfaceSampler_h
 
 #include "ControlImage.h"
+#include "DiffusionCoefficients.h"
 #include "PlanarValidity.h"
 
 namespace stipple
@@ -32,7 +33,8 @@ public:
 
   /// Exactly numberOfSamples samples in proportion to the control images, one a chart.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
-    const Progress& progress, SurfaceSamples& result) const;
+    const Progress& progress, SurfaceSamples& result,
+    DiffusionMethod method = DiffusionMethod::Ostromoukhov) const;
 
 private:
   int count(const ValidPlaces& valid) const;

@@ -13,15 +13,15 @@
  *
  * The importance of a pixel is made in this order (paper 3.1 and 3.3): the quantity's magnitude;
  * scaled so that its 99.5 % quantile by surface area is 1, and clamped there, so that a few noisy
- * or creased places do not take all samples; the TransferFunction; to the power Gamma; Gradation;
- * MinimumDensity. Only what is asked for is computed; Gamma 0 is uniform whatever the importance,
- * and needs no map but `AreaDistortion`. Where the quantity is zero everywhere (curvature: but for
- * rounding), the importance is uniform.
+ * or creased places do not take all samples; BandPass; the TransferFunction; to the power Gamma;
+ * Gradation; Strokes; MinimumDensity. Only what is asked for is computed, and what stays is kept:
+ * a new Gamma or TransferFunction reads no quantity again, a new stroke paints its own place only.
+ * Gamma 0 is uniform whatever the quantity, and needs no map but `AreaDistortion`. Where the
+ * quantity is zero everywhere (curvature: but for rounding), the importance is uniform.
  *
- * Input port 1 is optional and takes the charts: Gradation is in percent of their bounding box's
- * diagonal. Without them the `Position` map tells the diagonal.
- *
- * @warning Gradation stops at the charts' borders.
+ * Input port 1 is optional and takes the charts of vtkConformalAtlas. BandPass, Gradation, Strokes
+ * and a projected ImportanceImage need it, and all but the last the map `FaceIndex`: they work on
+ * the surface itself, so that seams do not show.
  *
  * @sa vtkGeometryMapRenderer vtkErrorDiffusionSampler
  */
@@ -31,6 +31,9 @@
 #include "StippleFiltersSamplingModule.h" // for export macro
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
+#include <memory> // for the private data
+
+class vtkDoubleArray;
 class vtkImageData;
 class vtkPiecewiseFunction;
 
@@ -59,8 +62,8 @@ public:
    * Where samples matter: everywhere (UNIFORM); where the magnitude of the mean, Gaussian, minimum,
    * maximum or total curvature is large; L2, in proportion to (9 H^2 - K)^(1/3), the density of
    * equilateral triangles that minimises the L2 distance to the surface (Nadler's argument of 1986
-   * for isotropic triangles); by the brightness of a picture that is pasted in each chart's
-   * rectangle (IMAGE); or by the magnitude of a map's values (ARRAY). A member of ImportanceType.
+   * for isotropic triangles); by the brightness of a picture
+   * (IMAGE); or by the magnitude of a map's values (ARRAY). A member of ImportanceType.
    * The default is UNIFORM.
    */
   vtkSetClampMacro(Importance, int, UNIFORM, ARRAY);
@@ -94,6 +97,40 @@ public:
   vtkGetObjectMacro(ImportanceImage, vtkImageData);
   ///@}
 
+  enum ProjectionType
+  {
+    CHART = 0,
+    X_AXIS,
+    Y_AXIS,
+    Z_AXIS
+  };
+
+  ///@{
+  /**
+   * Where the picture lies: pasted in every chart's rectangle (CHART), or projected through the
+   * surface along an axis, stretched over the surface's bounding box. Its x and y then run along y
+   * and z (X_AXIS), x and z (Y_AXIS), or x and y (Z_AXIS). A projection reads the map `Position`.
+   * A member of ProjectionType. The default is CHART.
+   */
+  vtkSetClampMacro(ImageProjection, int, CHART, Z_AXIS);
+  vtkGetMacro(ImageProjection, int);
+  void SetImageProjectionToChart() { this->SetImageProjection(CHART); }
+  void SetImageProjectionToXAxis() { this->SetImageProjection(X_AXIS); }
+  void SetImageProjectionToYAxis() { this->SetImageProjection(Y_AXIS); }
+  void SetImageProjectionToZAxis() { this->SetImageProjection(Z_AXIS); }
+  ///@}
+
+  ///@{
+  /**
+   * Keeps the importance's detail of sizes between two: the magnitude of the difference of two
+   * low-passes, whose standard deviations are a fine one (0: none) and a coarse one, in percent of
+   * the surface's bounding-box diagonal; scaled to its own 99.5 % quantile again. A coarse one of 0
+   * is no band-pass; else it is an error unless fine < coarse. The default is (0, 0).
+   */
+  vtkSetVector2Macro(BandPass, double);
+  vtkGetVector2Macro(BandPass, double);
+  ///@}
+
   ///@{
   /**
    * The power that the importance is raised to, without unit, 0 (uniform) or more. The default
@@ -115,7 +152,8 @@ public:
   ///@{
   /**
    * Standard deviation of the importance's low-pass, in percent of the surface's bounding-box
-   * diagonal, 0 (none) to 100. The kernel has this size on the surface. The default is 0.
+   * diagonal, 0 (none) to 100. The kernel has this size on the surface, also across seams. The
+   * default is 0.
    */
   vtkSetClampMacro(Gradation, double, 0., 100.);
   vtkGetMacro(Gradation, double);
@@ -129,6 +167,35 @@ public:
    */
   vtkSetClampMacro(MinimumDensity, double, 0., 1.);
   vtkGetMacro(MinimumDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Painting: a stroke is one dab of a brush at a position, which is moved to the nearest place on
+   * the surface. Its radius (> 0) is a straight distance in the unit of the points, and it reaches
+   * what of the surface is so near and hangs together there, across seams and charts. A strength of
+   * s > 0 adds s to the importance at the centre (1 is uniform importance, and that of the
+   * quantity's 99.5 % quantile); one from -1 up to 0 erases this share of the importance there.
+   * Towards the radius d = r the strength fades like (1 - d^2/r^2)^2. Strokes act one after the
+   * other, after Gradation and before MinimumDensity, on all kinds of importance. AddStroke()
+   * returns false, and reports an error, for numbers that are not finite or out of range. A drag of
+   * the mouse is several strokes: undo it by removing as many. The default is no stroke.
+   */
+  bool AddStroke(double x, double y, double z, double radius, double strength);
+  bool AddStroke(const double position[3], double radius, double strength);
+  void RemoveLastStroke();
+  void RemoveAllStrokes();
+  int GetNumberOfStrokes();
+  ///@}
+
+  ///@{
+  /**
+   * All strokes as one array with the components x, y, z, radius and strength. SetStrokes() copies
+   * it, nullptr being none, and changes nothing if AddStroke() would refuse one of them. Change
+   * what GetStrokes() returns by the functions above only.
+   */
+  void SetStrokes(vtkDoubleArray* strokes);
+  vtkDoubleArray* GetStrokes();
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -148,10 +215,15 @@ private:
   int Importance = UNIFORM;
   char* ImportanceArrayName = nullptr;
   vtkImageData* ImportanceImage = nullptr;
+  int ImageProjection = CHART;
+  double BandPass[2] = { 0., 0. };
   double Gamma = 1.;
   vtkPiecewiseFunction* TransferFunction = nullptr;
   double Gradation = 0.;
   double MinimumDensity = 0.02;
+
+  struct Internals;
+  std::unique_ptr<Internals> Data;
 };
 
 #endif

@@ -232,8 +232,8 @@ int vtkErrorDiffusionSampler::RequestData(
     return this->GetAbortExecute() == 0;
   };
   stipple::SurfaceSamples result;
-  if (stipple::Status status =
-        data.sampler.sample(control.views, this->NumberOfSamples, progress, result);
+  if (stipple::Status status = data.sampler.sample(control.views, this->NumberOfSamples, progress,
+        result, static_cast<stipple::DiffusionMethod>(this->DiffusionMethod));
       !status.ok())
   {
     return fail(status);
@@ -264,5 +264,6 @@ void vtkErrorDiffusionSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "DiffusionMethod: " << this->DiffusionMethod << "\n";
   os << indent << "MinimumNumberOfSamples: " << this->MinimumNumberOfSamples << "\n";
 }

@@ -17,14 +17,14 @@
  * The nodes of the feature graph and the constraints are samples. Backbones are sampled by 1D error
  * diffusion in arc length, at the spacing of the lattice beside them, once for both charts of a
  * seam; where the straight segments between samples would cross, or leave a chart that cannot be
- * triangulated, they get some more. The rest is spread inside the charts by Ostromoukhov's
- * serpentine error diffusion (paper 3.2). The result depends on no number of threads.
+ * triangulated, they get some more. The rest is spread inside the charts by serpentine error
+ * diffusion (paper 3.2). The result depends on no number of threads.
  *
  * A constraint that lies on a backbone becomes a sample of that backbone (kind 1), one on a node is
  * that node.
  *
  * @warning A control image that is too coarse for its samples is enlarged up to 16 times in each
- * direction and to 32 million pixels a chart; beyond that the filter fails and names the map size
+ * direction and to 512 million pixels a chart; beyond that the filter fails and names the map size
  * that works.
  *
  * @sa vtkControlMap vtkCDTRemesh
@@ -54,6 +54,26 @@ public:
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
+  enum DiffusionMethodType
+  {
+    OSTROMOUKHOV = 0,
+    ZHOU_FANG = 1
+  };
+
+  ///@{
+  /**
+   * The coefficients of error diffusion inside charts: OSTROMOUKHOV's of 2001, as in the paper, or
+   * those of ZHOU_FANG of 2003, whose threshold is modulated by noise (the same in every run). The
+   * noise breaks the regular patches that the former makes where pixels want 1/4 or 1/2 of a sample
+   * (automatic maps seldom do), for a little more power at low frequencies. The default is
+   * OSTROMOUKHOV.
+   */
+  vtkSetClampMacro(DiffusionMethod, int, OSTROMOUKHOV, ZHOU_FANG);
+  vtkGetMacro(DiffusionMethod, int);
+  void SetDiffusionMethodToOstromoukhov() { this->SetDiffusionMethod(OSTROMOUKHOV); }
+  void SetDiffusionMethodToZhouFang() { this->SetDiffusionMethod(ZHOU_FANG); }
+  ///@}
+
   /**
    * The least NumberOfSamples that these charts, features and constraints allow; every greater
    * number can be had. Valid after an update, also one that failed because NumberOfSamples was
@@ -80,6 +100,7 @@ private:
   void operator=(const vtkErrorDiffusionSampler&) = delete;
 
   int NumberOfSamples = 5000;
+  int DiffusionMethod = OSTROMOUKHOV;
   int MinimumNumberOfSamples = 0;
 
   struct Internals;

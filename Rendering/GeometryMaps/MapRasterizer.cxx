@@ -553,16 +553,40 @@ private:
 
   void paintLinear(const MapRequest& request, float* output) const
   {
-    const int n = request.components;
+    switch (request.components)
+    {
+      case 1:
+        this->paintComponents<1>(request, output);
+        break;
+      case 2:
+        this->paintComponents<2>(request, output);
+        break;
+      case 3:
+        this->paintComponents<3>(request, output);
+        break;
+      default:
+        this->paintComponents<4>(request, output);
+    }
+  }
+
+  template <int n>
+  void paintComponents(const MapRequest& request, float* output) const
+  {
     for (const Run& run : this->Runs)
     {
+      std::array<double, 3> v[n];
       for (int k = 0; k < n; ++k)
       {
-        const auto v = this->corners(request, run.face, k);
-        for (int i = run.begin; i < run.end; ++i)
+        v[k] = this->corners(request, run.face, k);
+      }
+      for (int i = run.begin; i < run.end; ++i)
+      {
+        const double b1 = this->B1[i];
+        const double b2 = this->B2[i];
+        for (int k = 0; k < n; ++k)
         {
           output[static_cast<std::size_t>(i) * n + k] =
-            static_cast<float>(v[0] + this->B1[i] * v[1] + this->B2[i] * v[2]);
+            static_cast<float>(v[k][0] + b1 * v[k][1] + b2 * v[k][2]);
         }
       }
     }
@@ -588,6 +612,26 @@ private:
 
   void paintCurvature(const MapRequest& request, float* output) const
   {
+    switch (request.kind)
+    {
+      case MapKind::MinimumCurvature:
+        this->paintFromCurvatures(
+          request, output, [](double mean, double squared) { return mean - std::sqrt(squared); });
+        break;
+      case MapKind::MaximumCurvature:
+        this->paintFromCurvatures(
+          request, output, [](double mean, double squared) { return mean + std::sqrt(squared); });
+        break;
+      default: // k1^2 + k2^2
+        this->paintFromCurvatures(request, output,
+          [](double mean, double squared) { return 2. * (mean * mean + squared); });
+    }
+  }
+
+  /// f(H, max(H^2 - K, 0)) at every pixel.
+  template <typename F>
+  void paintFromCurvatures(const MapRequest& request, float* output, F f) const
+  {
     for (const Run& run : this->Runs)
     {
       const auto h = this->corners(request, run.face, 0);
@@ -596,17 +640,7 @@ private:
       {
         const double mean = h[0] + this->B1[i] * h[1] + this->B2[i] * h[2];
         const double gaussian = g[0] + this->B1[i] * g[1] + this->B2[i] * g[2];
-        const double squared = std::max(mean * mean - gaussian, 0.);
-        if (request.kind == MapKind::TotalCurvature)
-        {
-          output[i] = static_cast<float>(2. * (mean * mean + squared));
-        }
-        else
-        {
-          const double root = std::sqrt(squared);
-          output[i] = static_cast<float>(
-            request.kind == MapKind::MinimumCurvature ? mean - root : mean + root);
-        }
+        output[i] = static_cast<float>(f(mean, std::max(mean * mean - gaussian, 0.)));
       }
     }
   }

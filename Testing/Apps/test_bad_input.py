@@ -111,6 +111,9 @@ class BadInput(ProgramTest):
             ("--feature-edges", "3 3\n", r"extra:1: .* two different points"),
             ("--feature-edges", "0 6\n", "no edge of the input"),
             ("--importance-image", "no image", "cannot read the image"),
+            ("--strokes", "0 0 0 1 1\n0 0 0 1\n", r"extra:2: is no stroke 'x y z radius strength'"),
+            ("--strokes", "0 0 0 0 1\n", r"extra:1: needs a positive radius"),
+            ("--strokes", "0 0 0 1 -2\n", r"extra:1: .* strength of at least -1"),
         ]
         for option, content, pattern in cases:
             with self.subTest(option=option, content=content):

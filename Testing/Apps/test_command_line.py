@@ -9,7 +9,8 @@ import unittest
 
 from stipple_program import STIPPLE, ProgramTest
 
-OPTIONS = """--points --importance --importance-image --importance-array --gamma --transfer --gradation --minimum-density
+OPTIONS = """--points --importance --importance-image --image-projection --importance-array
+--band-pass --gamma --transfer --gradation --minimum-density --strokes
 --feature-angle --feature-edges --constraints --charts --map-size --map-backend --connectivity --smoothing --iterations
 --pattern --subdivisions --report --picture --save-charts --save-maps --save-samples --threads --quiet --verbose --version
 --help""".split()
@@ -60,6 +61,10 @@ class CommandLine(ProgramTest):
             ([cube, "-o", out, "--transfer", "0:0,2:1"], "outside"),
             ([cube, "-o", out, "--gradation", "-1"], "from 0 to 100"),
             ([cube, "-o", out, "--minimum-density", "1.5"], "from 0 to 1"),
+            ([cube, "-o", out, "--band-pass", "3"], "FINE,COARSE"),
+            ([cube, "-o", out, "--band-pass", "3,2"], "FINE < COARSE"),
+            ([cube, "-o", out, "--image-projection", "x"], "needs --importance-image"),
+            ([cube, "-o", out, "--image-projection", "w"], "one of chart, x, y, z"),
             ([cube, "-o", out, "--feature-angle", "181"], "from 0 to 180"),
             ([cube, "-o", out, "--charts", "0"], "whole number"),
             ([cube, "-o", out, "--map-size", "5"], "auto or a whole number"),

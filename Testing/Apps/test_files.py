@@ -15,6 +15,11 @@ euler genus degenerate Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_
 rms_pct hausdorff_pct area_ratio same_topology""".split()
 
 
+def vertices(path, count):
+    """The vertices of an OFF file that has so many."""
+    return [tuple(map(float, line.split())) for line in path.read_text().splitlines()[2 : 2 + count]]
+
+
 def png_pixels(path):
     """Width, height and rows of RGB bytes of an 8-bit PNG."""
     data = path.read_bytes()
@@ -171,6 +176,31 @@ class Files(ProgramTest):
         self.succeed(cube, "-o", mesh, "--points", "150", "--picture", image, "--picture-panel", "after")
         self.succeed(cube, "-o", mesh, "--points", "300", "--importance", "image", "--importance-image", image)
         self.assertEqual(mesh_check(mesh, cube)["points"], 300)
+
+    def test_projected_image(self):
+        # The picture is white on its right half: seen along z, that is where x is large.
+        cube = self.cube()
+        image = self.file(
+            "half.vti",
+            '<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="0 3 0 0 0 0" Origin="0 0 0" Spacing="1 1 1">'
+            '<Piece Extent="0 3 0 0 0 0"><PointData Scalars="s"><DataArray type="UInt8" Name="s" format="ascii">'
+            "0 0 255 255</DataArray></PointData></Piece></ImageData></VTKFile>\n",
+        )
+        mesh = self.folder / "mesh.off"
+        self.succeed(cube, "-o", mesh, "--points", "600", "--importance-image", image, "--image-projection", "z")
+        right = sum(x > 0.5 for x, _, _ in vertices(mesh, 600))
+        self.assertGreater(right, 500)
+
+    def test_strokes(self):
+        cube = self.cube()
+        strokes = self.file("strokes", "# add at one corner, erase at another\n0 0 0 0.5 8\n\n1 1 1 0.5 -1 # all\n")
+        mesh = self.folder / "mesh.off"
+        self.succeed(cube, "-o", mesh, "--points", "600", "--strokes", strokes)
+        points = vertices(mesh, 600)
+        near = [sum(sum((a - b) ** 2 for a, b in zip(p, corner)) < 0.0625 for p in points)
+                for corner in ((0, 0, 0), (0, 1, 0), (1, 1, 1))]
+        self.assertGreater(near[0], 3 * near[1])
+        self.assertLess(near[2], near[1])
 
     def test_importance_array(self):
         # Heat rises with x: more vertices there.

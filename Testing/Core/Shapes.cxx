@@ -179,6 +179,104 @@ TriangleSurface cylinder(double radius, double height, int n, int m)
   return s;
 }
 
+TriangleSurface cone(double radius, double height, int n, int m)
+{
+  TriangleSurface s;
+  for (int j = 0; j < m; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const double u = 2 * Pi * i / n;
+      const double r = radius * (m - j) / m;
+      s.points.emplace_back(r * std::cos(u), r * std::sin(u), height * j / m);
+    }
+  }
+  const int tip = static_cast<int>(s.points.size());
+  s.points.emplace_back(0, 0, height);
+  s.points.emplace_back(0, 0, 0);
+  for (int i = 0; i < n; ++i)
+  {
+    const int next = (i + 1) % n;
+    for (int j = 0; j + 1 < m; ++j)
+    {
+      s.triangles.push_back({ j * n + i, j * n + next, (j + 1) * n + next });
+      s.triangles.push_back({ j * n + i, (j + 1) * n + next, (j + 1) * n + i });
+    }
+    s.triangles.push_back({ (m - 1) * n + i, (m - 1) * n + next, tip });
+    s.triangles.push_back({ next, i, tip + 1 });
+  }
+  s.connect();
+  return s;
+}
+
+TriangleSurface hornedSphere(int refinements)
+{
+  TriangleSurface s = sphere(1, refinements);
+  for (Vec3& p : s.points)
+  {
+    const double away = 1 - p.x();
+    p.x() += 2.5 * std::exp(-away / 0.03);
+  }
+  return s;
+}
+
+TriangleSurface perforatedSlab(int nx, int ny, int m)
+{
+  // Cubes of a layer, the odd ones of odd rows left out, on a lattice of m steps a cube.
+  const auto isSolid = [&](int i, int j, int k) {
+    return k == 0 && i >= 0 && j >= 0 && i <= 2 * nx && j <= 2 * ny && !(i % 2 == 1 && j % 2 == 1);
+  };
+  TriangleSurface s;
+  std::map<std::array<int, 3>, int> ids;
+  const auto pointAt = [&](const Eigen::Vector3i& p) {
+    const auto [slot, fresh] =
+      ids.try_emplace({ p.x(), p.y(), p.z() }, static_cast<int>(s.points.size()));
+    if (fresh)
+    {
+      s.points.push_back(p.cast<double>() / m);
+    }
+    return slot->second;
+  };
+  for (int i = 0; i <= 2 * nx; ++i)
+  {
+    for (int j = 0; j <= 2 * ny; ++j)
+    {
+      for (int side = 0; side < 6 && isSolid(i, j, 0); ++side)
+      {
+        const int axis = side / 2;
+        const Eigen::Vector3i normal = Eigen::Vector3i::Unit(axis) * (side % 2 ? 1 : -1);
+        if (isSolid(i + normal.x(), j + normal.y(), normal.z()))
+        {
+          continue;
+        }
+        Eigen::Vector3i u = Eigen::Vector3i::Unit((axis + 1) % 3);
+        Eigen::Vector3i v = Eigen::Vector3i::Unit((axis + 2) % 3);
+        if (side % 2 == 0)
+        {
+          std::swap(u, v);
+        }
+        const Eigen::Vector3i origin =
+          m * (Eigen::Vector3i(i, j, 0) + (side % 2 ? normal : Eigen::Vector3i(0, 0, 0)));
+        for (int a = 0; a < m; ++a)
+        {
+          for (int b = 0; b < m; ++b)
+          {
+            const Eigen::Vector3i p = origin + a * u + b * v;
+            const int p0 = pointAt(p);
+            const int p1 = pointAt(p + u);
+            const int p2 = pointAt(p + u + v);
+            const int p3 = pointAt(p + v);
+            s.triangles.push_back({ p0, p1, p2 });
+            s.triangles.push_back({ p0, p2, p3 });
+          }
+        }
+      }
+    }
+  }
+  s.connect();
+  return s;
+}
+
 TriangleSurface saddle(int n)
 {
   TriangleSurface s;

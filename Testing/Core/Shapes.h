@@ -20,6 +20,12 @@ stipple::TriangleSurface sphere(double radius, int refinements);
 stipple::TriangleSurface cube(int n);
 /// A closed cylinder about the z axis: n sides, m rings, capped by fans.
 stipple::TriangleSurface cylinder(double radius, double height, int n, int m);
+/// A closed cone about the z axis: n sides, m rings of its mantle, capped by a fan.
+stipple::TriangleSurface cone(double radius, double height, int n, int m);
+/// A unit sphere with a long horn along the x axis, refined 1 to 4 some times.
+stipple::TriangleSurface hornedSphere(int refinements);
+/// A slab of unit cubes with nx x ny holes, of genus nx ny; every square is a grid of m x m quads.
+stipple::TriangleSurface perforatedSlab(int nx, int ny, int m);
 /// The saddle z = x y over [-1, 1]^2 on an n x n grid.
 stipple::TriangleSurface saddle(int n);
 

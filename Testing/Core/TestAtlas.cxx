@@ -70,6 +70,22 @@ TEST(Curvature, TorusHasBothSigns)
   }
 }
 
+TEST(Curvature, PlaneHasNone)
+{
+  TriangleSurface plane = shapes::saddle(9);
+  for (Vec3& p : plane.points)
+  {
+    p.z() = 0;
+  }
+  const Curvature c = computeCurvature(plane);
+  for (std::size_t p = 0; p < c.mean.size(); ++p)
+  {
+    const bool inside = plane.points[p].head<2>().cwiseAbs().maxCoeff() < 1 - 1e-9;
+    ASSERT_NEAR(c.mean[p], 0., 1e-9);
+    ASSERT_NEAR(inside ? c.gaussian[p] : 0., 0., 1e-9);
+  }
+}
+
 TEST(Curvature, GaussBonnet)
 {
   EXPECT_NEAR(totalCurvature(computeCurvature(shapes::sphere(3, 3))), 4 * Pi, 1e-9);
@@ -121,6 +137,28 @@ TEST(FeatureGraph, CylinderHasTwoClosedLoopsAndNoCorner)
   }
 }
 
+TEST(FeatureGraph, ConeHasOneTipAndOneClosedLoop)
+{
+  CutSurface s = cutSurface(shapes::cone(1, 2, 48, 12));
+  detectFeatures(s, {});
+  const FeatureGraph graph = buildFeatureGraph(s, 60);
+  ASSERT_EQ(graph.backbones.size(), 1U);
+  EXPECT_TRUE(graph.backbones[0].closed);
+  EXPECT_EQ(corners(graph), 0);
+  const std::vector<int> tips = findTips(s, {});
+  ASSERT_EQ(tips.size(), 1U);
+  EXPECT_EQ(s.points[tips[0]], Vec3(0, 0, 2));
+  FeatureDetectionOptions none;
+  none.angle = 180;
+  EXPECT_TRUE(findTips(s, none).empty());
+}
+
+TEST(FeatureGraph, SmoothSurfacesHaveNoTips)
+{
+  EXPECT_TRUE(findTips(cutSurface(shapes::sphere(1, 3)), {}).empty());
+  EXPECT_TRUE(findTips(cutSurface(shapes::torus(3, 1, 60, 20)), {}).empty());
+}
+
 TEST(FeatureGraph, SaddleHasOneBoundaryWithFourCorners)
 {
   CutSurface s = cutSurface(shapes::saddle(10));
@@ -159,13 +197,14 @@ TEST(CutSurface, SplitEdgeKeepsTheSurface)
   EXPECT_EQ(s.topology().euler, 2);
 }
 
-TEST(ChartMesh, NoChordRemains)
+TEST(ChartRegions, NoChordRemains)
 {
   CutSurface s = cutSurface(shapes::saddle(6));
-  std::vector<int> faces(s.numberOfFaces());
-  std::iota(faces.begin(), faces.end(), 0);
-  EXPECT_GT(splitChords(s, faces), 0) << "two corners of a grid are cut off by chords";
-  const ChartMesh chart = extractChart(s, faces);
+  ChartRegions regions(s);
+  const std::size_t before = regions.faces(0).size();
+  regions.splitChords(0);
+  EXPECT_GT(regions.faces(0).size(), before) << "two corners of a grid are cut off by chords";
+  const ChartMesh chart = regions.mesh(0);
   EXPECT_TRUE(chart.isDisk());
   for (std::size_t i = 0; i < chart.faces.size(); ++i)
   {

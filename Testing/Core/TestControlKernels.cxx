@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gradation.h"
 #include "Importance.h"
 #include "NeighbourGrid.h"
 #include "SampleBudget.h"
@@ -117,62 +116,6 @@ TEST(Importance, UnitFunctionTable)
       const double exact = std::pow(static_cast<float>(x), gamma);
       EXPECT_NEAR(table(static_cast<float>(x)), exact, 3e-5 * exact + 1e-12) << x << "^" << gamma;
     }
-  }
-}
-
-TEST(Gradation, SpreadsAsFarAsSigmaOnTheSurface)
-{
-  const int w = 200;
-  const int h = 160;
-  const double pixel = 0.01;
-  for (float area : { 1.f, 9.f })
-  {
-    std::vector<float> areas(w * h, area);
-    std::vector<float> u(w * h, 0.f);
-    u[80 * w + 100] = 1.f;
-    const double sigma = 0.1;
-    smoothOnSurface(u.data(), areas.data(), w, h, pixel, pixel, sigma);
-    double sum = 0;
-    double xx = 0;
-    double yy = 0;
-    for (int i = 0; i < w * h; ++i)
-    {
-      EXPECT_GE(u[i], 0.f);
-      sum += u[i];
-      xx += u[i] * std::pow((i % w - 100) * pixel, 2) * area; // squared length on the surface
-      yy += u[i] * std::pow((i / w - 80) * pixel, 2) * area;
-    }
-    EXPECT_NEAR(sum, 1., 1e-3);
-    EXPECT_NEAR(std::sqrt(xx), sigma, 0.01 * sigma);
-    EXPECT_NEAR(std::sqrt(yy), sigma, 0.01 * sigma);
-  }
-}
-
-TEST(Gradation, KeepsConstantsAndTheIntegral)
-{
-  const int n = 64;
-  std::mt19937 engine(2);
-  std::vector<float> area(n * n);
-  std::vector<float> u(n * n);
-  double before = 0;
-  for (int i = 0; i < n * n; ++i)
-  {
-    area[i] = 0.1f + static_cast<float>(engine() % 100);
-    u[i] = static_cast<float>(engine() % 100);
-    before += static_cast<double>(area[i]) * u[i];
-  }
-  smoothOnSurface(u.data(), area.data(), n, n, 1. / n, 0.5 / n, 0.6);
-  double after = 0;
-  for (int i = 0; i < n * n; ++i)
-  {
-    after += static_cast<double>(area[i]) * u[i];
-  }
-  EXPECT_NEAR(after, before, 1e-3 * before);
-  std::vector<float> one(n * n, 1.f);
-  smoothOnSurface(one.data(), area.data(), n, n, 1. / n, 0.5 / n, 0.6);
-  for (float v : one)
-  {
-    ASSERT_NEAR(v, 1.f, 1e-4f);
   }
 }
 

@@ -253,40 +253,44 @@ void testImageAndArray()
   check(std::abs(importanceAt(filter, 0, 31, 5) - 0.6) < 0.02, "linear between its pixels");
 }
 
-void testGradation()
+/// What works on the surface needs the charts; TestControlMapSurface tests what it then does.
+void testChartsAreAskedFor()
 {
   vtkNew<vtkControlMap> filter;
-  auto maps = makeMaps([](double x, double) { return x < 0.5 ? 0. : 1.; });
-  filter->SetInputDataObject(maps);
-  filter->SetImportanceToMean();
-  filter->SetMinimumDensity(0.);
-  filter->SetGradation(5.);
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::ErrorEvent, observer);
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputDataObject(makeMaps());
+  filter->SetImportanceToMean();
+  const auto isRefused = [&](const char* what) {
+    observer->Clear();
+    filter->Modified();
+    filter->Update();
+    const bool named = observer->GetErrorMessage().find(what) != std::string::npos &&
+      observer->GetErrorMessage().find("port 1") != std::string::npos;
+    check(named && !controlOf(filter, 0), std::string(what) + " without charts is an error");
+  };
+  filter->SetGradation(5.);
+  isRefused("Gradation");
+  filter->SetGradation(0.);
+  filter->SetBandPass(0., 5.);
+  isRefused("BandPass");
+  filter->SetBandPass(3., 2.);
+  observer->Clear();
   filter->Update();
-  check(observer->GetErrorMessage().find("port 1") != std::string::npos && !controlOf(filter, 0),
-    "gradation without a size is an error with a remedy");
-  for (unsigned int c = 0; c < 2; ++c)
-  {
-    vtkNew<vtkFloatArray> position;
-    position->SetName("Position");
-    position->SetNumberOfComponents(3);
-    for (int i = 0; i < Size * Size; ++i)
-    {
-      position->InsertNextTuple3(i % Size / 63. * 3, i / Size / 63. * 4, 0);
-    }
-    vtkImageData::SafeDownCast(maps->GetPartition(c, 0))->GetPointData()->AddArray(position);
-  }
-  filter->Modified();
-  filter->Update(); // sigma = 0.25 on the surface: 16 pixels / sqrt(area distortion)
-  const double x0 = importanceAt(filter, 0, 22, 32);
-  const double x1 = importanceAt(filter, 0, 32, 32);
-  const double x2 = importanceAt(filter, 0, 42, 32);
-  check(x0 > 0.05 && x0 < x1 && x1 < x2 && x2 < 0.48, "the step is smooth");
-  const double wide = importanceAt(filter, 0, 28, 2) / importanceAt(filter, 0, 35, 2);
-  const double narrow = importanceAt(filter, 1, 28, 60) / importanceAt(filter, 1, 35, 60);
-  check(narrow < wide, "the kernel is smaller in pixels where the area distortion is larger");
+  check(observer->GetErrorMessage().find("BandPass lets nothing through") != std::string::npos,
+    "a band-pass whose sizes do not ascend");
+  filter->SetBandPass(0., 0.);
+  filter->AddStroke(0., 0., 0., 1., 1.);
+  isRefused("Painting");
+  filter->RemoveLastStroke();
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(1, 1, 1);
+  picture->AllocateScalars(VTK_FLOAT, 1);
+  filter->SetImportanceImage(picture);
+  filter->SetImportanceToImage();
+  filter->SetImageProjectionToZAxis();
+  isRefused("projected");
 }
 
 void testFlat()
@@ -339,7 +343,7 @@ int TestControlMap(int, char*[])
   testQuantile();
   testFloorAndTransfer();
   testImageAndArray();
-  testGradation();
+  testChartsAreAskedFor();
   testFlat();
   testBadInput();
   return failures ? EXIT_FAILURE : EXIT_SUCCESS;

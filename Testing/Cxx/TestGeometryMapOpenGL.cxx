@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenGL's maps are the CPU's: the same faces, and the same values where the faces are the same.
 #include "ImageRegression.h"
+#include "MapComparison.h"
 #include "SyntheticCharts.h"
 
 #include "vtkDataArraySelection.h"
@@ -27,102 +28,15 @@ void check(bool condition, const std::string& what)
   }
 }
 
-void enableAll(vtkGeometryMapRenderer* maps)
-{
-  for (const char* name : { "Position", "Normal", "Heat", "Quad", "Region" })
-  {
-    maps->GetMapSelection()->EnableArray(name);
-  }
-}
-
-vtkImageData* imageOf(vtkGeometryMapRenderer* maps, unsigned int chart)
-{
-  return vtkImageData::SafeDownCast(maps->GetOutput()->GetPartition(chart, 0));
-}
-
-bool shareAPoint(vtkPolyData* chart, vtkIdType f, vtkIdType g)
-{
-  vtkIdType n = 0;
-  const vtkIdType* p = nullptr;
-  chart->GetPolys()->GetCellAtId(f, n, p);
-  const std::set<vtkIdType> first(p, p + n);
-  chart->GetPolys()->GetCellAtId(g, n, p);
-  return std::any_of(p, p + n, [&](vtkIdType q) { return first.count(q) > 0; });
-}
-
 /// Compares all maps of one size.
 void compare(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow* window, int size,
   const std::string& what, bool folded = false)
 {
-  vtkNew<vtkGeometryMapRenderer> cpu;
-  cpu->SetInputDataObject(atlas);
-  cpu->SetBackendToCPU();
-  cpu->SetMapSize(size);
-  enableAll(cpu);
-  cpu->Update();
-  vtkNew<vtkGeometryMapRenderer> gpu;
-  gpu->SetInputDataObject(atlas);
-  gpu->SetBackendToOpenGL();
-  gpu->SetRenderWindow(window);
-  gpu->SetMapSize(size);
-  enableAll(gpu);
-  gpu->Update();
-  check(std::string(gpu->GetBackendName()).find("OpenGL") == 0, what + ": OpenGL drew the maps");
-  check(std::string(cpu->GetBackendName()) == "CPU", what + ": the CPU drew the maps");
-  for (unsigned int c = 0; c < 2; ++c)
-  {
-    vtkImageData* a = imageOf(cpu, c);
-    vtkImageData* b = imageOf(gpu, c);
-    if (!a || !b)
-    {
-      check(false, what + ": both have maps");
-      return;
-    }
-    auto* chart = vtkPolyData::SafeDownCast(atlas->GetPartitionAsDataObject(c, 0));
-    auto* fa = vtkIntArray::SafeDownCast(a->GetPointData()->GetArray("FaceIndex"));
-    auto* fb = vtkIntArray::SafeDownCast(b->GetPointData()->GetArray("FaceIndex"));
-    const vtkIdType n = a->GetNumberOfPoints();
-    vtkIdType different = 0;
-    vtkIdType far = 0;
-    for (vtkIdType p = 0; p < n; ++p)
-    {
-      if (fa->GetValue(p) != fb->GetValue(p))
-      {
-        ++different;
-        far += shareAPoint(chart, fa->GetValue(p), fb->GetValue(p)) ? 0 : 1;
-      }
-    }
-    std::cout << what << ", chart " << c << ", " << a->GetDimensions()[0] << " x "
-              << a->GetDimensions()[1] << ": " << different << " of " << n << " faces differ\n";
-    check(different <= n / 1000, what + ": faces equal on 99.9 % of the pixels");
-    check(far == 0, what + ": other faces are neighbours");
-    for (const char* name :
-      { "AreaDistortion", "GaussianCurvature", "MeanCurvature", "Position", "Normal", "Heat",
-        "Quad", "Region", "MinimumCurvature", "MaximumCurvature", "TotalCurvature" })
-    {
-      vtkDataArray* u = a->GetPointData()->GetArray(name);
-      vtkDataArray* v = b->GetPointData()->GetArray(name);
-      // Not linear: H^2 - K cancels where the surface is like a sphere, and the root makes more of
-      // what is left; so does the normalisation, where the normals of a fold's two sides cancel.
-      const bool cancels = std::string(name) == "MinimumCurvature" ||
-        std::string(name) == "MaximumCurvature" || (folded && std::string(name) == "Normal");
-      double largest = 0.;
-      double worst = 0.;
-      for (vtkIdType p = 0; p < n; ++p)
-      {
-        for (int k = 0; k < u->GetNumberOfComponents(); ++k)
-        {
-          largest = std::max(largest, std::abs(u->GetComponent(p, k)));
-          if (fa->GetValue(p) == fb->GetValue(p))
-          {
-            worst = std::max(worst, std::abs(u->GetComponent(p, k) - v->GetComponent(p, k)));
-          }
-        }
-      }
-      check(worst <= (cancels ? 1e-3 : 1e-5) * largest,
-        what + ": " + name + " agrees (off by " + std::to_string(worst / largest) + ")");
-    }
-  }
+  testing::MapComparison options;
+  options.size = size;
+  options.more = { "Heat", "Quad", "Region" };
+  options.folded = folded;
+  testing::compareMaps(atlas, window, what, options, check);
 }
 
 void compareAll(vtkRenderWindow* window, const std::string& what)

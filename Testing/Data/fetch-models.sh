@@ -8,7 +8,8 @@
 #   sh Testing/Data/fetch-models.sh [FOLDER]
 set -eu
 folder=${1:-build/models}
-models="fandisk bunny00 armadillo elephant anchor_dense holes blade bones cube_quad"
+models="fandisk bunny00 armadillo elephant anchor_dense holes blade bones cube_quad
+  cheese couplingdown elephant-with-holes lion-head mannequin-devil turbine"
 
 missing=
 for model in $models; do

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface's triangles sorted into regions that are to become charts.
+#ifndef stipple_ChartRegions_h
+#define stipple_ChartRegions_h
+
+#include "ChartMesh.h"
+
+namespace stipple
+{
+/// A seam between two regions: halfedges of the first, in order, each with the second across it.
+struct SeamArc
+{
+  std::vector<int> halfedges;
+  bool closed = false; ///< it is the whole boundary of both regions
+};
+
+/// Keeps the triangles of every region while edges are split and triangles change hands.
+class STIPPLEFILTERSATLAS_EXPORT ChartRegions
+{
+public:
+  /// Regions are what the surface's cut edges separate.
+  explicit ChartRegions(CutSurface& surface);
+
+  CutSurface& surface() { return this->Surface; }
+  const CutSurface& surface() const { return this->Surface; }
+  int size() const { return static_cast<int>(this->Faces.size()); }
+  const std::vector<int>& faces(int region) const { return this->Faces[region]; }
+  int owner(int face) const { return this->Owner[face]; }
+  /// Region on the other side of a halfedge's edge, -1 beyond the surface's boundary.
+  int ownerAcross(int h) const
+  {
+    return this->Surface.twin[h] < 0 ? -1 : this->Owner[this->Surface.twin[h] / 3];
+  }
+  ChartMesh mesh(int region) const { return extractChart(this->Surface, this->Faces[region]); }
+  double area(int region) const;
+  /// Triangles of the region that splits did not add.
+  int numberOfInputTriangles(int region) const;
+
+  /// A triangle of the region that was split at an edge: its halfedge now ends at the new point,
+  /// t of the way, and the triangle that was added has the corners new point, the halfedge's old
+  /// head, the corner across.
+  struct Split
+  {
+    int halfedge;
+    double t;
+    int added;
+  };
+  /// Whether a region's extent or cuts changed since its mark was cleared; a new region is marked.
+  bool isReshaped(int region) const { return this->Reshaped[region]; }
+  /// The splits in the region since its mark was cleared, in order.
+  const std::vector<Split>& splits(int region) const { return this->Splits[region]; }
+  void clearChanges(int region)
+  {
+    this->Reshaped[region] = 0;
+    this->Splits[region].clear();
+  }
+
+  /// CutSurface::splitEdge; the halves stay with their triangle's region. Returns the new point.
+  int splitEdge(int h, double t);
+  /// Cuts an edge inside a region.
+  void cutOpen(int h);
+  /// Removes the cuts into the region that end inside it: they do not make it a disk.
+  void closeSlits(int region);
+  /// Splits every edge inside the region that joins two of its boundary's vertices: on a convex
+  /// boundary it would leave a triangle without area.
+  void splitChords(int region);
+
+  /// Gives triangles of one region, those with side[i] != 0 for faces(region)[i], to a new region;
+  /// cuts between the two. Returns the new region.
+  int divide(int region, const std::vector<char>& side);
+  /// Shares the triangles of two regions out anew: side by triangle of faces(a), then of faces(b);
+  /// side 0 becomes a. Cuts the edges between them that are not; returns a halfedge of each.
+  std::vector<int> shareOut(int a, int b, const std::vector<char>& side);
+
+  /// Gives the triangles of b to a, closes the cuts between them, and the last region takes b's
+  /// number.
+  void merge(int a, int b);
+
+  /// The halfedge after h on the boundary of h's region.
+  int nextOnBoundary(int h) const;
+  /// The seams between two regions, from their smallest halfedge on.
+  std::vector<SeamArc> arcs(int a, int b) const;
+  /// The regions beside a region, ascending.
+  std::vector<int> neighbours(int region) const;
+
+private:
+  CutSurface& Surface;
+  int NumberOfInputTriangles;
+  std::vector<int> Owner;
+  std::vector<std::vector<int>> Faces;
+  std::vector<char> Reshaped;
+  std::vector<std::vector<Split>> Splits;
+};
+}
+
+#endif

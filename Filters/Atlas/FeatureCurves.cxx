@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureCurves.h"
+
+#include "PolyDataConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+/// Barycentric coordinates, by areas, of a point in a triangle's plane.
+Vec3 barycentricInSpace(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = x - a;
+  const Vec3 normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  const double s = w.cross(v).dot(normal) / area;
+  const double t = u.cross(w).dot(normal) / area;
+  return { 1 - s - t, s, t };
+}
+
+class CurveInserter
+{
+public:
+  explicit CurveInserter(CutSurface& surface)
+    : Surface(surface)
+    , Whole(toPolyData(surface.points, surface.triangles))
+    , Outgoing(surface.vertexHalfedges())
+    , InputTriangle(surface.triangles.size())
+  {
+    this->Locator->SetDataSet(this->Whole);
+    this->Locator->BuildLocator();
+    for (std::size_t f = 0; f < this->InputTriangle.size(); ++f)
+    {
+      this->InputTriangle[f] = static_cast<int>(f);
+    }
+  }
+
+  /// The vertex at the place of the surface nearest to a position; inserted if there is none.
+  int insertPoint(const Vec3& x)
+  {
+    Vec3 place;
+    vtkIdType found = 0;
+    int sub = 0;
+    double squared = 0;
+    this->Locator->FindClosestPoint(x.data(), place.data(), this->Cell, found, sub, squared);
+    // The piece of that triangle, which splits may have cut up, that has the place most inside.
+    int face = static_cast<int>(found);
+    Vec3 bary = this->barycentricIn(face, place);
+    const auto pieces = this->Pieces.find(face);
+    if (pieces != this->Pieces.end())
+    {
+      for (int piece : pieces->second)
+      {
+        const Vec3 inPiece = this->barycentricIn(piece, place);
+        if (inPiece.minCoeff() > bary.minCoeff())
+        {
+          face = piece;
+          bary = inPiece;
+        }
+      }
+    }
+    bary = clampedBarycentric(bary);
+    int top = 0;
+    const double largest = bary.maxCoeff(&top);
+    if (largest > 1 - Nearest)
+    {
+      return this->Surface.triangles[face][top];
+    }
+    // Split the edge across from the corner that counts most, then the edge from there to it.
+    const int across = nextHalfedge(3 * face + top);
+    const double rest = 1 - largest;
+    const double t = std::clamp(bary[(top + 2) % 3] / rest, 0., 1.);
+    int low = 0;
+    const double least = bary.minCoeff(&low);
+    if (least < Nearest && low != top)
+    {
+      // On an edge of the triangle, next to the top corner.
+      const int edge = low == (top + 1) % 3 ? 3 * face + (top + 2) % 3 : 3 * face + top;
+      const int tail = edge % 3;
+      const int head = (tail + 1) % 3;
+      return this->split(edge, bary[head] / (bary[tail] + bary[head]));
+    }
+    this->split(across, t);
+    // The face now has the corners tail of across, new point, top.
+    return this->split(nextHalfedge(across), largest);
+  }
+
+  /// Marks a curve from one vertex to another. False if it can't be followed.
+  bool connect(int from, int to)
+  {
+    const Vec3 normal = (this->vertexNormal(from) + this->vertexNormal(to)).normalized();
+    const Vec3 side = (this->Surface.points[to] - this->Surface.points[from]).cross(normal);
+    int at = from;
+    while (at != to)
+    {
+      const double left = (this->Surface.points[to] - this->Surface.points[at]).norm();
+      int best = -1; // an edge that the plane crosses, or one that ends on the plane
+      double bestLeft = left;
+      double bestT = 0;
+      for (int h : this->outgoing(at))
+      {
+        if (this->Surface.head(h) == to)
+        {
+          this->Surface.setSharp(h, true);
+          return true;
+        }
+        const int e = nextHalfedge(h);
+        const Vec3& a = this->Surface.points[this->Surface.tail(e)];
+        const Vec3& b = this->Surface.points[this->Surface.head(e)];
+        const double da = side.dot(a - this->Surface.points[from]);
+        const double db = side.dot(b - this->Surface.points[from]);
+        if (da * db > 0 || da == db)
+        {
+          continue;
+        }
+        const double t = da / (da - db);
+        const Vec3 x = (1 - t) * a + t * b;
+        const double there = (this->Surface.points[to] - x).norm();
+        if (there < bestLeft)
+        {
+          best = e;
+          bestLeft = there;
+          bestT = t;
+        }
+      }
+      if (best < 0)
+      {
+        // The target may be reached by the last boundary edge, which no outgoing halfedge has.
+        const int against = this->incomingFrom(at, to);
+        if (against >= 0)
+        {
+          this->Surface.setSharp(against, true);
+        }
+        return against >= 0;
+      }
+      if (bestT < Nearest || bestT > 1 - Nearest)
+      {
+        const int along = bestT < Nearest ? previousHalfedge(best) : nextHalfedge(best);
+        this->Surface.setSharp(along, true);
+        at = bestT < Nearest ? this->Surface.tail(best) : this->Surface.head(best);
+        continue;
+      }
+      at = this->split(best, bestT);
+      this->Surface.setSharp(nextHalfedge(best), true);
+    }
+    return true;
+  }
+
+private:
+  static constexpr double Nearest = 1e-3; // of an edge: closer to a vertex is at the vertex
+
+  Vec3 barycentricIn(int face, const Vec3& x) const
+  {
+    return barycentricInSpace(
+      x, this->Surface.point(face, 0), this->Surface.point(face, 1), this->Surface.point(face, 2));
+  }
+
+  /// Halfedges that leave a vertex.
+  std::vector<int> outgoing(int vertex) const
+  {
+    const int first = this->Outgoing[vertex];
+    std::vector<int> around;
+    int h = first;
+    do // clockwise, as far as the boundary
+    {
+      around.push_back(h);
+      h = this->Surface.twin[h] < 0 ? -1 : nextHalfedge(this->Surface.twin[h]);
+    } while (h >= 0 && h != first);
+    if (h < 0)
+    {
+      h = this->Surface.twin[previousHalfedge(first)];
+      while (h >= 0)
+      {
+        around.push_back(h);
+        h = this->Surface.twin[previousHalfedge(h)];
+      }
+    }
+    return around;
+  }
+
+  /// The halfedge from one vertex that arrives at another, -1 if there is none.
+  int incomingFrom(int vertex, int from) const
+  {
+    for (int h : this->outgoing(vertex))
+    {
+      if (this->Surface.tail(previousHalfedge(h)) == from)
+      {
+        return previousHalfedge(h);
+      }
+    }
+    return -1;
+  }
+
+  Vec3 vertexNormal(int vertex) const
+  {
+    Vec3 sum = Vec3::Zero();
+    for (int h : this->outgoing(vertex))
+    {
+      sum += this->Surface.faceNormal(h / 3);
+    }
+    return sum.normalized();
+  }
+
+  int split(int h, double t)
+  {
+    const int g = this->Surface.twin[h];
+    const int added = 3 * this->Surface.numberOfFaces();
+    const int tail = this->Surface.tail(h);
+    const int head = this->Surface.head(h);
+    const int point = this->Surface.splitEdge(h, t);
+    this->Outgoing.push_back(added); // to the head
+    this->Outgoing[tail] = h;
+    this->Outgoing[head] = added + 1;
+    const auto adopt = [&](int parent) {
+      const int input = this->InputTriangle[parent];
+      this->Pieces[input].push_back(static_cast<int>(this->InputTriangle.size()));
+      this->InputTriangle.push_back(input);
+    };
+    adopt(h / 3);
+    if (g >= 0)
+    {
+      adopt(g / 3);
+    }
+    return point;
+  }
+
+  CutSurface& Surface;
+  vtkSmartPointer<vtkPolyData> Whole;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<int> Outgoing;                        // a halfedge that leaves each vertex
+  std::vector<int> InputTriangle;                   // of each face, the face before any split
+  std::unordered_map<int, std::vector<int>> Pieces; // faces that splits made of an input triangle
+};
+}
+
+Status insertFeatureCurves(CutSurface& surface, vtkPolyData* curves, const Progress& progress)
+{
+  CurveInserter inserter(surface);
+  const vtkIdType numberOfCurves = curves->GetNumberOfLines();
+  auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
+  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  {
+    const vtkIdType curve = lines->GetCurrentCellId();
+    if (!report(progress, static_cast<double>(curve) / static_cast<double>(numberOfCurves)))
+    {
+      return Status::aborted();
+    }
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCurrentCell(size, ids);
+    int last = -1;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      Vec3 x;
+      curves->GetPoint(ids[i], x.data());
+      if (!x.allFinite())
+      {
+        return Status::error("Point " + std::to_string(ids[i]) +
+          " of the feature curves has a coordinate that is not a finite number.");
+      }
+      const int vertex = inserter.insertPoint(x);
+      if (last >= 0 && vertex != last && !inserter.connect(last, vertex))
+      {
+        return Status::error("Feature curve " + std::to_string(curve) +
+          " can't be followed on the surface from its point " + std::to_string(i - 1) +
+          " to the next: place points closer to each other.");
+      }
+      last = vertex;
+    }
+  }
+  return Status::success();
+}
+}

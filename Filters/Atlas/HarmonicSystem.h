@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The discrete Laplace equation on a chart: values of some vertices are given, natural boundary
+// conditions elsewhere.
+#ifndef stipple_HarmonicSystem_h
+#define stipple_HarmonicSystem_h
+
+#include "ChartMesh.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace stipple
+{
+/// Cotangent Laplacian (Pinkall and Polthier 1993) with one Cholesky factorization that serves any
+/// given values.
+class HarmonicSystem
+{
+public:
+  /// One row a vertex, one column a function.
+  using Values = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+  /// The chart has to outlive the system; given: by vertex, whether its value is prescribed.
+  HarmonicSystem(
+    const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given);
+
+  /// False if the factorization failed. Weights of edges at the vertices in positiveAt, if not
+  /// empty, are raised to a positive value where they are below it: around such a vertex values
+  /// obey the maximum principle.
+  bool factorize(const std::vector<char>& positiveAt = {});
+
+  /// Overwrites the rows of free vertices with the harmonic extension of the given rows.
+  void solve(Values values) const;
+
+private:
+  struct GivenTerm
+  {
+    int unknown;
+    int vertex;
+    double weight;
+  };
+  const ChartMesh& Chart;
+  std::vector<int> Unknown; // by vertex, -1 if given
+  int NumberOfUnknowns = 0;
+  std::vector<Vec3> Cotangents; // half cotangent of the angle at each corner
+  std::vector<GivenTerm> GivenTerms;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> Cholesky;
+};
+}
+
+#endif

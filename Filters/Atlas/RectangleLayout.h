@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The boundary of a disk chart on the sides of a rectangle (paper 2.2).
+#ifndef stipple_RectangleLayout_h
+#define stipple_RectangleLayout_h
+
+#include "ChartMesh.h"
+
+namespace stipple
+{
+/// A rectangle and where its corners sit on the boundary, counterclockwise, as fractions of the
+/// boundary's length (of which only the part after the point counts).
+struct RectanglePlacement
+{
+  std::array<double, 4> corner;
+  Vec2 extent; ///< width and height; the larger is 1
+};
+
+class RectangleLayout
+{
+public:
+  /// The chart has to outlive the layout; its boundary has four vertices or more.
+  RectangleLayout(const TriangleSurface& surface, const ChartMesh& chart);
+
+  /// Rectangles worth trying: with sides of 1, 2 or 4 times the other sides' length, turned around
+  /// from the boundary's sharpest corner; and with corners at the boundary's sharpest corners,
+  /// where a conformal map would else have to straighten an angle, which makes it dense there.
+  std::vector<RectanglePlacement> placements(bool square) const;
+
+  /// Puts the boundary vertices on the rectangle's sides, by arc length between its corners.
+  void place(const RectanglePlacement& placement, std::vector<Vec2>& uv) const;
+
+private:
+  struct Corner
+  {
+    double at;   // fraction of the boundary
+    double turn; // radians, to the left
+  };
+  std::vector<Corner> sharpestCorners() const;
+
+  const ChartMesh& Chart;
+  std::vector<double> ArcLength; // at the boundary's vertices and, last, in total
+  std::vector<double> Turn;      // at the boundary's vertices, radians
+};
+}
+
+#endif

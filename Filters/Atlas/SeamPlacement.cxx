@@ -1,0 +1,635 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeamPlacement.h"
+
+#include "HarmonicSystem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <queue>
+
+namespace stipple
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Two regions as one mesh, glued along a seam.
+struct SeamUnion
+{
+  ChartMesh mesh;
+  std::vector<char> side; // by triangle: 1 in the second region
+  std::vector<int> seam;  // vertices of the seam, in order
+  double seamLength = 0;
+};
+
+double length(const TriangleSurface& surface, const SeamArc& arc)
+{
+  double sum = 0;
+  for (int h : arc.halfedges)
+  {
+    sum += (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+  }
+  return sum;
+}
+
+/// Edge-path distance of every vertex from the seam.
+std::vector<double> distanceFromSeam(const TriangleSurface& surface, const SeamUnion& both)
+{
+  const ChartMesh& mesh = both.mesh;
+  std::vector<std::vector<int>> neighbours(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      neighbours[t[k]].push_back(t[(k + 1) % 3]);
+      neighbours[t[k]].push_back(t[(k + 2) % 3]);
+    }
+  }
+  std::vector<double> distance(mesh.vertices.size(), Infinity);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  for (int v : both.seam)
+  {
+    distance[v] = 0;
+    front.push({ 0., v });
+  }
+  while (!front.empty())
+  {
+    const auto [d, v] = front.top();
+    front.pop();
+    if (d > distance[v])
+    {
+      continue;
+    }
+    for (int w : neighbours[v])
+    {
+      const double there =
+        d + (surface.points[mesh.vertices[v]] - surface.points[mesh.vertices[w]]).norm();
+      if (there < distance[w])
+      {
+        distance[w] = there;
+        front.push({ there, w });
+      }
+    }
+  }
+  return distance;
+}
+
+/// The ends of the conformal map: where its coordinate across the seam is given, 0 in the first
+/// region and 1 in the second.
+class FarSides
+{
+public:
+  FarSides(const TriangleSurface& surface, const SeamUnion& both)
+    : Given(both.mesh.vertices.size(), 0)
+    , Value(both.mesh.vertices.size(), 0.)
+    , Surface(surface)
+    , Both(both)
+    , Distance(distanceFromSeam(surface, both))
+  {
+    if (both.mesh.boundary.empty())
+    {
+      this->givePole(0);
+      this->givePole(1);
+      return;
+    }
+    // Counterclockwise the outline runs along the first region from the seam's end to its start.
+    this->giveShortSide(both.seam.back(), both.seam.front(), 0);
+    this->giveShortSide(both.seam.front(), both.seam.back(), 1);
+  }
+
+  std::vector<char> Given;
+  std::vector<double> Value;
+
+  /// Leaves out of the map what is far from the seam: of the area that will be on either side, the
+  /// half that is farthest. Lines near the middle hardly change, and the system is smaller.
+  void leaveOutFar(double areaFraction)
+  {
+    constexpr double leftOut = 0.5;
+    const ChartMesh& mesh = this->Both.mesh;
+    struct Face
+    {
+      double distance;
+      double area;
+      int index;
+    };
+    std::array<std::vector<Face>, 2> faces;
+    double total = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+      const Triangle& t = mesh.triangles[i];
+      const double area = this->Surface.faceArea(mesh.faces[i]);
+      total += area;
+      faces[this->Both.side[i]].push_back(
+        { std::min({ this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] }), area,
+          static_cast<int>(i) });
+    }
+    for (int side : { 0, 1 })
+    {
+      std::stable_sort(faces[side].begin(), faces[side].end(),
+        [](const Face& a, const Face& b) { return a.distance > b.distance; });
+      double rest = leftOut * total * (side == 0 ? areaFraction : 1 - areaFraction);
+      for (const Face& face : faces[side])
+      {
+        rest -= face.area;
+        if (rest < 0 || face.distance == 0)
+        {
+          break;
+        }
+        for (int v : mesh.triangles[face.index])
+        {
+          this->give(v, side);
+        }
+      }
+    }
+  }
+
+private:
+  void give(int v, int side)
+  {
+    this->Given[v] = 1;
+    this->Value[v] = side;
+  }
+
+  /// The vertex of the region that is farthest from the seam.
+  void givePole(int side)
+  {
+    int farthest = -1;
+    for (std::size_t i = 0; i < this->Both.mesh.triangles.size(); ++i)
+    {
+      for (int v : this->Both.mesh.triangles[i])
+      {
+        if (this->Both.side[i] == side &&
+          (farthest < 0 || this->Distance[v] > this->Distance[farthest]))
+        {
+          farthest = v;
+        }
+      }
+    }
+    this->give(farthest, side);
+  }
+
+  /// The middle third of the outline between two of its vertices: of a square's three free sides
+  /// the one across from the seam. Where the outline is short against the seam, a pole instead.
+  void giveShortSide(int from, int to, int side)
+  {
+    const std::vector<int>& outline = this->Both.mesh.boundary;
+    const std::size_t n = outline.size();
+    std::size_t i = std::find(outline.begin(), outline.end(), from) - outline.begin();
+    std::vector<int> path = { from };
+    std::vector<double> length = { 0. };
+    while (path.back() != to)
+    {
+      i = (i + 1) % n;
+      const Vec3& p = this->Surface.points[this->Both.mesh.vertices[path.back()]];
+      length.push_back(
+        length.back() + (this->Surface.points[this->Both.mesh.vertices[outline[i]]] - p).norm());
+      path.push_back(outline[i]);
+    }
+    const double total = length.back();
+    if (path.size() < 3 || total < 0.25 * this->Both.seamLength)
+    {
+      this->givePole(side);
+      return;
+    }
+    std::size_t middle = 1;
+    for (std::size_t j = 1; j + 1 < path.size(); ++j)
+    {
+      if (std::abs(length[j] - total / 2) < std::abs(length[middle] - total / 2))
+      {
+        middle = j;
+      }
+      if (length[j] >= total / 3 && length[j] <= total * 2 / 3)
+      {
+        this->give(path[j], side);
+      }
+    }
+    this->give(path[middle], side);
+  }
+
+  const TriangleSurface& Surface;
+  const SeamUnion& Both;
+  std::vector<double> Distance; // from the seam, by vertex
+};
+
+/// Fraction of a triangle's area on which a linear function with these corner values is below c.
+double fractionBelow(std::array<double, 3> u, double c)
+{
+  std::sort(u.begin(), u.end());
+  if (c <= u[0])
+  {
+    return 0;
+  }
+  if (c >= u[2])
+  {
+    return 1;
+  }
+  return c < u[1] ? (c - u[0]) * (c - u[0]) / ((u[1] - u[0]) * (u[2] - u[0]))
+                  : 1 - (u[2] - c) * (u[2] - c) / ((u[2] - u[1]) * (u[2] - u[0]));
+}
+
+/// The level below which the function has the given fraction of the area.
+double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
+  const std::vector<double>& value, double fraction)
+{
+  std::vector<double> area(mesh.faces.size());
+  double total = 0;
+  for (std::size_t i = 0; i < area.size(); ++i)
+  {
+    area[i] = surface.faceArea(mesh.faces[i]);
+    total += area[i];
+  }
+  double low = 0;
+  double high = 1;
+  for (int step = 0; step < 20; ++step)
+  {
+    const double c = 0.5 * (low + high);
+    double below = 0;
+    for (std::size_t i = 0; i < area.size(); ++i)
+    {
+      const Triangle& t = mesh.triangles[i];
+      below += area[i] * fractionBelow({ value[t[0]], value[t[1]], value[t[2]] }, c);
+    }
+    (below < fraction * total ? low : high) = c;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Moves the zeros of a function that pass close by a vertex onto it, so that cutting along them
+/// leaves no thin triangle.
+void snapToVertices(const ChartMesh& mesh, std::vector<double>& value)
+{
+  constexpr double nearest = 0.05; // of an edge's length
+  for (const Triangle& t : mesh.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      double& a = value[t[k]];
+      double& b = value[t[(k + 1) % 3]];
+      if (a * b < 0)
+      {
+        const double at = a / (a - b);
+        if (at < nearest)
+        {
+          a = 0;
+        }
+        else if (at > 1 - nearest)
+        {
+          b = 0;
+        }
+      }
+    }
+  }
+}
+
+/// Splits the edges that cross the zeros of a function on the union of two regions. Returns, for
+/// faces(a) and then faces(b), whether the function is positive there.
+std::vector<char> splitAlongZeros(
+  ChartRegions& regions, int a, int b, const ChartMesh& mesh, const std::vector<double>& value)
+{
+  CutSurface& surface = regions.surface();
+  std::vector<double> at(3 * static_cast<std::size_t>(surface.numberOfFaces()), 0.); // by halfedge
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      at[3 * mesh.faces[i] + k] = value[mesh.triangles[i][k]];
+    }
+  }
+  for (int region : { a, b })
+  {
+    // Faces that splits add join the list and are looked at in their turn; a split seen from the
+    // second region may add to the first, but leaves no crossing there.
+    for (std::size_t i = 0; i < regions.faces(region).size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int h = 3 * regions.faces(region)[i] + k;
+        if (at[h] * at[nextHalfedge(h)] >= 0)
+        {
+          continue;
+        }
+        const double t = at[h] / (at[h] - at[nextHalfedge(h)]);
+        const int g = surface.twin[h];
+        const bool glued = g >= 0 && !surface.cut[h];
+        int added = 3 * surface.numberOfFaces();
+        regions.splitEdge(h, t);
+        at.resize(3 * static_cast<std::size_t>(surface.numberOfFaces()), 0.);
+        for (int side : { h, g })
+        {
+          if (side < 0)
+          {
+            continue;
+          }
+          const double tail = at[side];
+          const double head = at[nextHalfedge(side)];
+          const double there = side == h ? t : 1 - t;
+          const double middle = side == h || glued ? 0 : (1 - there) * tail + there * head;
+          at[added] = middle;
+          at[added + 1] = head;
+          at[added + 2] = at[previousHalfedge(side)];
+          at[nextHalfedge(side)] = middle;
+          added += 3;
+        }
+      }
+    }
+  }
+  std::vector<char> positive;
+  for (int region : { a, b })
+  {
+    for (int f : regions.faces(region))
+    {
+      const auto [low, high] = std::minmax({ at[3 * f], at[3 * f + 1], at[3 * f + 2] });
+      positive.push_back(high > -low);
+    }
+  }
+  return positive;
+}
+
+std::vector<char> meanIsPositive(const ChartRegions& regions, int a, int b, const ChartMesh& mesh,
+  const std::vector<double>& value)
+{
+  std::vector<char> ofFace(regions.surface().triangles.size(), 0);
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    const Triangle& t = mesh.triangles[i];
+    ofFace[mesh.faces[i]] = value[t[0]] + value[t[1]] + value[t[2]] > 0;
+  }
+  std::vector<char> positive;
+  for (int region : { a, b })
+  {
+    for (int f : regions.faces(region))
+    {
+      positive.push_back(ofFace[f]);
+    }
+  }
+  return positive;
+}
+
+SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
+{
+  CutSurface& surface = regions.surface();
+  SeamUnion both;
+  both.seamLength = length(surface, arc);
+  for (int h : arc.halfedges)
+  {
+    surface.setCut(h, false);
+  }
+  std::vector<int> faces = regions.faces(a);
+  faces.insert(faces.end(), regions.faces(b).begin(), regions.faces(b).end());
+  both.mesh = extractChart(surface, std::move(faces));
+  for (int f : both.mesh.faces)
+  {
+    both.side.push_back(regions.owner(f) == b);
+  }
+  const auto vertex = [&](int h) {
+    const auto found = std::lower_bound(both.mesh.faces.begin(), both.mesh.faces.end(), h / 3);
+    return both.mesh.triangles[found - both.mesh.faces.begin()][h % 3];
+  };
+  for (int h : arc.halfedges)
+  {
+    both.seam.push_back(vertex(h));
+  }
+  both.seam.push_back(vertex(nextHalfedge(arc.halfedges.back())));
+  return both;
+}
+
+/// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
+/// the line that has it on the first side; empty if it can't be computed.
+std::vector<double> acrossSeam(
+  const TriangleSurface& surface, const SeamUnion& both, double areaFraction)
+{
+  FarSides sides(surface, both);
+  if (areaFraction >= 0)
+  {
+    sides.leaveOutFar(areaFraction);
+  }
+  HarmonicSystem system(surface, both.mesh, sides.Given);
+  // Slivers can cost the cotangent Laplacian its definiteness.
+  if (!system.factorize() && !system.factorize(std::vector<char>(sides.Given.size(), 1)))
+  {
+    return {};
+  }
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  system.solve(
+    Eigen::Map<Matrix>(sides.Value.data(), static_cast<Eigen::Index>(sides.Value.size()), 1));
+  return std::move(sides.Value);
+}
+
+/// Who owns which triangle, as sides for ChartRegions::shareOut in its present order.
+std::vector<char> sidesOfOwners(
+  const ChartRegions& regions, int a, int b, const std::vector<int>& sortedFacesOfB)
+{
+  std::vector<char> side;
+  for (int region : { a, b })
+  {
+    for (int f : regions.faces(region))
+    {
+      side.push_back(std::binary_search(sortedFacesOfB.begin(), sortedFacesOfB.end(), f));
+    }
+  }
+  return side;
+}
+}
+
+bool placeSeam(
+  ChartRegions& regions, int a, int b, const SeamArc& arc, const SeamPlacement& placement)
+{
+  // Few triangles have no smooth line to offer, and cutting them again and again would never end.
+  constexpr int fewest = 500;
+  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) < fewest)
+  {
+    return false;
+  }
+  CutSurface& surface = regions.surface();
+  const SeamUnion both = glue(regions, a, b, arc);
+  std::vector<double> value;
+  if (arc.closed ? both.mesh.euler == 2 : both.mesh.isDisk())
+  {
+    value = acrossSeam(surface, both, placement.areaFraction);
+  }
+  std::vector<char> side;
+  if (!value.empty())
+  {
+    const double level = placement.areaFraction < 0
+      ? 0.5
+      : levelOfArea(surface, both.mesh, value, placement.areaFraction);
+    for (double& v : value)
+    {
+      v -= level;
+    }
+    if (placement.exact)
+    {
+      snapToVertices(both.mesh, value);
+      side = splitAlongZeros(regions, a, b, both.mesh, value);
+    }
+    else
+    {
+      side = meanIsPositive(regions, a, b, both.mesh, value);
+    }
+  }
+  std::vector<int> previousFaces = regions.faces(b);
+  std::sort(previousFaces.begin(), previousFaces.end());
+  if (!side.empty())
+  {
+    const std::vector<int> opened = regions.shareOut(a, b, side);
+    if (!regions.faces(a).empty() && !regions.faces(b).empty() && regions.mesh(a).isDisk() &&
+      regions.mesh(b).isDisk())
+    {
+      return true;
+    }
+    for (int h : opened)
+    {
+      surface.setCut(h, false);
+    }
+  }
+  regions.shareOut(a, b, sidesOfOwners(regions, a, b, previousFaces));
+  return false;
+}
+
+namespace
+{
+/// Share of a seam's length along edges of the input surface: a smooth seam cuts through triangles.
+double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
+{
+  double total = 0;
+  double onInput = 0;
+  for (int h : arc.halfedges)
+  {
+    const double length =
+      (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+    total += length;
+    if (std::max(surface.head(h), surface.tail(h)) < surface.numberOfOriginalPoints)
+    {
+      onInput += length;
+    }
+  }
+  return total > 0 ? onInput / total : 0.;
+}
+
+/// Places every seam between two regions, one after the other, of which more than a share runs
+/// along edges of the input.
+void placeSeamsOfPair(
+  ChartRegions& regions, int a, int b, const SeamPlacement& placement, double leastOnInputEdges = 0)
+{
+  // Placing one changes the others' triangles, so that they have to be traced again.
+  const std::size_t n = regions.arcs(a, b).size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::vector<SeamArc> arcs = regions.arcs(a, b);
+    if (i < arcs.size() && shareOnInputEdges(regions.surface(), arcs[i]) >= leastOnInputEdges)
+    {
+      placeSeam(regions, a, b, arcs[i], placement);
+    }
+  }
+}
+
+const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
+{
+  return *std::max_element(arcs.begin(), arcs.end(),
+    [&](const SeamArc& a, const SeamArc& b) { return length(surface, a) < length(surface, b); });
+}
+
+/// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
+Status balanceAreas(ChartRegions& regions, const Progress& progress)
+{
+  constexpr int mostSweeps = 8;
+  constexpr double alike = 1.15; // ratio of two neighbours' areas
+  SeamPlacement how;
+  how.exact = false;
+  bool balanced = false;
+  for (int sweep = 0; sweep < mostSweeps && !balanced; ++sweep)
+  {
+    balanced = true;
+    for (int a = 0; a < regions.size(); ++a)
+    {
+      if (!report(progress, (sweep + static_cast<double>(a) / regions.size()) / mostSweeps))
+      {
+        return Status::aborted();
+      }
+      for (int b : regions.neighbours(a))
+      {
+        if (b < a)
+        {
+          continue;
+        }
+        const double ratio = regions.area(a) / regions.area(b);
+        const std::vector<SeamArc> arcs = regions.arcs(a, b);
+        if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
+        {
+          placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
+          balanced = false;
+        }
+      }
+    }
+  }
+  return Status::success();
+}
+
+/// Cuts triangles along the seams. Moving one drags the ends of others along, and makes regions
+/// neighbours that were not; these are cut again.
+Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Progress& progress)
+{
+  constexpr int mostSweeps = 3;
+  constexpr double jagged = 0.1; // share of input edges from which on a seam is cut again
+  for (int sweep = 0; sweep < mostSweeps; ++sweep)
+  {
+    for (int a = 0; a < regions.size(); ++a)
+    {
+      if (!report(progress, (sweep + static_cast<double>(a) / regions.size()) / mostSweeps))
+      {
+        return Status::aborted();
+      }
+      for (int b : regions.neighbours(a))
+      {
+        if (b < a)
+        {
+          continue;
+        }
+        placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged);
+      }
+    }
+  }
+  return Status::success();
+}
+}
+
+Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
+{
+  if (placement == BoundaryPlacement::Voronoi)
+  {
+    return Status::success();
+  }
+  SeamPlacement how;
+  if (placement == BoundaryPlacement::Middle)
+  {
+    how.areaFraction = -1;
+  }
+  else if (regions.size() > 2) // one seam alone is placed by cutting it
+  {
+    if (const Status status =
+          balanceAreas(regions, [&](double f) { return report(progress, 0.7 * f); });
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  return cutSeams(regions, how, [&](double f) { return report(progress, 0.7 + 0.3 * f); });
+}
+
+void smoothSeams(ChartRegions& regions, int a, int b, BoundaryPlacement placement)
+{
+  if (placement == BoundaryPlacement::Voronoi)
+  {
+    return;
+  }
+  const double areaOfA = regions.area(a);
+  SeamPlacement how;
+  how.areaFraction = areaOfA / (areaOfA + regions.area(b));
+  placeSeamsOfPair(regions, a, b, how);
+}
+}

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Painting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+namespace stipple
+{
+namespace
+{
+/// The nearest place to p on the segment (a, b).
+Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+  const Vec3 e = b - a;
+  const double squared = e.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(e) / squared, 0., 1.) : 0.;
+  return a + t * e;
+}
+
+/// The nearest place to p on the triangle (a, b, c): its foot in the plane if that is inside, else
+/// on an edge.
+Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  if (squared > 0)
+  {
+    const Vec3 foot = p - normal * (normal.dot(p - a) / squared);
+    const auto left = [&](const Vec3& q, const Vec3& r) {
+      return (r - q).cross(foot - q).dot(normal) >= 0.;
+    };
+    if (left(a, b) && left(b, c) && left(c, a))
+    {
+      return foot;
+    }
+  }
+  Vec3 best = nearestOnSegment(p, a, b);
+  for (const Vec3& other : { nearestOnSegment(p, b, c), nearestOnSegment(p, c, a) })
+  {
+    best = (other - p).squaredNorm() < (best - p).squaredNorm() ? other : best;
+  }
+  return best;
+}
+
+/// Paints the pixels that a face owns.
+void paintFace(const AtlasSurface& surface, const ControlImage& image, int face, const Vec3& centre,
+  const BrushStroke& stroke, PaintLayer& layer)
+{
+  const int chart = surface.faceChart[face];
+  const int index = face - surface.chartBegin[chart];
+  const Vec2& a = surface.cornerUV(face, 0);
+  const Vec2& b = surface.cornerUV(face, 1);
+  const Vec2& c = surface.cornerUV(face, 2);
+  if (orient2(a, b, c) == 0.)
+  {
+    return;
+  }
+  const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
+  // A pixel more on each side: who owns a pixel is decided with rounded coordinates.
+  const Vec2 low = a.cwiseMin(b).cwiseMin(c).cwiseProduct(toPixel).array() - 1.5;
+  const Vec2 high = a.cwiseMax(b).cwiseMax(c).cwiseProduct(toPixel).array() + 0.5;
+  const int xBegin = std::max(0, static_cast<int>(std::ceil(low.x())));
+  const int yBegin = std::max(0, static_cast<int>(std::ceil(low.y())));
+  const int xEnd = std::min(image.width, static_cast<int>(std::floor(high.x())) + 1);
+  const int yEnd = std::min(image.height, static_cast<int>(std::floor(high.y())) + 1);
+  for (int y = yBegin; y < yEnd; ++y)
+  {
+    for (int x = xBegin; x < xEnd; ++x)
+    {
+      const int pixel = y * image.width + x;
+      if (image.faceIndex[pixel] != index)
+      {
+        continue;
+      }
+      const Vec3 bary = clampedBarycentric(barycentric(image.centre(pixel), a, b, c));
+      const double weight =
+        brushWeight((surface.position(face, bary) - centre).squaredNorm(), stroke.radius);
+      const auto change = static_cast<float>(weight * stroke.strength);
+      if (change > 0)
+      {
+        layer.offset[pixel] += change;
+      }
+      else if (change < 0)
+      {
+        layer.factor[pixel] *= 1.f + change;
+        layer.offset[pixel] *= 1.f + change;
+      }
+    }
+  }
+}
+}
+
+int nearestFace(const TriangleSurface& surface, const Vec3& position, Vec3& place)
+{
+  int nearest = -1;
+  double best = std::numeric_limits<double>::max();
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    const Vec3& a = surface.point(f, 0);
+    const Vec3& b = surface.point(f, 1);
+    const Vec3& c = surface.point(f, 2);
+    // The distance to the triangle's box is cheap and mostly enough.
+    const Vec3 low = a.cwiseMin(b).cwiseMin(c);
+    const Vec3 high = a.cwiseMax(b).cwiseMax(c);
+    if ((position.cwiseMax(low).cwiseMin(high) - position).squaredNorm() >= best)
+    {
+      continue;
+    }
+    const Vec3 q = nearestOnTriangle(position, a, b, c);
+    const double squared = (q - position).squaredNorm();
+    if (squared < best)
+    {
+      best = squared;
+      nearest = f;
+      place = q;
+    }
+  }
+  return nearest;
+}
+
+void paint(const AtlasSurface& surface, const std::vector<ControlImage>& images,
+  const BrushStroke& stroke, std::vector<PaintLayer>& layers)
+{
+  Vec3 centre;
+  const int first = nearestFace(surface, stroke.position, centre);
+  if (first < 0 || !(stroke.radius > 0.))
+  {
+    return;
+  }
+  std::vector<int> front = { first };
+  std::unordered_set<int> reached = { first };
+  while (!front.empty())
+  {
+    const int face = front.back();
+    front.pop_back();
+    const int chart = surface.faceChart[face];
+    PaintLayer& layer = layers[chart];
+    if (layer.factor.empty())
+    {
+      layer.factor.assign(images[chart].numberOfPixels(), 1.f);
+      layer.offset.assign(images[chart].numberOfPixels(), 0.f);
+    }
+    paintFace(surface, images[chart], face, centre, stroke, layer);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int twin = surface.twin[3 * face + k];
+      const Vec3 near =
+        nearestOnSegment(centre, surface.point(face, k), surface.point(face, (k + 1) % 3));
+      if (twin >= 0 && (near - centre).norm() < stroke.radius && reached.insert(twin / 3).second)
+      {
+        front.push_back(twin / 3);
+      }
+    }
+  }
+}
+}

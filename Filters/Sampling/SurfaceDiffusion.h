@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Smooth gradation (paper 3.3): low-pass of an image a chart, measured on the surface.
+#ifndef stipple_SurfaceDiffusion_h
+#define stipple_SurfaceDiffusion_h
+
+#include "SurfaceRefinement.h"
+
+#include <memory>
+
+namespace stipple
+{
+/// Lets heat flow over the surface for the time sigma^2 / 2, which is a Gaussian of standard
+/// deviation sigma where the surface is flat: "in the ideal case, the local size of the filter
+/// kernel should be driven by the area map" (section 3.3). The heat equation is solved by linear
+/// finite elements on the surface itself (cotangent weights, U. Pinkall and K. Polthier, Computing
+/// Discrete Minimal Surfaces, 1993; six implicit Euler steps), whose points are shared by all
+/// charts, so that seams do not exist for it. Pixels give their values to the points around them,
+/// and take back what the points then have, interpolated: the result is continuous over the
+/// surface.
+class STIPPLEFILTERSSAMPLING_EXPORT SurfaceDiffusion
+{
+public:
+  SurfaceDiffusion();
+  ~SurfaceDiffusion();
+
+  /// Takes the surface, and of the images (one a chart) their sizes, areaDistortion and faceIndex.
+  /// Nothing is borrowed.
+  void setDomain(const AtlasSurface& surface, const std::vector<ControlImage>& images);
+
+  /// Smooths values[c], the pixels of chart c, in place; sigma > 0 in the surface's unit of length.
+  /// Negative values and NaN count as zero. What is made for a sigma is kept for the next call with
+  /// the same one.
+  Status smooth(
+    const std::vector<float*>& values, double sigma, const Progress& progress = nullptr);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+}
+
+#endif

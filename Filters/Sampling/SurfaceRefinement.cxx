@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceRefinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+std::uint64_t edgeKey(int p, int q)
+{
+  const auto low = static_cast<std::uint64_t>(std::min(p, q));
+  return low << 32 | static_cast<std::uint64_t>(std::max(p, q));
+}
+
+/// Points in the middle of edges, by the edge's ends; one for all triangles that share it.
+using Middles = std::unordered_map<std::uint64_t, int>;
+
+class Splitter
+{
+public:
+  Splitter(RefinedSurface& current, const Middles& middles)
+    : Current(current)
+    , Middle(middles)
+  {
+  }
+
+  void split(int t)
+  {
+    const Triangle& p = this->Current.triangles[t];
+    const std::array<Vec2, 3>& uv = this->Current.uv[t];
+    this->Face = this->Current.face[t];
+    std::array<int, 3> middle;
+    std::array<Vec2, 3> middleUV;
+    int marked = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto found = this->Middle.find(edgeKey(p[k], p[(k + 1) % 3]));
+      middle[k] = found == this->Middle.end() ? -1 : found->second;
+      middleUV[k] = 0.5 * (uv[k] + uv[(k + 1) % 3]);
+      marked += middle[k] >= 0;
+    }
+    // Turn the triangle so that an only marked edge, or an only unmarked one, is edge 0.
+    int first = 0;
+    while ((marked == 1 && middle[first] < 0) || (marked == 2 && middle[first] >= 0))
+    {
+      ++first;
+    }
+    const std::array<int, 3> k = { first, (first + 1) % 3, (first + 2) % 3 };
+    const auto corner = [&](int i) { return Corner{ p[k[i]], uv[k[i]] }; };
+    const auto mid = [&](int i) { return Corner{ middle[k[i]], middleUV[k[i]] }; };
+    switch (marked)
+    {
+      case 0:
+        this->add(corner(0), corner(1), corner(2));
+        break;
+      case 1:
+        this->add(corner(0), mid(0), corner(2));
+        this->add(mid(0), corner(1), corner(2));
+        break;
+      case 2: // edges 1 and 2: what is left of corner 2 is a quadrilateral, cut by a diagonal
+        this->add(mid(2), mid(1), corner(2));
+        this->add(corner(0), mid(1), mid(2));
+        this->add(corner(0), corner(1), mid(1));
+        break;
+      default:
+        this->add(corner(0), mid(0), mid(2));
+        this->add(mid(0), corner(1), mid(1));
+        this->add(mid(2), mid(1), corner(2));
+        this->add(mid(0), mid(1), mid(2));
+    }
+  }
+
+  void finish()
+  {
+    this->Current.triangles.swap(this->Next.triangles);
+    this->Current.uv.swap(this->Next.uv);
+    this->Current.face.swap(this->Next.face);
+  }
+
+private:
+  struct Corner
+  {
+    int point;
+    Vec2 uv;
+  };
+  void add(const Corner& a, const Corner& b, const Corner& c)
+  {
+    this->Next.triangles.push_back({ a.point, b.point, c.point });
+    this->Next.uv.push_back({ a.uv, b.uv, c.uv });
+    this->Next.face.push_back(this->Face);
+  }
+  RefinedSurface& Current;
+  const Middles& Middle;
+  RefinedSurface Next;
+  int Face = -1;
+};
+}
+
+RefinedSurface refine(
+  const AtlasSurface& surface, const std::vector<ControlImage>& images, double longest)
+{
+  RefinedSurface result;
+  result.points = surface.points;
+  result.triangles = surface.triangles;
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    result.uv.push_back({ surface.cornerUV(f, 0), surface.cornerUV(f, 1), surface.cornerUV(f, 2) });
+    result.face.push_back(f);
+  }
+  for (;;)
+  {
+    Middles middles;
+    for (int t = 0; t < result.numberOfTriangles(); ++t)
+    {
+      const Triangle& p = result.triangles[t];
+      const ControlImage& image = images[surface.faceChart[result.face[t]]];
+      const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
+      for (int k = 0; k < 3; ++k)
+      {
+        const int q = p[(k + 1) % 3];
+        const Vec3& a = result.points[p[k]];
+        const Vec3& b = result.points[q];
+        const Vec2 e = (result.uv[t][(k + 1) % 3] - result.uv[t][k]).cwiseProduct(toPixel);
+        if ((b - a).norm() > longest && e.norm() > 2. &&
+          middles.try_emplace(edgeKey(p[k], q), static_cast<int>(result.points.size())).second)
+        {
+          const Vec3 middle = 0.5 * (a + b);
+          result.points.push_back(middle);
+        }
+      }
+    }
+    if (middles.empty())
+    {
+      return result;
+    }
+    Splitter splitter(result, middles);
+    for (int t = 0; t < result.numberOfTriangles(); ++t)
+    {
+      splitter.split(t);
+    }
+    splitter.finish();
+  }
+}
+
+std::vector<PixelPlace> placePixels(
+  const AtlasSurface& surface, const RefinedSurface& refined, int chart, const ControlImage& image)
+{
+  const int firstFace = surface.chartBegin[chart];
+  const auto begin = static_cast<int>(
+    std::lower_bound(refined.face.begin(), refined.face.end(), firstFace) - refined.face.begin());
+  const auto end = static_cast<int>(
+    std::lower_bound(refined.face.begin(), refined.face.end(), surface.chartBegin[chart + 1]) -
+    refined.face.begin());
+  std::vector<PixelPlace> places(static_cast<std::size_t>(image.numberOfPixels()));
+  // How far inside its best triangle a pixel is so far: who owns a pixel is decided with rounded
+  // coordinates, so that it may lie a little outside its face.
+  std::vector<float> inside(places.size(), -1e30f);
+  for (int t = begin; t < end; ++t)
+  {
+    const auto& [a, b, c] = refined.uv[t];
+    if (orient2(a, b, c) == 0.)
+    {
+      continue;
+    }
+    const int face = refined.face[t] - firstFace;
+    const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c).cwiseProduct(toPixel).array() - 1.5;
+    const Vec2 high = a.cwiseMax(b).cwiseMax(c).cwiseProduct(toPixel).array() + 0.5;
+    const int xBegin = std::max(0, static_cast<int>(std::ceil(low.x())));
+    const int yBegin = std::max(0, static_cast<int>(std::ceil(low.y())));
+    const int xEnd = std::min(image.width, static_cast<int>(std::floor(high.x())) + 1);
+    const int yEnd = std::min(image.height, static_cast<int>(std::floor(high.y())) + 1);
+    for (int y = yBegin; y < yEnd; ++y)
+    {
+      for (int x = xBegin; x < xEnd; ++x)
+      {
+        const int pixel = y * image.width + x;
+        if (image.faceIndex[pixel] != face || inside[pixel] >= 0.f)
+        {
+          continue;
+        }
+        const Vec3 bary = barycentric(image.centre(pixel), a, b, c);
+        const auto least = static_cast<float>(bary.minCoeff());
+        if (least > inside[pixel])
+        {
+          inside[pixel] = least;
+          const Vec3 clamped = clampedBarycentric(bary);
+          places[pixel].triangle = t;
+          for (int k = 0; k < 3; ++k)
+          {
+            places[pixel].bary[k] = static_cast<float>(clamped[k]);
+          }
+        }
+      }
+    }
+  }
+  // A face without an area in the plane, or far from the pixel that was given to it.
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (places[i].triangle < 0)
+    {
+      const int face = firstFace + std::max(0, image.faceIndex[i]);
+      places[i].triangle = static_cast<int>(
+        std::lower_bound(refined.face.begin(), refined.face.end(), face) - refined.face.begin());
+    }
+  }
+  return places;
+}
+}

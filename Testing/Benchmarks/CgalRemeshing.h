@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What users would call instead: CGAL's isotropic_remeshing, with five iterations, at the edge
+// length that equilateral triangles of a number of points have. It does not keep that number.
+#ifndef stipple_CgalRemeshing_h
+#define stipple_CgalRemeshing_h
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+
+namespace benchmarks
+{
+class CgalRemeshing
+{
+public:
+  CgalRemeshing(vtkPolyData* triangles, double numberOfPoints)
+  {
+    double p[3];
+    for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
+    {
+      triangles->GetPoint(i, p);
+      this->Input.add_vertex({ p[0], p[1], p[2] });
+    }
+    vtkNew<vtkIdList> cell;
+    for (vtkIdType c = 0; c < triangles->GetNumberOfPolys(); ++c)
+    {
+      triangles->GetCellPoints(c, cell);
+      const auto v = [&](int k) { return Mesh::Vertex_index(cell->GetId(k)); };
+      this->Input.add_face(v(0), v(1), v(2));
+    }
+    const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(this->Input));
+    this->EdgeLength = std::sqrt(area / (2 * numberOfPoints) * 4 / std::sqrt(3.));
+  }
+
+  /// Remeshes a copy; returns its number of points.
+  double run() const
+  {
+    Mesh mesh = this->Input;
+    CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), this->EdgeLength, mesh,
+      CGAL::Polygon_mesh_processing::parameters::number_of_iterations(5));
+    return static_cast<double>(mesh.number_of_vertices());
+  }
+
+private:
+  using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+  Mesh Input;
+  double EdgeLength = 0;
+};
+}
+
+#endif

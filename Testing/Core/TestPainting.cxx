@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The brush: where it paints, how much, and where it must not.
+#include "Painting.h"
+#include "SyntheticControl.h"
+
+#include <gtest/gtest.h>
+
+using namespace synthetic;
+
+namespace
+{
+struct Canvas
+{
+  Builder builder;
+  std::unique_ptr<ControlMaps> maps;
+  std::vector<PaintLayer> layers;
+
+  const AtlasSurface& surface() const { return this->builder.Result.surface; }
+  void take(int size)
+  {
+    this->builder.finish();
+    ASSERT_TRUE(this->builder.ok());
+    this->maps = std::make_unique<ControlMaps>(this->surface(), size);
+    this->layers.resize(this->maps->images.size());
+  }
+  void paint(const Vec3& position, double radius, double strength)
+  {
+    stipple::paint(
+      this->surface(), this->maps->images, { position, radius, strength }, this->layers);
+  }
+  Vec3 position(std::size_t c, int pixel) const
+  {
+    const ControlImage& image = this->maps->images[c];
+    int face = 0;
+    Vec3 bary;
+    locate(this->surface(), static_cast<int>(c), image.centre(pixel),
+      this->surface().chartBegin[c] + image.faceIndex[pixel], face, bary);
+    return this->surface().position(face, bary);
+  }
+  /// What an importance v becomes at a pixel.
+  double at(std::size_t c, int pixel, double v = 1.) const
+  {
+    const PaintLayer& layer = this->layers[c];
+    return layer.factor.empty() ? v : v * layer.factor[pixel] + layer.offset[pixel];
+  }
+};
+
+/// Two unit squares one above the other, each a chart, close to each other but not connected.
+void plates(Builder& b, double gap)
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    b.addGrid(8, 8, [=](int i, int j) { return Vec3(i / 8., j / 8., k * gap); });
+  }
+}
+}
+
+TEST(Painting, WeightsFollowTheStraightDistanceInEveryChart)
+{
+  Canvas canvas;
+  bumpyGrid(canvas.builder, 2, 10);
+  canvas.take(60);
+  Vec3 centre;
+  ASSERT_GE(nearestFace(canvas.surface(), Vec3(0.48, 0.51, 0.3), centre), 0);
+  EXPECT_LT((centre - Vec3(0.48, 0.51, 0.)).head<2>().norm(), 0.2);
+  const double radius = 0.2;
+  canvas.paint(Vec3(0.48, 0.51, 0.3), radius, 2.5);
+  int painted[4] = { 0, 0, 0, 0 };
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    for (int i = 0; i < canvas.maps->images[c].numberOfPixels(); ++i)
+    {
+      const double d = (canvas.position(c, i) - centre).norm();
+      const double weight = d < radius ? std::pow(1. - d * d / radius / radius, 2) : 0.;
+      ASSERT_NEAR(canvas.at(c, i), 1. + 2.5 * weight, 1e-4) << "chart " << c << " pixel " << i;
+      painted[c] += weight > 0;
+    }
+    EXPECT_GT(painted[c], 100) << "all four charts around the crossing of the seams";
+  }
+}
+
+TEST(Painting, ErasesAShareAndAddsToWhatIsLeft)
+{
+  Canvas canvas;
+  plates(canvas.builder, 5.);
+  canvas.take(9); // a pixel's centre is the plate's
+  const Vec3 centre(0.5, 0.5, 0.);
+  const int pixel = 4 * 9 + 4;
+  canvas.paint(centre, 0.3, -0.5);
+  EXPECT_NEAR(canvas.at(0, pixel, 0.8), 0.4, 1e-6);
+  canvas.paint(centre, 0.3, 2.);
+  EXPECT_NEAR(canvas.at(0, pixel, 0.8), 2.4, 1e-6);
+  canvas.paint(centre, 0.3, -1.);
+  EXPECT_NEAR(canvas.at(0, pixel, 0.8), 0., 1e-6) << "all of it";
+  EXPECT_NEAR(canvas.at(0, 0, 0.8), 0.8, 1e-6) << "a corner is out of reach";
+  EXPECT_TRUE(canvas.layers[1].factor.empty()) << "a chart that no stroke touches costs nothing";
+}
+
+TEST(Painting, DoesNotReachThroughThinAir)
+{
+  Canvas canvas;
+  plates(canvas.builder, 0.05);
+  canvas.take(40);
+  canvas.paint(Vec3(0.5, 0.5, 0.04), 0.3, 1.);
+  EXPECT_TRUE(canvas.layers[0].factor.empty());
+  ASSERT_FALSE(canvas.layers[1].factor.empty());
+  EXPECT_NEAR(canvas.at(1, 20 * 40 + 20), 2., 0.02);
+}
+
+TEST(Painting, BrushOfNoSizeOrOnNothing)
+{
+  Canvas canvas;
+  plates(canvas.builder, 1.);
+  canvas.take(8);
+  canvas.paint(Vec3(0.5, 0.5, 0.), 0., 1.);
+  EXPECT_TRUE(canvas.layers[0].factor.empty());
+  AtlasSurface nothing;
+  Vec3 place;
+  EXPECT_EQ(nearestFace(nothing, Vec3::Zero(), place), -1);
+}

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The atlas as a filter: charts, features and constraints it is given, errors, progress and abort;
+// and a picture of the paper's Figure 4, the seam that slips away against the one that does not.
+#include "ImageRegression.h"
+#include "Shapes.h"
+
+#include "AtlasSurface.h"
+#include "ChartGraph.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkConformalAtlas.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+int Failures = 0;
+
+void check(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+    ++Failures;
+  }
+}
+
+vtkPolyData* graphOf(vtkConformalAtlas* atlas)
+{
+  return vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1));
+}
+
+int numberOfCharts(vtkConformalAtlas* atlas)
+{
+  return static_cast<int>(atlas->GetOutput()->GetNumberOfPartitionedDataSets());
+}
+
+vtkPolyData* chart(vtkConformalAtlas* atlas, int i)
+{
+  return stipple::chartOf(atlas->GetOutput(), static_cast<unsigned int>(i));
+}
+
+int numberOfBackbones(vtkConformalAtlas* atlas, stipple::BackboneType type)
+{
+  stipple::FeatureGraph graph;
+  check(stipple::readFeatureGraph(graphOf(atlas), graph).ok(), "the feature graph can be read");
+  int count = 0;
+  for (const stipple::Backbone& b : graph.backbones)
+  {
+    count += b.type == type;
+  }
+  return count;
+}
+
+/// What an observer of errors heard last.
+std::string errorOf(vtkConformalAtlas* atlas)
+{
+  std::string message;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&message);
+  command->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    *static_cast<std::string*>(data) = static_cast<const char*>(text);
+  });
+  const unsigned long tag = atlas->AddObserver(vtkCommand::ErrorEvent, command);
+  atlas->Update();
+  atlas->RemoveObserver(tag);
+  return message;
+}
+
+void testCharts()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::hornedSphere(4)));
+  atlas->SetNumberOfCharts(4);
+  atlas->SetMaximumDensityRatio(30);
+  atlas->Update();
+  check(numberOfCharts(atlas) >= 4, "four charts or more");
+  double largest = 0;
+  for (int c = 0; c < numberOfCharts(atlas); ++c)
+  {
+    vtkDataArray* ratio = chart(atlas, c)->GetFieldData()->GetArray("DensityRatio");
+    check(ratio && ratio->GetNumberOfTuples() == 1, "every chart tells its density ratio");
+    largest = std::max(largest, ratio ? ratio->GetComponent(0, 0) : 0.);
+  }
+  check(largest <= 30 && largest > 1, "the ratios keep the bound");
+  check(largest == atlas->GetDensityRatio(), "the atlas tells the largest");
+  stipple::AtlasSurface surface;
+  check(stipple::readAtlas(atlas->GetOutput(), surface).ok(), "the charts can be read");
+  check(
+    surface.topology().euler == 2 && surface.topology().manifold, "the charts weld to a sphere");
+}
+
+void testFeatureCurves()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::sphere(1, 4)));
+  vtkNew<vtkPolyData> curves;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const int n = 12;
+  lines->InsertNextCell(n + 1);
+  for (int i = 0; i <= n; ++i)
+  {
+    const double a = i * 0.1;
+    lines->InsertCellPoint(
+      points->InsertNextPoint(std::cos(a), std::sin(a) * 0.8, std::sin(a) * 0.6));
+  }
+  curves->SetPoints(points);
+  curves->SetLines(lines);
+  atlas->SetFeatureCurves(curves);
+  atlas->Update();
+  check(numberOfBackbones(atlas, stipple::BackboneType::Sharp) >= 1, "the curve is a feature");
+  const vtkMTimeType before = atlas->GetMTime();
+  curves->Modified();
+  check(atlas->GetMTime() > before, "the atlas changes with its curves");
+  atlas->SetFeatureCurves(nullptr);
+  atlas->Update();
+  check(numberOfBackbones(atlas, stipple::BackboneType::Sharp) == 0, "and without them");
+}
+
+void testConstraints()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::torus(3, 1, 60, 20)));
+  vtkNew<vtkPoints> positions;
+  positions->InsertNextPoint(4.2, 0, 0);
+  atlas->SetConstraints(positions);
+  atlas->Update();
+  const double* extent =
+    vtkDoubleArray::SafeDownCast(chart(atlas, 0)->GetFieldData()->GetArray("ChartExtent"))
+      ->GetPointer(0);
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(3);
+  const std::array<double, 3> place = { 0., 0.4 * extent[0], 0.7 * extent[1] };
+  places->InsertNextTuple(place.data());
+  atlas->SetChartConstraints(places);
+  atlas->Update();
+  stipple::FeatureGraph graph;
+  check(stipple::readFeatureGraph(graphOf(atlas), graph).ok(), "the feature graph can be read");
+  check(graph.constraints.size() == 2, "two constraints");
+  if (graph.constraints.size() == 2)
+  {
+    check((graph.constraints[0].position - stipple::Vec3(4, 0, 0)).norm() < 0.02,
+      "a position is moved to the surface");
+    stipple::AtlasSurface surface;
+    check(stipple::readAtlas(atlas->GetOutput(), surface).ok(), "the charts can be read");
+    const stipple::ConstraintPoint& c = graph.constraints[1];
+    const int face = surface.chartBegin[c.chart] + c.chartCell;
+    stipple::Vec2 uv = stipple::Vec2::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      uv += c.bary[k] * surface.cornerUV(face, k);
+    }
+    check(c.chart == 0 && (uv - stipple::Vec2(place[1], place[2])).norm() < 1e-9,
+      "a place of a chart is met");
+    check((surface.position(face, c.bary) - c.position).norm() < 1e-9, "it lies on the surface");
+  }
+  places->SetComponent(0, 1, 1.5);
+  places->Modified();
+  check(errorOf(atlas).find("not in a chart") != std::string::npos, "a place outside is an error");
+  check(numberOfCharts(atlas) == 0, "an error leaves no charts");
+}
+
+void testProgressAndAbort()
+{
+  struct Watch
+  {
+    double last = 0;
+    bool falls = false;
+    int events = 0;
+    double abortAt = 2;
+  } watch;
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::perforatedSlab(2, 2, 8)));
+  atlas->SetNumberOfCharts(8);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void* amount) {
+    auto* w = static_cast<Watch*>(data);
+    const double progress = *static_cast<double*>(amount);
+    w->falls = w->falls || progress < w->last;
+    w->last = progress;
+    ++w->events;
+    if (progress >= w->abortAt)
+    {
+      static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+    }
+  });
+  atlas->AddObserver(vtkCommand::ProgressEvent, command);
+  atlas->Update();
+  check(watch.events > 10, "progress is told more than ten times");
+  check(!watch.falls, "progress does not go back");
+  check(numberOfCharts(atlas) >= 8, "eight charts");
+  for (double at : { 0.05, 0.3, 0.6 })
+  {
+    watch = { 0, false, 0, at };
+    atlas->Modified();
+    const std::string message = errorOf(atlas);
+    check(message.empty(), "an abort is not an error, but: " + message);
+    check(numberOfCharts(atlas) == 0, "an abort leaves no charts");
+    check(watch.last < at + 0.35, "an abort is honoured soon");
+    atlas->AbortExecuteOff();
+  }
+}
+
+/// The charts in colours with their seams, from the side of the horn.
+void addAtlas(vtkConformalAtlas* atlas, vtkRenderer* renderer)
+{
+  const std::array<std::array<double, 3>, 3> colors = { { { 0.93, 0.72, 0.56 }, { 0.55, 0.7, 0.88 },
+    { 0.66, 0.83, 0.6 } } };
+  for (int c = 0; c < numberOfCharts(atlas); ++c)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(chart(atlas, c));
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(colors[c % 3][0], colors[c % 3][1], colors[c % 3][2]);
+    renderer->AddActor(actor);
+  }
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(graphOf(atlas));
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
+  vtkNew<vtkActor> seams;
+  seams->SetMapper(mapper);
+  seams->GetProperty()->SetColor(0.1, 0.1, 0.1);
+  seams->GetProperty()->SetLineWidth(3);
+  seams->GetProperty()->LightingOff();
+  renderer->AddActor(seams);
+  renderer->SetBackground(1, 1, 1);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(1, -12, 4);
+  camera->SetFocalPoint(1.2, 0, 0);
+  camera->SetViewUp(0, 0, 1);
+  renderer->ResetCameraClippingRange();
+}
+
+void testPicture(int argc, char* argv[])
+{
+  vtkNew<vtkHeadlessRenderWindow> window;
+  window->SetPlatformToOSMesa();
+  window->SetSize(900, 400);
+  window->SetMultiSamples(0);
+  const std::array<int, 3> placements = { vtkConformalAtlas::VORONOI, vtkConformalAtlas::MIDDLE,
+    vtkConformalAtlas::AREA_MEDIAN };
+  std::vector<vtkSmartPointer<vtkConformalAtlas>> atlases;
+  for (int i = 0; i < 3; ++i)
+  {
+    auto atlas = vtkSmartPointer<vtkConformalAtlas>::New();
+    atlas->SetInputData(shapes::toPolyData(shapes::hornedSphere(5)));
+    atlas->SetMaximumDensityRatio(1e9);
+    atlas->SetBoundaryPlacement(placements[i]);
+    atlas->Update();
+    check(numberOfCharts(atlas) == 2, "two charts");
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetViewport(i / 3., 0, (i + 1) / 3., 1);
+    addAtlas(atlas, renderer);
+    window->AddRenderer(renderer);
+    atlases.push_back(atlas);
+  }
+  window->Render();
+  check(testing::compareWindow(window, "BoundaryPlacement", argc, argv),
+    "raw, middle and area-weighted seams look as they should");
+}
+}
+
+int TestConformalAtlas(int argc, char* argv[])
+{
+  testCharts();
+  testFeatureCurves();
+  testConstraints();
+  testProgressAndAbort();
+  testPicture(argc, argv);
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
