@@ -281,3 +281,26 @@ TEST(AtlasSeams, OfTheBunnyAreSmoothAndBalanced)
               << " (Voronoi " << raw.meanTurn << ") degrees\n";
   }
 }
+
+class NoisyModels : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(NoisyModels, HaveNextToNoSharpEdges)
+{
+  const vtkSmartPointer<vtkPolyData> input = readModel(GetParam());
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(input);
+  atlas->Update();
+  FeatureGraph graph;
+  ASSERT_TRUE(
+    readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), graph).ok());
+  double sharp = 0;
+  for (const Backbone& b : graph.backbones)
+  {
+    sharp += b.type == BackboneType::Sharp ? b.numberOfSegments() : 0;
+  }
+  EXPECT_LE(sharp, 0.005 * 1.5 * static_cast<double>(atlas->GetNumberOfSurfaceTriangles()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NoisyModels, testing::Values("bunny00", "armadillo"));
