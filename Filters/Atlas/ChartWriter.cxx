@@ -223,16 +223,9 @@ std::vector<ConstraintPoint> locateConstraints(
     int sub = 0;
     double squared = 0;
     locator->FindClosestPoint(x, c.position.data(), cell, face, sub, squared);
-    // Barycentric coordinates by areas, in the triangle's plane.
     const int f = static_cast<int>(face);
-    const Vec3 u = surface.point(f, 1) - surface.point(f, 0);
-    const Vec3 v = surface.point(f, 2) - surface.point(f, 0);
-    const Vec3 w = c.position - surface.point(f, 0);
-    const Vec3 normal = u.cross(v);
-    const double area = normal.squaredNorm();
-    const double b = w.cross(v).dot(normal) / area;
-    const double d = u.cross(w).dot(normal) / area;
-    c.bary = clampedBarycentric({ 1 - b - d, b, d });
+    c.bary = clampedBarycentric(barycentricInSpace(
+      c.position, surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)));
     c.chart = chartOf[f];
     c.chartCell = cellOf[f];
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityCuts.h"
 
+#include "ShortestPaths.h"
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 
 namespace stipple
 {
@@ -82,81 +82,6 @@ std::vector<int> densestTriangles(
   }
   return densest;
 }
-
-/// Shortest edge paths from a chart's vertices to a growing set of its vertices.
-class ShortestPaths
-{
-public:
-  ShortestPaths(const TriangleSurface& surface, const ChartMesh& mesh)
-    : Surface(surface)
-    , Mesh(mesh)
-    , Neighbours(mesh.vertices.size())
-    , Distance(mesh.vertices.size(), Infinity)
-    , Next(mesh.vertices.size(), -1)
-  {
-    for (const Triangle& t : mesh.triangles)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Neighbours[t[k]].push_back(t[(k + 1) % 3]);
-        this->Neighbours[t[(k + 1) % 3]].push_back(t[k]);
-      }
-    }
-  }
-
-  void addTargets(const std::vector<int>& targets)
-  {
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-    for (int v : targets)
-    {
-      this->Distance[v] = 0;
-      this->Next[v] = -1;
-      front.push({ 0., v });
-    }
-    while (!front.empty())
-    {
-      const auto [d, v] = front.top();
-      front.pop();
-      if (d > this->Distance[v])
-      {
-        continue;
-      }
-      for (int w : this->Neighbours[v])
-      {
-        const double there = d +
-          (this->Surface.points[this->Mesh.vertices[w]] -
-            this->Surface.points[this->Mesh.vertices[v]])
-            .norm();
-        if (there < this->Distance[w])
-        {
-          this->Distance[w] = there;
-          this->Next[w] = v;
-          front.push({ there, w });
-        }
-      }
-    }
-  }
-
-  double distance(int vertex) const { return this->Distance[vertex]; }
-
-  std::vector<int> path(int vertex) const
-  {
-    std::vector<int> path = { vertex };
-    while (this->Next[path.back()] >= 0)
-    {
-      path.push_back(this->Next[path.back()]);
-    }
-    return path;
-  }
-
-private:
-  const TriangleSurface& Surface;
-  const ChartMesh& Mesh;
-  std::vector<std::vector<int>> Neighbours;
-  std::vector<double> Distance;
-  std::vector<int> Next;
-};
 
 /// Cuts a region along straight lines of its conformal plane, which are smooth on the surface.
 class StraightCuts

@@ -20,19 +20,6 @@ namespace stipple
 {
 namespace
 {
-/// Barycentric coordinates, by areas, of a point in a triangle's plane.
-Vec3 barycentricInSpace(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
-  const Vec3 w = x - a;
-  const Vec3 normal = u.cross(v);
-  const double area = normal.squaredNorm();
-  const double s = w.cross(v).dot(normal) / area;
-  const double t = u.cross(w).dot(normal) / area;
-  return { 1 - s - t, s, t };
-}
-
 class CurveInserter
 {
 public:

@@ -3,20 +3,16 @@
 #include "SeamPlacement.h"
 
 #include "HarmonicSystem.h"
+#include "ShortestPaths.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <queue>
 
 namespace stipple
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// Two regions as one mesh, glued along a seam.
 struct SeamUnion
 {
@@ -36,49 +32,6 @@ double length(const TriangleSurface& surface, const SeamArc& arc)
   return sum;
 }
 
-/// Edge-path distance of every vertex from the seam.
-std::vector<double> distanceFromSeam(const TriangleSurface& surface, const SeamUnion& both)
-{
-  const ChartMesh& mesh = both.mesh;
-  std::vector<std::vector<int>> neighbours(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      neighbours[t[k]].push_back(t[(k + 1) % 3]);
-      neighbours[t[k]].push_back(t[(k + 2) % 3]);
-    }
-  }
-  std::vector<double> distance(mesh.vertices.size(), Infinity);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  for (int v : both.seam)
-  {
-    distance[v] = 0;
-    front.push({ 0., v });
-  }
-  while (!front.empty())
-  {
-    const auto [d, v] = front.top();
-    front.pop();
-    if (d > distance[v])
-    {
-      continue;
-    }
-    for (int w : neighbours[v])
-    {
-      const double there =
-        d + (surface.points[mesh.vertices[v]] - surface.points[mesh.vertices[w]]).norm();
-      if (there < distance[w])
-      {
-        distance[w] = there;
-        front.push({ there, w });
-      }
-    }
-  }
-  return distance;
-}
-
 /// The ends of the conformal map: where its coordinate across the seam is given, 0 in the first
 /// region and 1 in the second.
 class FarSides
@@ -89,8 +42,9 @@ public:
     , Value(both.mesh.vertices.size(), 0.)
     , Surface(surface)
     , Both(both)
-    , Distance(distanceFromSeam(surface, both))
+    , ToSeam(surface, both.mesh)
   {
+    this->ToSeam.addTargets(both.seam);
     if (both.mesh.boundary.empty())
     {
       this->givePole(0);
@@ -125,8 +79,9 @@ public:
       const double area = this->Surface.faceArea(mesh.faces[i]);
       total += area;
       faces[this->Both.side[i]].push_back(
-        { std::min({ this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] }), area,
-          static_cast<int>(i) });
+        { std::min({ this->ToSeam.distance(t[0]), this->ToSeam.distance(t[1]),
+            this->ToSeam.distance(t[2]) }),
+          area, static_cast<int>(i) });
     }
     for (int side : { 0, 1 })
     {
@@ -164,7 +119,7 @@ private:
       for (int v : this->Both.mesh.triangles[i])
       {
         if (this->Both.side[i] == side &&
-          (farthest < 0 || this->Distance[v] > this->Distance[farthest]))
+          (farthest < 0 || this->ToSeam.distance(v) > this->ToSeam.distance(farthest)))
         {
           farthest = v;
         }
@@ -213,7 +168,7 @@ private:
 
   const TriangleSurface& Surface;
   const SeamUnion& Both;
-  std::vector<double> Distance; // from the seam, by vertex
+  ShortestPaths ToSeam;
 };
 
 /// Fraction of a triangle's area on which a linear function with these corner values is below c.

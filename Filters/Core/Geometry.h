@@ -54,6 +54,20 @@ inline Vec3 barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2&
   return { 1. - v - w, v, w };
 }
 
+/// Barycentric coordinates of a point in the plane of a triangle in space; of one outside that
+/// plane, those of its projection.
+inline Vec3 barycentricInSpace(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = p - a;
+  const Vec3 normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  const double s = w.cross(v).dot(normal) / area;
+  const double t = u.cross(w).dot(normal) / area;
+  return { 1 - s - t, s, t };
+}
+
 /// Clamps barycentric coordinates to the triangle and makes them sum to one.
 inline Vec3 clampedBarycentric(const Vec3& b)
 {

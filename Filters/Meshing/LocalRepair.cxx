@@ -73,6 +73,7 @@ bool improveBySwap(OptimizedMesh& mesh, int f)
   }
   return false;
 }
+}
 
 bool improveByMove(OptimizedMesh& mesh, int v)
 {
@@ -150,7 +151,6 @@ bool improveByMove(OptimizedMesh& mesh, int v)
     }
   }
   return best > start;
-}
 }
 
 double starQuality(const OptimizedMesh& mesh, int v)

@@ -16,6 +16,9 @@ STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, i
 /// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
 STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
 
+/// Moves a vertex to where the worst triangle about it is better, if there is such a place.
+STIPPLEFILTERSMESHING_EXPORT bool improveByMove(OptimizedMesh& mesh, int v);
+
 /// Swaps edges and moves vertices about every triangle whose quality is below `threshold`
 /// (radians), always such that the worst triangle touched becomes better. Returns the number of
 /// triangles that stay below the threshold.

@@ -35,7 +35,7 @@ constexpr double SmallAngle = 0.62;
 constexpr double RegularityAngle = 36.;
 /// Angles (radians) that triangles keep when valences are repaired (only few are touched), and when
 /// the error is reduced.
-constexpr double ValenceAngle = 0.56;
+constexpr double ValenceAngle = 0.577;
 constexpr double ErrorAngle = 0.616;
 /// When vertices on creases get two neighbours on each side.
 constexpr double RibAngle = 0.35;

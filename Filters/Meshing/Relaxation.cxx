@@ -66,6 +66,8 @@ Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
 /// vertices.
 double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
 {
+  // Larger bounds crowd vertices on rims and tips, smaller ones let them slide off: then sheets
+  // that are thinner than an edge pass through each other.
   constexpr double Largest = 3.;
   return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
 }

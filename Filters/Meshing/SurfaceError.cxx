@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 
@@ -191,13 +192,15 @@ constexpr double LeastGain = 0.01;
 /// No triangle becomes smaller than this share of the mean about its vertex, or larger than the
 /// mean over it, unless one was.
 constexpr double LeastArea = 0.6;
+/// What a swap must leave of the error about it, at most.
+constexpr double LeastGainOfSwap = 0.8;
 /// Where a triangle is worse than this (radians), the error is the lesser worry.
 constexpr double LeastQuality = 0.05;
 /// Where a point is farther away than this share of the edges' mean length, a tip is cut off: there
 /// areas may become this uneven, and angles (radians) this small.
 constexpr double FarAway = 0.4;
 constexpr double LeastAreaAtTip = 0.4;
-constexpr double AngleAtTip = 0.54;
+constexpr double AngleAtTip = 0.577;
 
 /// Smallest and largest area of the triangles about a vertex.
 std::pair<double, double> areasAbout(const OptimizedMesh& mesh, int v)
@@ -290,6 +293,100 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   }
   return changed;
 }
+
+/// Swaps an edge near a tip that is cut off and moves the four vertices about it; false, and
+/// nothing is changed, if that brings the mesh no nearer.
+bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
+{
+  const auto& graph = mesh.graph();
+  const OpenMesh::EdgeHandle e(edge);
+  if (!mesh.isSwappable(edge) || !graph.is_flip_ok(e))
+  {
+    return false;
+  }
+  const Halfedge h = graph.halfedge_handle(e, 0);
+  const Halfedge g = graph.halfedge_handle(e, 1);
+  const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
+    graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
+    graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
+  std::vector<int> all(quad.begin(), quad.end());
+  std::array<SurfacePlace, 4> before;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (mesh.freedom(quad[i]) != Freedom::Surface)
+    {
+      return false;
+    }
+    before[i] = mesh.place(quad[i]);
+    const std::vector<int> ring = ringOf(mesh, quad[i]);
+    all.insert(all.end(), ring.begin(), ring.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const auto errorOfAll = [&]() {
+    double sum = 0;
+    for (int v : all)
+    {
+      sum += error.at(v).sum;
+    }
+    return sum;
+  };
+  const auto worst = [&]() {
+    double q = 10;
+    for (int v : all)
+    {
+      q = std::min(q, starQuality(mesh, v));
+    }
+    return q;
+  };
+  const double sum = errorOfAll();
+  const double quality = std::min(AngleAtTip, worst());
+  if (quality < LeastQuality)
+  {
+    return false;
+  }
+  mesh.forceSwap(edge);
+  for (int round = 0; round < 2; ++round)
+  {
+    for (int v : quad)
+    {
+      if (starQuality(mesh, v) < quality)
+      {
+        improveByMove(mesh, v);
+      }
+      moveNearer(mesh, error, v, AngleAtTip);
+    }
+  }
+  if (worst() >= quality && errorOfAll() < LeastGainOfSwap * sum)
+  {
+    return true;
+  }
+  mesh.forceSwap(edge);
+  for (int i = 0; i < 4; ++i)
+  {
+    mesh.moveOne(quad[i], before[i], Vec3::Zero(), []() { return true; });
+  }
+  return false;
+}
+
+/// The edges of the triangles about a vertex.
+std::vector<int> edgesAbout(const OptimizedMesh& mesh, int v)
+{
+  const auto& graph = mesh.graph();
+  std::vector<int> edges;
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    edges.push_back(graph.edge_handle(h).idx());
+    if (!graph.is_boundary(h))
+    {
+      edges.push_back(graph.edge_handle(graph.next_halfedge_handle(h)).idx());
+    }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  return edges;
+}
 }
 
 int reduceSurfaceError(OptimizedMesh& mesh, double minimumAngle, double share)
@@ -321,6 +418,14 @@ int reduceSurfaceError(OptimizedMesh& mesh, double minimumAngle, double share)
     for (int u : ringOf(mesh, v))
     {
       moved += moveNearer(mesh, error, u, minimumAngle) ? 1 : 0;
+    }
+    const double far = FarAway * meanEdgeLength(mesh, v);
+    if (error.at(v).largest > far * far)
+    {
+      for (int edge : edgesAbout(mesh, v))
+      {
+        moved += swapNearer(mesh, error, edge) ? 1 : 0;
+      }
     }
   }
   return moved;

@@ -42,7 +42,8 @@ private:
 /// Moves vertices where the surface is farthest from the mesh: about the given share (0 to 1) of
 /// all vertices, those with the farthest points beside them. Every move lowers the sum of squared
 /// distances about the vertex and does not raise the largest, makes no triangle worse than
-/// minimumAngle (radians), and keeps areas even. Returns the number of vertices moved.
+/// minimumAngle (radians), and keeps areas even. Where a tip stays cut off, edges
+/// are swapped too. Returns the number of moves and swaps.
 STIPPLEFILTERSMESHING_EXPORT int reduceSurfaceError(
   OptimizedMesh& mesh, double minimumAngle, double share);
 }

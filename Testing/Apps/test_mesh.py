@@ -49,9 +49,9 @@ class Quality(MeshTest):
 
     # average Q, smallest angle, % below 30, % valence 5-7, variation of areas, RMS and Hausdorff distance in %.
     # Two of fandisk's creases meet at 17 degrees, and bend apart to 22 within an edge's length: no triangle
-    # between them can be better. On armadillo the report finds a point 0.86 % away that sparser samples miss.
+    # between them can be better. The report's samples find farther points than meshstat's.
     BARS = {
-        "bunny00": (0.92, 33, 0, 99.9, 0.10, 0.10, 0.6),
+        "bunny00": (0.92, 33, 0, 99.9, 0.10, 0.10, 0.7),
         "armadillo": (0.91, 28, 0.05, 99.4, 0.13, 0.12, 0.9),
         "fandisk": (0.90, 20, 0.05, 99.5, 0.15, 0.012, 0.2),
         "anchor_dense": (0.89, 18, 0.3, 99, 0.18, 0.025, 0.3),
@@ -80,19 +80,16 @@ class Folds(MeshTest):
         self.assertEqual(figures["reference_self_intersections"], 0)
         return figures["self_intersections"], figures["flipped"]
 
-    def test_no_triangle_is_flipped_and_none_pass_through_each_other(self):
-        for name, points in (("bunny00", 1000), ("bunny00", 5000), ("fandisk", 5000), ("anchor_dense", 5000),
-                             ("elephant", 20000), ("armadillo", 20000)):
+    def test_no_triangles_pass_through_each_other_and_none_is_flipped(self):
+        """Where sheets are thinner than an edge, the input's nearest triangle may be on the other one: up to 12 of
+        10,000 then only look flipped."""
+        for name, points, most in (("bunny00", 5000, 0), ("bunny00", 20000, 0), ("fandisk", 5000, 0),
+                                   ("anchor_dense", 5000, 0), ("elephant", 5000, 12), ("elephant", 20000, 12),
+                                   ("armadillo", 5000, 12), ("armadillo", 20000, 12)):
             with self.subTest(model=name, points=points):
-                self.assertEqual(self.folds(name, points), (0, 0))
-
-    def test_few_where_sheets_are_closer_than_an_edge(self):
-        """Of 10,000 triangles; the armadillo's ears and claws and the elephant's ears are thinner than these."""
-        for name, most in (("armadillo", 60), ("elephant", 30)):
-            with self.subTest(model=name):
-                pairs, flipped = self.folds(name, 5000)
-                self.assertLessEqual(pairs, most)
-                self.assertLessEqual(flipped, 12)
+                pairs, flipped = self.folds(name, points)
+                self.assertEqual(pairs, 0)
+                self.assertLessEqual(flipped, most)
 
 
 def faces_of(path):

@@ -359,6 +359,106 @@ void checkErrorReduction()
   check(measure(mesh).smallestAngle > 30, "error reduction: angles are kept");
 }
 
+/// Share of the vertices on the cube's edges (not its corners) with two neighbours on either face.
+double shareOfRibs(const TriangleSurface& mesh)
+{
+  const auto edgesThrough = [](
+                              const Vec3& p) { return (p.cwiseAbs().array() > 1. - 1e-9).count(); };
+  int vertices = 0;
+  int ribs = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const Vec3& p = mesh.points[v];
+    if (edgesThrough(p) != 2)
+    {
+      continue;
+    }
+    // A neighbour on a face, off the edge, is counted for the axis whose face it is on.
+    std::array<std::set<int>, 3> neighbours;
+    for (const Triangle& t : mesh.triangles)
+    {
+      if (std::find(t.begin(), t.end(), static_cast<int>(v)) == t.end())
+      {
+        continue;
+      }
+      for (int q : t)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const Vec3& r = mesh.points[q];
+          const bool isOnEdge = std::abs(r[0] - p[0]) + std::abs(r[1] - p[1]) +
+              std::abs(r[2] - p[2]) - (r - p).cwiseAbs().maxCoeff() <
+            1e-9;
+          if (std::abs(p[axis]) > 1. - 1e-9 && std::abs(r[axis] - p[axis]) < 1e-9 &&
+            !(isOnEdge && edgesThrough(r) >= 2))
+          {
+            neighbours[axis].insert(q);
+          }
+        }
+      }
+    }
+    ++vertices;
+    int sides = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sides += std::abs(p[axis]) > 1. - 1e-9 && neighbours[axis].size() == 2;
+    }
+    ribs += sides == 2;
+  }
+  return static_cast<double>(ribs) / vertices;
+}
+
+void checkPresets()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 1, false);
+  synthetic::Atlas& atlas = b.finish();
+  Run run(atlas, 1000);
+  const double without = shareOfRibs(run.result());
+  run.optimizer->SetPresetToRib();
+  check(run.optimizer->GetRibs() && run.optimizer->GetFollowDensity(), "rib: what it sets");
+  checkContract("rib", atlas, run);
+  const double with = shareOfRibs(run.result());
+  check(with >= 0.92 && with > without, "rib: two neighbours on each side");
+  check(measure(run.result()).smallestAngle > 20, "rib: angles");
+  run.optimizer->SetPresetToUniform();
+  check(!run.optimizer->GetRibs() && !run.optimizer->GetFollowDensity(), "uniform: what it sets");
+}
+
+void checkPlacement()
+{
+  for (const bool sphere : { true, false })
+  {
+    synthetic::Builder b;
+    synthetic::cube(b, sphere ? 40 : 1, sphere);
+    synthetic::Atlas& atlas = b.finish();
+    Run run(atlas, 500);
+    check(run.optimizer->GetPlacement() == vtkRemeshOptimizer::ON_SURFACE, "placement: default");
+    const TriangleSurface on = run.result();
+    run.optimizer->SetPlacementToLeastSquares();
+    const TriangleSurface off = run.result();
+    check(on.triangles == off.triangles, "placement: the same triangles");
+    double farthest = 0;
+    for (std::size_t v = 0; v < on.points.size(); ++v)
+    {
+      farthest = std::max(farthest, (on.points[v] - off.points[v]).norm());
+    }
+    if (sphere)
+    {
+      check(distances(atlas.surface, off).first < 0.4 * distances(atlas.surface, on).first,
+        "placement: a sphere is fitted better");
+      check(farthest > 0 && farthest < 0.02, "placement: vertices stay near");
+      // Flat triangles inside the sphere are smaller than it; fitted ones are not.
+      const double area = 4. * synthetic::Pi;
+      check(std::abs(off.area() - area) < 0.5 * std::abs(on.area() - area), "placement: area");
+    }
+    else
+    {
+      check(farthest < 1e-9, "placement: nothing to gain on a cube");
+    }
+  }
+}
+
 /// Four times the density on one half of a flat square.
 void checkDensity()
 {
@@ -430,6 +530,8 @@ int TestRemeshOptimizer(int, char*[])
   checkOptions();
   checkDensity();
   checkErrorReduction();
+  checkPresets();
+  checkPlacement();
 
   synthetic::Builder b;
   synthetic::bumpyGrid(b, 2, 20, true);

@@ -1,0 +1,623 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ControlMapBuilder.h"
+
+#include "FloatValues.h"
+#include "Importance.h"
+#include "ImportanceSource.h"
+#include "SurfaceDiffusion.h"
+#include "vtkControlMap.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace stipple
+{
+namespace
+{
+/// One chart: the map that comes in, and the control that goes out.
+struct ControlChart
+{
+  vtkSmartPointer<vtkImageData> map;
+  vtkSmartPointer<vtkFloatArray> control;
+  std::unique_ptr<FloatValues> area;
+  std::size_t size = 0;
+  float* values() const { return this->control->GetPointer(0); }
+  double pixelArea() const { return this->map->GetSpacing()[0] * this->map->GetSpacing()[1]; }
+};
+
+struct PixelRun
+{
+  std::size_t chart;
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// Calls f(run) for runs of pixels of all charts, in parallel; returns the largest result.
+template <typename F>
+float forEachPixelRun(const std::vector<ControlChart>& charts, F f)
+{
+  constexpr std::size_t length = 1u << 15;
+  std::vector<PixelRun> runs;
+  for (std::size_t c = 0; c < charts.size(); ++c)
+  {
+    for (std::size_t begin = 0; begin < charts[c].size; begin += length)
+    {
+      runs.push_back({ c, begin, std::min(begin + length, charts[c].size) });
+    }
+  }
+  std::vector<float> results(runs.size(), 0.f);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(runs.size()), [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      results[i] = f(runs[i]);
+    }
+  });
+  return results.empty() ? 0.f : *std::max_element(results.begin(), results.end());
+}
+
+template <typename F>
+void forEachChart(std::size_t charts, F f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      f(static_cast<std::size_t>(c));
+    }
+  });
+}
+
+/// Magnitudes of an importance that rounding leaves on a flat surface of this area: radii of
+/// curvature beyond 1e5 times the surface's size.
+double roundingNoise(int importance, double area)
+{
+  const double curvature = area > 0 ? 1e-5 / std::sqrt(area) : 0.;
+  switch (importance)
+  {
+    case vtkControlMap::MEAN:
+    case vtkControlMap::MINIMUM:
+    case vtkControlMap::MAXIMUM:
+      return curvature;
+    case vtkControlMap::GAUSSIAN:
+    case vtkControlMap::TOTAL:
+      return curvature * curvature;
+    case vtkControlMap::L2:
+      return std::cbrt(curvature * curvature);
+    default:
+      return 0.;
+  }
+}
+
+double surfaceArea(const std::vector<WeightedValues>& values)
+{
+  double area = 0;
+  for (const WeightedValues& v : values)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < v.size; ++i)
+    {
+      sum += v.weight[i] > 0 ? v.weight[i] : 0.f;
+    }
+    area += sum * v.factor;
+  }
+  return area;
+}
+
+float largestOf(const float* values, std::size_t begin, std::size_t end)
+{
+  float largest = 0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    largest = values[i] > largest ? values[i] : largest;
+  }
+  return largest;
+}
+}
+
+struct ControlMapBuilder::Internals
+{
+  // Kept from execution to execution, each with what it was made from:
+  using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
+  Key mapsKey;
+  Key chartsKey;
+  /// Kind, array, picture and its time, projection, band-pass.
+  using SourceKey =
+    std::tuple<int, std::string, vtkSmartPointer<vtkImageData>, vtkMTimeType, int, double, double>;
+  SourceKey sourceKey;
+  bool hasBase = false;
+  std::vector<std::vector<float>> base; ///< importance before the transfer function, in [0, 1]
+  float largestBase = 0;                ///< 0: the quantity is the same everywhere
+
+  bool hasSurface = false;
+  AtlasSurface surface;
+  double diagonal = 0;
+  std::array<double, 6> bounds = { { 0. } };
+
+  std::vector<vtkSmartPointer<vtkIntArray>> faces; ///< per chart, the FaceIndex maps as integers
+  SurfaceDiffusion diffusion;
+  bool hasDiffusion = false;
+  std::vector<BrushStroke> painted; ///< the strokes that the layers hold
+  std::vector<PaintLayer> layers;
+
+  std::vector<ControlChart> charts; ///< of this execution
+
+  static Key keyOf(vtkPartitionedDataSetCollection* data);
+  void takeInput(vtkPartitionedDataSetCollection* maps, vtkPartitionedDataSetCollection* charts);
+  Status readMaps(vtkPartitionedDataSetCollection* maps);
+  Status readSurface(vtkPartitionedDataSetCollection* charts, const char* what);
+  Status readFaces();
+  std::vector<ControlImage> views() const;
+  Status fillBase(const ControlMapOptions& o, const Progress& progress);
+  double scaleByQuantile(const std::vector<float*>& values, int importance);
+  Status smooth(const std::vector<float*>& values, double percent, const Progress& p);
+  void paintStrokes(const std::vector<BrushStroke>& wanted);
+  Status fillImportance(const ControlMapOptions& o, bool varies, const UnitFunctionTable& table,
+    const Progress& progress, float& largest, std::string& warning);
+  std::vector<float*> controls() const;
+};
+
+ControlMapBuilder::Internals::Key ControlMapBuilder::Internals::keyOf(
+  vtkPartitionedDataSetCollection* data)
+{
+  Key key;
+  for (unsigned int c = 0; data && c < data->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    vtkDataObject* object =
+      data->GetNumberOfPartitions(c) > 0 ? data->GetPartitionAsDataObject(c, 0) : nullptr;
+    key.emplace_back(object, object ? object->GetMTime() : 0);
+  }
+  return key;
+}
+
+/// Forgets what was made from other maps or charts.
+void ControlMapBuilder::Internals::takeInput(
+  vtkPartitionedDataSetCollection* maps, vtkPartitionedDataSetCollection* surfaceCharts)
+{
+  Key newMaps = keyOf(maps);
+  Key newCharts = keyOf(surfaceCharts);
+  if (newCharts != this->chartsKey)
+  {
+    this->chartsKey = std::move(newCharts);
+    this->hasSurface = false;
+    this->mapsKey.clear();
+  }
+  if (newMaps != this->mapsKey)
+  {
+    this->mapsKey = std::move(newMaps);
+    this->hasBase = false;
+    this->hasDiffusion = false;
+    this->faces.clear();
+    this->painted.clear();
+    this->layers.clear();
+  }
+}
+
+Status ControlMapBuilder::Internals::readMaps(vtkPartitionedDataSetCollection* maps)
+{
+  this->charts.clear();
+  for (unsigned int c = 0; c < maps->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    auto* map = maps->GetNumberOfPartitions(c) > 0
+      ? vtkImageData::SafeDownCast(maps->GetPartitionAsDataObject(c, 0))
+      : nullptr;
+    vtkDataArray* area = map ? map->GetPointData()->GetArray("AreaDistortion") : nullptr;
+    if (!area || area->GetNumberOfTuples() != map->GetNumberOfPoints())
+    {
+      return Status::error("Map " + std::to_string(c) +
+        " is no vtkImageData with the point array AreaDistortion: pass the output of "
+        "vtkGeometryMapRenderer with this map selected.");
+    }
+    ControlChart chart;
+    chart.map = map;
+    chart.area = std::make_unique<FloatValues>(area);
+    chart.size = static_cast<std::size_t>(map->GetNumberOfPoints());
+    chart.control = vtkSmartPointer<vtkFloatArray>::New();
+    chart.control->SetName("Control");
+    chart.control->SetNumberOfValues(map->GetNumberOfPoints());
+    this->charts.push_back(std::move(chart));
+  }
+  return Status::success();
+}
+
+Status ControlMapBuilder::Internals::readSurface(
+  vtkPartitionedDataSetCollection* surfaceCharts, const char* what)
+{
+  if (!surfaceCharts ||
+    surfaceCharts->GetNumberOfPartitionedDataSets() != static_cast<unsigned>(this->charts.size()))
+  {
+    return Status::error(std::string(what) +
+      " works on the surface: pass the charts that the maps are of to input port 1.");
+  }
+  if (this->hasSurface)
+  {
+    return Status::success();
+  }
+  if (Status status = readAtlas(surfaceCharts, this->surface); !status.ok())
+  {
+    return status;
+  }
+  vtkBoundingBox box;
+  for (vtkPolyData* chart : this->surface.charts)
+  {
+    box.AddBounds(chart->GetBounds());
+  }
+  if (!box.IsValid())
+  {
+    return Status::error("The charts have no points: pass the charts that the maps are of.");
+  }
+  box.GetBounds(this->bounds.data());
+  this->diagonal = box.GetDiagonalLength();
+  this->hasSurface = true;
+  return Status::success();
+}
+
+Status ControlMapBuilder::Internals::readFaces()
+{
+  if (!this->faces.empty())
+  {
+    return Status::success();
+  }
+  std::vector<vtkSmartPointer<vtkIntArray>> result;
+  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  {
+    vtkImageData* map = this->charts[c].map;
+    vtkDataArray* array = map->GetPointData()->GetArray("FaceIndex");
+    if (!array || array->GetNumberOfTuples() != map->GetNumberOfPoints() ||
+      array->GetNumberOfComponents() != 1)
+    {
+      return Status::error("Map " + std::to_string(c) +
+        " has no point array FaceIndex, which BandPass, Gradation and Strokes need: select it in "
+        "vtkGeometryMapRenderer.");
+    }
+    vtkSmartPointer<vtkIntArray> integers = vtkIntArray::SafeDownCast(array);
+    if (!integers)
+    {
+      integers = vtkSmartPointer<vtkIntArray>::New();
+      integers->DeepCopy(array);
+    }
+    double range[2];
+    integers->GetRange(range);
+    const int begin = this->surface.chartBegin[c];
+    if (range[0] < 0 || range[1] >= this->surface.chartBegin[c + 1] - begin)
+    {
+      return Status::error("FaceIndex of map " + std::to_string(c) +
+        " names triangles that chart " + std::to_string(c) +
+        " does not have: pass maps and charts of the same atlas.");
+    }
+    result.push_back(integers);
+  }
+  this->faces = std::move(result);
+  return Status::success();
+}
+
+std::vector<ControlImage> ControlMapBuilder::Internals::views() const
+{
+  std::vector<ControlImage> result;
+  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  {
+    ControlImage view;
+    view.width = this->charts[c].map->GetDimensions()[0];
+    view.height = this->charts[c].map->GetDimensions()[1];
+    view.extent = this->surface.extent[c];
+    view.areaDistortion = this->charts[c].area->data();
+    view.faceIndex = this->faces[c]->GetPointer(0);
+    result.push_back(view);
+  }
+  return result;
+}
+
+std::vector<float*> ControlMapBuilder::Internals::controls() const
+{
+  std::vector<float*> result;
+  for (const ControlChart& chart : this->charts)
+  {
+    result.push_back(chart.values());
+  }
+  return result;
+}
+
+/// Divides by the 99.5 % quantile, clamping to [0, 1]; returns the largest result, or 0 if the
+/// values are nothing but rounding.
+double ControlMapBuilder::Internals::scaleByQuantile(
+  const std::vector<float*>& values, int importance)
+{
+  std::vector<WeightedValues> weighted;
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    const ControlChart& chart = this->charts[c];
+    weighted.push_back({ values[c], chart.area->data(), chart.size, chart.pixelArea() });
+  }
+  const double noise = roundingNoise(importance, surfaceArea(weighted));
+  double quantile = weightedQuantile(weighted, 0.995);
+  if (quantile <= noise || !std::isfinite(quantile)) // all but a few places are flat
+  {
+    quantile = forEachPixelRun(
+      this->charts, [&](const PixelRun& r) { return largestOf(values[r.chart], r.begin, r.end); });
+  }
+  if (quantile <= noise || !std::isfinite(quantile))
+  {
+    return 0.;
+  }
+  const auto scale = static_cast<float>(1. / quantile);
+  return forEachPixelRun(this->charts, [&](const PixelRun& r) {
+    float* v = values[r.chart];
+    for (std::size_t i = r.begin; i < r.end; ++i)
+    {
+      const float scaled = v[i] * scale;
+      v[i] = scaled > 0.f ? (scaled < 1.f ? scaled : 1.f) : 0.f; // NaN is nothing
+    }
+    return largestOf(v, r.begin, r.end);
+  });
+}
+
+Status ControlMapBuilder::Internals::smooth(
+  const std::vector<float*>& values, double percent, const Progress& progress)
+{
+  if (Status status = this->readFaces(); !status.ok())
+  {
+    return status;
+  }
+  if (!this->hasDiffusion)
+  {
+    this->diffusion.setDomain(this->surface, this->views());
+    this->hasDiffusion = true;
+  }
+  return this->diffusion.smooth(values, 0.01 * percent * this->diagonal, progress);
+}
+
+/// The importance before the transfer function. Needs the surface where it works on it.
+Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const Progress& progress)
+{
+  const bool picture = o.importance == vtkControlMap::IMAGE;
+  SourceKey key(o.importance, o.importance == vtkControlMap::ARRAY ? o.arrayName : "",
+    picture ? o.image : nullptr, picture && o.image ? o.image->GetMTime() : 0,
+    picture ? o.projection : 0, o.bandPass[0], o.bandPass[1]);
+  if (this->hasBase && key == this->sourceKey)
+  {
+    return Status::success();
+  }
+  this->hasBase = false;
+  std::unique_ptr<PictureBrightness> brightness;
+  if (picture)
+  {
+    if (!o.image || o.image->GetNumberOfPoints() == 0 || !o.image->GetPointData()->GetScalars())
+    {
+      return Status::error(
+        "The importance is IMAGE, but there is no ImportanceImage with scalars: set one.");
+    }
+    brightness = std::make_unique<PictureBrightness>(o.image);
+  }
+  ImportanceSource source;
+  source.importance = o.importance;
+  source.arrayName = o.arrayName.empty() ? nullptr : o.arrayName.c_str();
+  source.picture = brightness.get();
+  source.projection = o.projection;
+  source.bounds = this->bounds;
+  this->base.resize(this->charts.size());
+  std::vector<float*> values;
+  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  {
+    this->base[c].resize(this->charts[c].size);
+    values.push_back(this->base[c].data());
+  }
+  std::vector<std::string> missing(this->charts.size());
+  forEachChart(this->charts.size(),
+    [&](std::size_t c) { missing[c] = source.fill(this->charts[c].map, values[c]); });
+  for (std::size_t c = 0; c < missing.size(); ++c)
+  {
+    if (!missing[c].empty())
+    {
+      return Status::error("Map " + std::to_string(c) + " has no point array " + missing[c] +
+        ", which the importance needs: select it in vtkGeometryMapRenderer.");
+    }
+  }
+  double largest = this->scaleByQuantile(values, o.importance);
+  if (largest > 0 && o.bandPass[1] > 0)
+  {
+    std::vector<std::vector<float>> coarse = this->base;
+    std::vector<float*> coarseValues;
+    for (std::vector<float>& v : coarse)
+    {
+      coarseValues.push_back(v.data());
+    }
+    Status status = this->smooth(
+      coarseValues, o.bandPass[1], [&](double f) { return report(progress, 0.5 * f); });
+    if (status.ok() && o.bandPass[0] > 0)
+    {
+      status = this->smooth(
+        values, o.bandPass[0], [&](double f) { return report(progress, 0.5 + 0.5 * f); });
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+    forEachPixelRun(this->charts, [&](const PixelRun& r) {
+      for (std::size_t i = r.begin; i < r.end; ++i)
+      {
+        values[r.chart][i] = std::abs(values[r.chart][i] - coarseValues[r.chart][i]);
+      }
+      return 0.f;
+    });
+    // What six digits cannot tell from nothing is nothing.
+    const float rest = forEachPixelRun(
+      this->charts, [&](const PixelRun& r) { return largestOf(values[r.chart], r.begin, r.end); });
+    largest = rest > 1e-5f ? this->scaleByQuantile(values, vtkControlMap::UNIFORM) : 0.;
+  }
+  this->largestBase = static_cast<float>(largest);
+  this->sourceKey = std::move(key);
+  this->hasBase = true;
+  return Status::success();
+}
+
+/// Brings the layers up to the strokes: only what is new is painted, unless strokes are gone.
+void ControlMapBuilder::Internals::paintStrokes(const std::vector<BrushStroke>& wanted)
+{
+  const bool longer = this->painted.size() <= wanted.size() &&
+    std::equal(this->painted.begin(), this->painted.end(), wanted.begin());
+  if (!longer || this->layers.size() != this->charts.size())
+  {
+    this->painted.clear();
+    this->layers.assign(this->charts.size(), {});
+  }
+  const std::vector<ControlImage> images = this->views();
+  for (std::size_t i = this->painted.size(); i < wanted.size(); ++i)
+  {
+    paint(this->surface, images, wanted[i], this->layers);
+  }
+  this->painted = wanted;
+}
+
+/// The importance before the floor, in place of the control; `varies` says whether there is a base.
+Status ControlMapBuilder::Internals::fillImportance(const ControlMapOptions& o, bool varies,
+  const UnitFunctionTable& table, const Progress& progress, float& largest, std::string& warning)
+{
+  const auto values = this->controls();
+  largest = forEachPixelRun(this->charts, [&](const PixelRun& r) {
+    float* v = values[r.chart];
+    for (std::size_t i = r.begin; i < r.end; ++i)
+    {
+      v[i] = varies ? table(this->base[r.chart][i]) : 1.f;
+    }
+    return largestOf(v, r.begin, r.end);
+  });
+  if (!(largest > 0))
+  {
+    warning = "The transfer function makes all importance zero: it is taken as uniform.";
+    forEachPixelRun(this->charts, [&](const PixelRun& r) {
+      std::fill(values[r.chart] + r.begin, values[r.chart] + r.end, 1.f);
+      return 0.f;
+    });
+  }
+  else if (varies && o.gradation > 0)
+  {
+    if (Status status = this->smooth(values, o.gradation, progress); !status.ok())
+    {
+      return status;
+    }
+  }
+  if (!o.strokes.empty())
+  {
+    this->paintStrokes(o.strokes);
+  }
+  largest = forEachPixelRun(this->charts, [&](const PixelRun& r) {
+    float* v = values[r.chart];
+    if (!o.strokes.empty() && !this->layers[r.chart].factor.empty())
+    {
+      const PaintLayer& layer = this->layers[r.chart];
+      for (std::size_t i = r.begin; i < r.end; ++i)
+      {
+        v[i] = v[i] * layer.factor[i] + layer.offset[i];
+      }
+    }
+    return largestOf(v, r.begin, r.end);
+  });
+  return largest > 0 ? Status::success()
+                     : Status::error("The strokes erase all importance: remove some of them.");
+}
+
+ControlMapBuilder::ControlMapBuilder()
+  : Data(std::make_unique<Internals>())
+{
+}
+
+ControlMapBuilder::~ControlMapBuilder() = default;
+
+Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
+  vtkPartitionedDataSetCollection* surfaceCharts, const ControlMapOptions& o,
+  const Progress& progress, std::vector<vtkSmartPointer<vtkFloatArray>>& control,
+  std::string& warning)
+{
+  Internals& d = *this->Data;
+  control.clear();
+  d.takeInput(maps, surfaceCharts);
+  if (Status status = d.readMaps(maps); !status.ok() || d.charts.empty())
+  {
+    return status;
+  }
+  const auto part = [&](double begin, double end) {
+    return [&progress, begin, end](
+             double fraction) { return report(progress, begin + (end - begin) * fraction); };
+  };
+  bool varies = o.importance != vtkControlMap::UNIFORM && o.gamma > 0.;
+  const bool bandPass = varies && o.bandPass[1] > 0.;
+  const bool gradation = varies && o.gradation > 0.;
+  const bool projection =
+    varies && o.importance == vtkControlMap::IMAGE && o.projection != vtkControlMap::CHART;
+  const bool strokes = !o.strokes.empty();
+  if (bandPass && !(o.bandPass[0] < o.bandPass[1]))
+  {
+    return Status::error(
+      "BandPass lets nothing through: its first size must be smaller than its second one.");
+  }
+  if (bandPass || gradation || projection || strokes)
+  {
+    const char* what = strokes ? "Painting"
+      : gradation              ? "Gradation"
+      : bandPass               ? "BandPass"
+                               : "A projected ImportanceImage";
+    if (Status status = d.readSurface(surfaceCharts, what); !status.ok())
+    {
+      return status;
+    }
+  }
+  if (strokes)
+  {
+    if (Status status = d.readFaces(); !status.ok())
+    {
+      return status;
+    }
+  }
+  if (varies)
+  {
+    if (Status status = d.fillBase(o, part(0., 0.4)); !status.ok())
+    {
+      return status;
+    }
+    varies = d.largestBase > 0;
+  }
+  const UnitFunctionTable table([&o](double x) {
+    const double y = o.transfer ? o.transfer->GetValue(x) : x;
+    return std::pow(std::max(y, 0.), o.gamma);
+  });
+  // Where nothing but the table acts, which ascends, one pass over the pixels does.
+  const bool inPlace = strokes || (varies && (gradation || o.transfer));
+  float largest = varies ? table(d.largestBase) : 1.f;
+  if (inPlace)
+  {
+    if (Status status = d.fillImportance(o, varies, table, part(0.4, 0.8), largest, warning);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  const auto floorValue = static_cast<float>(o.minimumDensity) * largest;
+  forEachPixelRun(d.charts, [&](const PixelRun& r) {
+    float* v = d.charts[r.chart].values();
+    const float* area = d.charts[r.chart].area->data();
+    for (std::size_t i = r.begin; i < r.end; ++i)
+    {
+      const float importance = inPlace ? v[i] : (varies ? table(d.base[r.chart][i]) : 1.f);
+      v[i] = area[i] > 0 ? std::max(floorValue, importance) * area[i] : 0.f;
+    }
+    return 0.f;
+  });
+  for (const ControlChart& chart : d.charts)
+  {
+    control.push_back(chart.control);
+  }
+  d.charts.clear();
+  return Status::success();
+}
+}
