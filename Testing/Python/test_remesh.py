@@ -71,7 +71,7 @@ class Result(unittest.TestCase):
         points, triangles = stipple.remesh(shapes.arrays(shapes.sphere(60)), points=2000)
         self.assertAlmostEqual(shapes.volume(points, triangles), np.pi / 6, delta=0.01 * np.pi / 6)
         radius = np.linalg.norm(points, axis=1)
-        self.assertLess(radius.max(), 0.5 + 1e-9)
+        self.assertLess(radius.max(), 0.5 + 1e-7)  # the sphere has coordinates of single precision
         self.assertGreater(radius.min(), 0.5 * np.cos(np.pi / 30))
 
     def test_corners_and_edges_of_a_cube(self):

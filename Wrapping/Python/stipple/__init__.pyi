@@ -145,7 +145,13 @@ class vtkErrorDiffusionSampler(vtkAlgorithm):
 class vtkCDTRemesh(vtkPolyDataAlgorithm):
     def __getattr__(self, name: str) -> Any: ...
 
+class vtkQuadRemesh(vtkPolyDataAlgorithm):
+    def __getattr__(self, name: str) -> Any: ...
+
 class vtkRemeshOptimizer(vtkPolyDataAlgorithm):
+    def __getattr__(self, name: str) -> Any: ...
+
+class vtkSemiRegularSubdivision(vtkPolyDataAlgorithm):
     def __getattr__(self, name: str) -> Any: ...
 
 class vtkGeometryRemesher(vtkPolyDataAlgorithm):
