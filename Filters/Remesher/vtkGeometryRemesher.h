@@ -281,10 +281,15 @@ public:
   ///@}
 
   ///@{
-  /// The paper's combinations of swaps and moves: see vtkRemeshOptimizer.
+  /// The paper's combinations: each sets Connectivity to REGULARITY and Smoothing to LLOYD,
+  /// whatever they were, and whether the density is followed and features get ribs (see
+  /// vtkRemeshOptimizer). A new filter is as after SetPresetToAdaptive().
   void SetPresetToUniform();
   void SetPresetToAdaptive();
   void SetPresetToRib();
+  ///@}
+
+  ///@{
   /// Whether points stay on the surface (vtkRemeshOptimizer::ON_SURFACE, the default) or leave it
   /// to fit it better (vtkRemeshOptimizer::LEAST_SQUARES).
   void SetPlacement(int placement);
