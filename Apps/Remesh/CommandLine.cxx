@@ -179,7 +179,8 @@ const std::vector<Group>& groups()
     { "Mesh",
       { { "--preset", "NAME",
           "uniform (whatever the importance), adaptive or rib (two\nneighbours on each side of "
-          "features) (default: adaptive)",
+          "features); each with --connectivity\nregularity and --smoothing lloyd unless others are "
+          "given\n(default: adaptive)",
           choice(&Options::preset, { "uniform", "adaptive", "rib" }) },
         { "--placement", "KIND",
           "points on the surface, or least-squares: off it, where\ntriangles fit it best (default: "

@@ -99,6 +99,21 @@ std::vector<double> atAllPoints(std::vector<double> values, const CutSurface& su
   return values;
 }
 
+/// Makes arrays active for what they are active for in the input, texture coordinates aside: a
+/// chart's are its parameters.
+void activate(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
+{
+  for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+  {
+    vtkAbstractArray* active = from->GetAbstractAttribute(attribute);
+    if (active && active->GetName() && !isReserved(active->GetName()) &&
+      attribute != vtkDataSetAttributes::TCOORDS)
+    {
+      to->SetActiveAttribute(active->GetName(), attribute);
+    }
+  }
+}
+
 template <typename ArrayT>
 vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
 {
@@ -157,6 +172,7 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
       gaussianCurvature->SetValue(v, gaussian[mesh.vertices[v]]);
       meanCurvature->SetValue(v, mean[mesh.vertices[v]]);
     }
+    activate(input->GetPointData(), pointData);
     pointData->SetActiveTCoords("UV");
 
     const vtkIdType cells = static_cast<vtkIdType>(mesh.faces.size());
@@ -183,6 +199,7 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
         cellData->AddArray(part);
       }
     }
+    activate(input->GetCellData(), cellData);
     auto extent = addArray<vtkDoubleArray>(chart->GetFieldData(), "ChartExtent", 2, 1);
     extent->SetTuple(0, map.extent.data());
     auto ratio = addArray<vtkDoubleArray>(chart->GetFieldData(), "DensityRatio", 1, 1);

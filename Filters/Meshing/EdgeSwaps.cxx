@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeSwaps.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -95,17 +97,70 @@ int swapWhile(OptimizedMesh& mesh, int maximumNumberOfPasses, const Wish& wish)
   }
   return total;
 }
+
+/// The same swaps in the same order, for wishes that depend on an edge's two triangles only: all
+/// are asked for at once, in parallel, and again only where a swap changed a triangle.
+template <typename Wish>
+int swapLocallyWhile(OptimizedMesh& mesh, int maximumNumberOfPasses, const Wish& wish)
+{
+  enum class Answer : char
+  {
+    No,
+    Yes,
+    Unknown
+  };
+  const auto& graph = mesh.graph();
+  const int n = mesh.numberOfEdges();
+  std::vector<Answer> answer(n);
+  vtkSMPTools::For(0, n, 2048, [&](vtkIdType begin, vtkIdType end) {
+    for (int e = static_cast<int>(begin); e < end; ++e)
+    {
+      answer[e] = mesh.isSwappable(e) && wish(e) ? Answer::Yes : Answer::No;
+    }
+  });
+  int total = 0;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  {
+    int swaps = 0;
+    for (int e = 0; e < n; ++e)
+    {
+      if (answer[e] == Answer::Unknown)
+      {
+        answer[e] = mesh.isSwappable(e) && wish(e) ? Answer::Yes : Answer::No;
+      }
+      // A refused swap may become possible without a change of its triangles: the answer stays.
+      if (answer[e] == Answer::Yes && mesh.swap(e))
+      {
+        ++swaps;
+        answer[e] = Answer::Unknown;
+        for (int side = 0; side < 2; ++side)
+        {
+          const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(e), side);
+          const Halfedge next = graph.next_halfedge_handle(h);
+          answer[graph.edge_handle(next).idx()] = Answer::Unknown;
+          answer[graph.edge_handle(graph.next_halfedge_handle(next)).idx()] = Answer::Unknown;
+        }
+      }
+    }
+    total += swaps;
+    if (swaps == 0)
+    {
+      break;
+    }
+  }
+  return total;
+}
 }
 
 int delaunaySwaps(OptimizedMesh& mesh, int maximumNumberOfPasses)
 {
-  return swapWhile(
+  return swapLocallyWhile(
     mesh, maximumNumberOfPasses, [&](int e) { return exceedsHalfTurn(mesh, Quad(mesh, e)); });
 }
 
 int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses)
 {
-  return swapWhile(mesh, maximumNumberOfPasses, [&](int e) {
+  return swapLocallyWhile(mesh, maximumNumberOfPasses, [&](int e) {
     const Quad q(mesh, e);
     const Vec3& a = mesh.position(q.a);
     const Vec3& b = mesh.position(q.b);

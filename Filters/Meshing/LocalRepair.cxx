@@ -5,6 +5,8 @@
 #include "EdgeSwaps.h"
 #include "Relaxation.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -201,14 +203,23 @@ double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
 int repairTriangles(
   OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses)
 {
+  const int n = mesh.numberOfFaces();
   int bad = 0;
+  std::vector<char> isGood(n, 0); // as far as known: no one has touched the triangle since
+  const auto touch = [&](int v) { forEachFace(mesh, v, [&](int f) { isGood[f] = 0; }); };
   for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
+    vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
+      for (int f = static_cast<int>(begin); f < end; ++f)
+      {
+        isGood[f] = isGood[f] || faceQuality(mesh, f) >= threshold ? 1 : 0;
+      }
+    });
     bad = 0;
     bool changed = false;
-    for (int f = 0; f < mesh.numberOfFaces(); ++f)
+    for (int f = 0; f < n; ++f)
     {
-      if (faceQuality(mesh, f) >= threshold)
+      if (isGood[f] || faceQuality(mesh, f) >= threshold)
       {
         continue;
       }
@@ -216,6 +227,10 @@ int repairTriangles(
       if (maySwap && improveBySwap(mesh, f))
       {
         changed = true;
+        for (int v : corners(mesh, f))
+        {
+          touch(v);
+        }
         if (faceQuality(mesh, f) >= threshold)
         {
           continue;
@@ -225,6 +240,7 @@ int repairTriangles(
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < threshold; ++k)
       {
         changed = improveByMove(mesh, t[k]) || changed;
+        touch(t[k]);
       }
       // The neighbours of a fold may stand in the way.
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
@@ -241,6 +257,7 @@ int repairTriangles(
         for (int u : ring)
         {
           changed = improveByMove(mesh, u) || changed;
+          touch(u);
         }
       }
     }

@@ -71,69 +71,112 @@ double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3&
   constexpr double Largest = 3.;
   return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
 }
+
+/// What Lloyd's step needs to know of a triangle (v, q, r) about v.
+struct Corner
+{
+  Vec3 a; ///< from v to q
+  Vec3 b; ///< from v to r
+  double aa = 0;
+  double bb = 0;
+  double ab = 0;
+  double square = 0; ///< of twice the area
+  Vec3 normal;
+  double twiceArea = 0; ///< of the surface under the triangle
+  double slopeA = 0;    ///< how the weight changes from v to q
+  double slopeB = 0;    ///< and to r
+
+  /// False for a degenerate triangle.
+  bool set(const OptimizedMesh& mesh, int v, int q, int r, double here)
+  {
+    const Vec3& x = mesh.position(v);
+    this->a = mesh.position(q) - x;
+    this->b = mesh.position(r) - x;
+    this->aa = this->a.squaredNorm();
+    this->bb = this->b.squaredNorm();
+    this->ab = this->a.dot(this->b);
+    this->square = this->aa * this->bb - this->ab * this->ab;
+    if (this->square <= 0)
+    {
+      return false;
+    }
+    const Vec3 cross = this->a.cross(this->b);
+    const double flatArea = std::sqrt(this->square);
+    this->normal = cross / flatArea;
+    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
+    // triangle cuts off would have no weight, and vertices would slide off them.
+    this->twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
+    this->slopeA = mesh.density(q) * mesh.density(q) - here;
+    this->slopeB = mesh.density(r) * mesh.density(r) - here;
+    return true;
+  }
+  double mass(double here) const
+  {
+    return 0.5 * this->twiceArea * (here + (this->slopeA + this->slopeB) / 3.);
+  }
+};
+
+/// To the centroid of the triangles about v.
+Vec3 stepToCentroidOfRing(const OptimizedMesh& mesh, int v, double here, double mass)
+{
+  Vec3 moment = Vec3::Zero();
+  Corner c;
+  forEachTriangle(mesh, v, [&](int q, int r, bool) {
+    if (c.set(mesh, v, q, r, here))
+    {
+      moment += turned(c.mass(here) / 3. * (c.a + c.b), c.normal, mesh.normal(v));
+    }
+  });
+  return moment / mass;
+}
 }
 
 Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
 {
-  const Vec3& x = mesh.position(v);
   // Points settle with a density that is the root of the weight of a centroidal Voronoi
   // tessellation in the plane.
   const double here = mesh.density(v) * mesh.density(v);
   Vec3 moment = Vec3::Zero();
   double mass = 0;
-  Vec3 ringMoment = Vec3::Zero();
-  double ringMass = 0;
+  double massOfRing = 0;
+  Corner c;
   forEachTriangle(mesh, v, [&](int q, int r, bool wall) {
-    const Vec3 a = mesh.position(q) - x;
-    const Vec3 b = mesh.position(r) - x;
-    const double aa = a.squaredNorm();
-    const double bb = b.squaredNorm();
-    const double ab = a.dot(b);
-    const double square = aa * bb - ab * ab;
-    if (square <= 0)
+    if (!c.set(mesh, v, q, r, here))
     {
       return;
     }
-    const Vec3 cross = a.cross(b);
-    const double flatArea = std::sqrt(square);
-    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
-    // triangle cuts off would have no weight, and vertices would slide off them.
-    const double twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
-    const double slopeA = mesh.density(q) * mesh.density(q) - here;
-    const double slopeB = mesh.density(r) * mesh.density(r) - here;
     const Vec2 halfA(0.5, 0.);
     const Vec2 halfB(0., 0.5);
     CellIntegral cell;
-    if ((wall || !isDelaunay) && ab < 0)
+    if ((wall || !isDelaunay) && c.ab < 0)
     {
       // The circumcentre lies beyond the wall: the cell ends there.
-      const double atA = 0.5 * aa / (aa - ab);
-      const double atB = 0.5 * bb / (bb - ab);
+      const double atA = 0.5 * c.aa / (c.aa - c.ab);
+      const double atB = 0.5 * c.bb / (c.bb - c.ab);
       const Vec2 p(1. - atA, atA);
       const Vec2 q2(atB, 1. - atB);
-      cell.add(halfA, p, twiceArea, here, slopeA, slopeB);
-      cell.add(p, q2, twiceArea, here, slopeA, slopeB);
-      cell.add(q2, halfB, twiceArea, here, slopeA, slopeB);
+      cell.add(halfA, p, c.twiceArea, here, c.slopeA, c.slopeB);
+      cell.add(p, q2, c.twiceArea, here, c.slopeA, c.slopeB);
+      cell.add(q2, halfB, c.twiceArea, here, c.slopeA, c.slopeB);
     }
     else
     {
-      const Vec2 circumcentre(0.5 * bb * (aa - ab) / square, 0.5 * aa * (bb - ab) / square);
-      cell.add(halfA, circumcentre, twiceArea, here, slopeA, slopeB);
-      cell.add(circumcentre, halfB, twiceArea, here, slopeA, slopeB);
+      const Vec2 circumcentre(
+        0.5 * c.bb * (c.aa - c.ab) / c.square, 0.5 * c.aa * (c.bb - c.ab) / c.square);
+      cell.add(halfA, circumcentre, c.twiceArea, here, c.slopeA, c.slopeB);
+      cell.add(circumcentre, halfB, c.twiceArea, here, c.slopeA, c.slopeB);
     }
-    moment += turned(cell.alongA * a + cell.alongB * b, cross / flatArea, mesh.normal(v));
+    moment += turned(cell.alongA * c.a + cell.alongB * c.b, c.normal, mesh.normal(v));
     mass += cell.mass;
-    const double whole = 0.5 * twiceArea * (here + (slopeA + slopeB) / 3.);
-    ringMoment += turned(whole / 3. * (a + b), cross / flatArea, mesh.normal(v));
-    ringMass += whole;
+    massOfRing += c.mass(here);
   });
   // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own
   // centroid.
-  if (mass > 0.1 * ringMass)
+  if (mass > 0.1 * massOfRing)
   {
     return moment / mass;
   }
-  return ringMass > 0 ? Vec3(ringMoment / ringMass) : Vec3::Zero();
+  return massOfRing > 0 ? stepToCentroidOfRing(mesh, v, here, massOfRing) : Vec3::Zero();
 }
 
 Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)

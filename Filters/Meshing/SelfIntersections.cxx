@@ -12,6 +12,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -36,6 +37,30 @@ Kernel::Point_3 exact(const Vec3& p)
   return { p.x(), p.y(), p.z() };
 }
 
+/// All corners of t, but for those that are shared, lie on one side of the plane of s, and not by a
+/// hair's breadth: then nothing but a shared corner is common to both.
+bool isBeside(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t)
+{
+  constexpr double Safe = 1e-9;
+  const Vec3& a = mesh.position(s[0]);
+  const Vec3 u = mesh.position(s[1]) - a;
+  const Vec3 w = mesh.position(s[2]) - a;
+  const Vec3 n = u.cross(w);
+  const double scale = Safe * u.norm() * w.norm();
+  int sides = 0; // 1: above, 2: below, 4: near the plane
+  for (int v : t)
+  {
+    if (v != s[0] && v != s[1] && v != s[2])
+    {
+      const Vec3 p = mesh.position(v) - a;
+      const double height = n.dot(p);
+      const double noise = scale * p.norm();
+      sides |= height > noise ? 1 : height < -noise ? 2 : 4;
+    }
+  }
+  return sides == 1 || sides == 2;
+}
+
 /// Two triangles that share no edge; at a vertex that they share they may touch.
 bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t)
 {
@@ -54,7 +79,7 @@ bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std
       }
     }
   }
-  if (shared > 1)
+  if (shared > 1 || isBeside(mesh, s, t) || isBeside(mesh, t, s))
   {
     return false;
   }
@@ -132,8 +157,8 @@ struct SelfIntersections::Internals
       }
     }
   }
-  /// Faces other than f whose boxes overlap the box, ascending.
-  std::vector<int> near(int f, const Box& box) const
+  /// Faces from `first` on, other than f, whose boxes overlap the box, ascending.
+  std::vector<int> near(int f, const Box& box, int first = 0) const
   {
     std::vector<int> result;
     this->forEachCell(box, [&](std::uint64_t cell) {
@@ -144,7 +169,7 @@ struct SelfIntersections::Internals
       }
       for (int g : found->second)
       {
-        if (g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
+        if (g >= first && g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
           (box.low.array() <= this->Boxes[g].high.array()).all())
         {
           result.push_back(g);
@@ -217,12 +242,21 @@ void SelfIntersections::update(const std::vector<int>& faces)
 
 std::vector<int> SelfIntersections::faces() const
 {
-  const int n = this->Grid->Mesh.numberOfFaces();
-  std::vector<char> does(n, 0);
+  const Internals& grid = *this->Grid;
+  const int n = grid.Mesh.numberOfFaces();
+  std::vector<std::atomic<char>> does(n);
   vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
     for (int f = static_cast<int>(begin); f < end; ++f)
     {
-      does[f] = this->count({ f }) > 0;
+      const auto t = corners(grid.Mesh, f);
+      for (int g : grid.near(f, grid.boxOf(f), f + 1))
+      {
+        if (intersect(grid.Mesh, t, corners(grid.Mesh, g)))
+        {
+          does[f] = 1;
+          does[g] = 1;
+        }
+      }
     }
   });
   std::vector<int> result;

@@ -120,9 +120,11 @@ public:
 
   ///@{
   /**
-   * The paper's combinations (section 4.4), by their names: all set Connectivity to REGULARITY and
-   * Smoothing to LLOYD. Uniform ignores the density, adaptive follows it, rib follows it and turns
-   * Ribs on.
+   * The paper's combinations (section 4.4), by their names: uniform ignores the density, adaptive
+   * follows it, rib follows it and turns Ribs on. Each sets four parameters: FollowDensity, Ribs,
+   * Connectivity to REGULARITY and Smoothing to LLOYD, whatever they were; to combine a preset with
+   * another Connectivity or Smoothing, set these after it. No other parameter changes. A new filter
+   * is as after SetPresetToAdaptive().
    */
   void SetPresetToUniform() { this->SetPreset(false, false); }
   void SetPresetToAdaptive() { this->SetPreset(true, false); }

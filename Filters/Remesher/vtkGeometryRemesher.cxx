@@ -20,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkQuadRemesh.h"
@@ -312,6 +313,12 @@ int vtkGeometryRemesher::RequestData(
     for (int port = 0; port < 7; ++port)
     {
       vtkDataObject::GetData(outputVector, port)->ShallowCopy(results[port]);
+    }
+    // On the way the active texture coordinates were the charts' parameters.
+    vtkDataArray* texture = input->GetPointData()->GetTCoords();
+    if (texture && texture->GetName())
+    {
+      vtkPolyData::GetData(outputVector)->GetPointData()->SetActiveTCoords(texture->GetName());
     }
     return 1;
   }

@@ -15,7 +15,9 @@
  * Output ports:
  * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`,
  * `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`,
- * `ArcLength`) say where on the input each point lies
+ * `ArcLength`) say where on the input each point lies; the input's named arrays come along, active
+ * for what they are active for there: float and double point arrays interpolated, other point
+ * arrays by the nearest input point, cell arrays by the input cell below
  * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points,
  * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
@@ -31,6 +33,8 @@
  *
  * @warning Fewer points than the features and the topology need are an error that names the least
  * number that works.
+ * @warning Input points that coincide are welded, and the arrays of one of them are used: values
+ * that jump where a surface is cut, as texture coordinates do, are interpolated across the jump.
  *
  * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh
  * vtkRemeshOptimizer vtkQuadRemesh vtkSemiRegularSubdivision
@@ -281,10 +285,15 @@ public:
   ///@}
 
   ///@{
-  /// The paper's combinations of swaps and moves: see vtkRemeshOptimizer.
+  /// The paper's combinations: each sets Connectivity to REGULARITY and Smoothing to LLOYD,
+  /// whatever they were, and whether the density is followed and features get ribs (see
+  /// vtkRemeshOptimizer). A new filter is as after SetPresetToAdaptive().
   void SetPresetToUniform();
   void SetPresetToAdaptive();
   void SetPresetToRib();
+  ///@}
+
+  ///@{
   /// Whether points stay on the surface (vtkRemeshOptimizer::ON_SURFACE, the default) or leave it
   /// to fit it better (vtkRemeshOptimizer::LEAST_SQUARES).
   void SetPlacement(int placement);

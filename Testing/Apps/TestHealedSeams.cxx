@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's Figure 10 in numbers: within one edge of the seams that the charts had, the mesh is
+// statistically what it is elsewhere.
+#include "AtlasSurface.h"
+#include "FeatureGraph.h"
+#include "MeshFile.h"
+#include "PolyDataConversion.h"
+
+#include "vtkGeometryRemesher.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <set>
+
+using namespace stipple;
+
+namespace
+{
+struct Model
+{
+  const char* name;
+  int charts;
+};
+
+std::ostream& operator<<(std::ostream& os, const Model& model)
+{
+  return os << model.name;
+}
+
+vtkSmartPointer<vtkPolyData> readModel(const std::string& name)
+{
+  const char* folder = std::getenv("MODELS");
+  vtkSmartPointer<vtkPolyData> mesh;
+  const Status status = readMesh(std::string(folder ? folder : ".") + "/" + name + ".off", mesh);
+  EXPECT_TRUE(status.ok()) << status.message();
+  return mesh;
+}
+
+/// Lines in space, and how far a point is from them.
+struct Lines
+{
+  std::vector<std::pair<Vec3, Vec3>> segments;
+
+  double distance(const Vec3& p) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : this->segments)
+    {
+      const Vec3 u = b - a;
+      const double t = u.squaredNorm() > 0 ? (p - a).dot(u) / u.squaredNorm() : 0.;
+      least = std::min(least, (a + std::clamp(t, 0., 1.) * u - p).squaredNorm());
+    }
+    return std::sqrt(least);
+  }
+  double length() const
+  {
+    double sum = 0;
+    for (const auto& [a, b] : this->segments)
+    {
+      sum += (b - a).norm();
+    }
+    return sum;
+  }
+};
+
+Lines seamsOf(vtkGeometryRemesher* remesher)
+{
+  AtlasSurface surface;
+  FeatureGraph graph;
+  Status status = readAtlas(
+    vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2)), surface);
+  EXPECT_TRUE(status.ok()) << status.message();
+  status = readFeatureGraph(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3)), graph);
+  EXPECT_TRUE(status.ok()) << status.message();
+  Lines seams;
+  for (const Backbone& b : graph.backbones)
+  {
+    for (int s = 0; b.type == BackboneType::Seam && s < b.numberOfSegments(); ++s)
+    {
+      seams.segments.emplace_back(surface.points[b.points[s]], surface.points[b.segmentEnd(s)]);
+    }
+  }
+  return seams;
+}
+
+/// Means over what is near the seams ([1]) and over the rest ([0]).
+class Means
+{
+public:
+  void add(bool near, double value)
+  {
+    this->Sum[near] += value;
+    ++this->Count[near];
+  }
+  double near() const { return this->Sum[1] / this->Count[1]; }
+  double rest() const { return this->Sum[0] / this->Count[0]; }
+  int numberNear() const { return this->Count[1]; }
+  int numberOfRest() const { return this->Count[0]; }
+  double ratio() const { return this->near() / this->rest(); }
+
+private:
+  double Sum[2] = { 0, 0 };
+  int Count[2] = { 0, 0 };
+};
+}
+
+namespace
+{
+struct Statistics
+{
+  Means length;
+  Means degree;
+  Means regular; ///< share of the vertices of valence 6
+  Means quality;
+};
+
+Statistics remesh(const Model& model, int numberOfIterations)
+{
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(readModel(model.name));
+  remesher->SetNumberOfPoints(5000);
+  remesher->SetNumberOfCharts(model.charts);
+  remesher->SetNumberOfIterations(numberOfIterations);
+  // Sharp edges are backbones that stay; only seams are looked at.
+  remesher->SetFeatureAngle(180.);
+  remesher->Update();
+  TriangleSurface mesh = fromPolyData(remesher->GetOutput());
+  mesh.connect();
+  EXPECT_EQ(mesh.points.size(), 5000U);
+  const Lines seams = seamsOf(remesher);
+  EXPECT_FALSE(seams.segments.empty());
+
+  std::set<std::pair<int, int>> edges;
+  std::vector<int> valence(mesh.points.size(), 0);
+  std::vector<char> onBoundary(mesh.points.size(), 0);
+  double mean = 0;
+  for (int h = 0; h < 3 * mesh.numberOfFaces(); ++h)
+  {
+    const int a = mesh.tail(h);
+    const int b = mesh.head(h);
+    if (edges.insert(std::minmax(a, b)).second)
+    {
+      ++valence[a];
+      ++valence[b];
+      mean += (mesh.points[a] - mesh.points[b]).norm();
+    }
+    if (mesh.twin[h] < 0)
+    {
+      onBoundary[a] = onBoundary[b] = 1;
+    }
+  }
+  mean /= static_cast<double>(edges.size());
+  // Near: the middle of an edge, a vertex, the centroid of a triangle lies less than one mean edge
+  // from a seam. Unlike "has a vertex near" that favours neither long edges nor large triangles.
+  const auto isNear = [&](const Vec3& p) { return seams.distance(p) < mean; };
+  Statistics result;
+  auto& [length, degree, regular, quality] = result;
+  Means squaredLength;
+  for (const auto& [a, b] : edges)
+  {
+    const Vec3 u = mesh.points[b] - mesh.points[a];
+    const bool near = isNear(0.5 * (mesh.points[a] + mesh.points[b]));
+    length.add(near, u.norm());
+    squaredLength.add(near, u.squaredNorm());
+  }
+  for (std::size_t v = 0; v < valence.size(); ++v)
+  {
+    if (!onBoundary[v])
+    {
+      const bool near = isNear(mesh.points[v]);
+      degree.add(near, valence[v]);
+      regular.add(near, valence[v] == 6 ? 1. : 0.);
+    }
+  }
+  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  {
+    double perimeter = 0;
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double edge = (mesh.point(f, k) - mesh.point(f, (k + 1) % 3)).norm();
+      perimeter += edge;
+      longest = std::max(longest, edge);
+    }
+    const Vec3 centroid = (mesh.point(f, 0) + mesh.point(f, 1) + mesh.point(f, 2)) / 3.;
+    quality.add(
+      isNear(centroid), 6. / std::sqrt(3.) * mesh.faceArea(f) / (0.5 * perimeter * longest));
+  }
+  const auto variation = [](double square, double m) { return std::sqrt(square / (m * m) - 1.); };
+  std::cout << model.name << ", " << numberOfIterations << " rounds: seams of "
+            << seams.length() / mean << " edges, " << degree.numberNear()
+            << " vertices near; near / rest: edge length " << length.near() / mean << " / "
+            << length.rest() / mean << " of the mean, its variation "
+            << variation(squaredLength.near(), length.near()) << " / "
+            << variation(squaredLength.rest(), length.rest()) << ", valence " << degree.near()
+            << " / " << degree.rest() << ", of valence 6 " << regular.near() << " / "
+            << regular.rest() << ", Q " << quality.near() << " / " << quality.rest() << "\n";
+  return result;
+}
+}
+
+class HealedSeams : public testing::TestWithParam<Model>
+{
+};
+
+TEST_P(HealedSeams, AreMeshedLikeTheRest)
+{
+  const Statistics s = remesh(GetParam(), 60);
+  EXPECT_GT(s.degree.numberNear(), 200);
+  EXPECT_GT(s.degree.numberOfRest(), 1000);
+  EXPECT_NEAR(s.length.ratio(), 1., 0.03);
+  EXPECT_NEAR(s.degree.ratio(), 1., 0.03);
+  EXPECT_NEAR(s.quality.ratio(), 1., 0.03);
+  EXPECT_NEAR(s.regular.near(), s.regular.rest(), 0.1);
+}
+
+TEST_P(HealedSeams, ShowWithoutOptimisation)
+{
+  const Statistics s = remesh(GetParam(), 0);
+  EXPECT_LT(s.quality.ratio(), 0.97);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HealedSeams,
+  testing::Values(Model{ "bunny00", 15 }, Model{ "mannequin-devil", 3 }, Model{ "lion-head", 3 }),
+  [](const auto& info) {
+    std::string name = info.param.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  });
