@@ -101,8 +101,10 @@ const std::vector<MeanError> ostromoukhovMean = { { 0.f, 0.452f }, { 0.000244f, 
   { 0.000488f, 0.4435f }, { 0.000977f, 0.4321f }, { 0.001953f, 0.4179f }, { 0.003906f, 0.3987f },
   { 0.007812f, 0.3766f }, { 0.015625f, 0.3478f }, { 0.023438f, 0.3281f }, { 0.03125f, 0.3124f },
   { 0.046875f, 0.2856f }, { 0.0625f, 0.264f }, { 0.09375f, 0.2248f }, { 0.125f, 0.209f },
-  { 0.15f, 0.176f }, { 0.175f, 0.1647f }, { 0.2f, 0.128f }, { 0.225f, 0.1026f }, { 0.25f, 0.0652f },
-  { 0.275f, 0.0679f }, { 0.3f, 0.0378f }, { 0.325f, 0.f }, { 0.5f, 0.f } };
+  { 0.15f, 0.176f }, { 0.1625f, 0.1618f }, { 0.175f, 0.1654f }, { 0.1875f, 0.1456f },
+  { 0.2f, 0.1267f }, { 0.2125f, 0.1139f }, { 0.225f, 0.1072f }, { 0.2375f, 0.1078f },
+  { 0.25f, 0.1371f }, { 0.2625f, 0.1222f }, { 0.275f, 0.0947f }, { 0.2875f, 0.0646f },
+  { 0.3f, 0.0308f }, { 0.325f, 0.f }, { 0.5f, 0.f } };
 const std::vector<MeanError> zhouFangMean = { { 0.f, 0.452f }, { 0.000244f, 0.4509f },
   { 0.000488f, 0.4438f }, { 0.000977f, 0.4321f }, { 0.001953f, 0.4182f }, { 0.003906f, 0.3987f },
   { 0.007812f, 0.3779f }, { 0.015625f, 0.3523f }, { 0.023438f, 0.3346f }, { 0.03125f, 0.3227f },
@@ -135,30 +137,56 @@ double meanError(DiffusionMethod method, double level)
   return level <= 0.5 ? interpolate(ostromoukhovMean, level)
                       : -interpolate(ostromoukhovMean, 1. - level);
 }
+
+/// Coefficients of one of 256 levels.
+struct Shares
+{
+  double right, downLeft, modulation;
+};
+
+Shares published(DiffusionMethod method, int level)
+{
+  const int i = level < 128 ? level : 255 - level;
+  const bool modulated = method == DiffusionMethod::ZhouFang;
+  const int* row = modulated ? zhouFang[i] : ostromoukhov[i];
+  const double sum = static_cast<double>(row[0]) + row[1] + row[2];
+  return { row[0] / sum, row[1] / sum, modulated ? 0.5 * row[3] / 100. : 0. };
+}
+
+Shares mixed(const Shares& a, const Shares& b, double t)
+{
+  return { a.right + t * (b.right - a.right), a.downLeft + t * (b.downLeft - a.downLeft),
+    a.modulation + t * (b.modulation - a.modulation) };
+}
+
+/// The keys of Ostromoukhov's table between which a quarter has one of its own (see the header).
+constexpr int beforeQuarter = 44;
+constexpr int quarter = 64;
+constexpr int behindQuarter = 77;
+constexpr Shares atQuarter = { 0.42, 0.30, 0.15 };
 }
 
 DiffusionCoefficients diffusionCoefficients(DiffusionMethod method, double level)
 {
   level = std::clamp(level, 0., 1.);
   const double x = level * 255.;
-  const int low = std::min(static_cast<int>(x), 254);
-  const double t = x - low;
-  double c[2] = { 0, 0 };
-  double modulation = 0;
-  for (int end = 0; end < 2; ++end)
+  const double mirrored = std::min(x, 255. - x);
+  const bool symmetric = method == DiffusionMethod::Ostromoukhov;
+  Shares c;
+  if (symmetric && mirrored > beforeQuarter && mirrored < behindQuarter)
   {
-    const int i = low + end < 128 ? low + end : 255 - low - end;
-    const bool modulated = method == DiffusionMethod::ZhouFang;
-    const int* row = modulated ? zhouFang[i] : ostromoukhov[i];
-    const double weight = end ? t : 1. - t;
-    for (int k = 0; k < 2; ++k)
-    {
-      c[k] += weight * row[k] / (static_cast<double>(row[0]) + row[1] + row[2]);
-    }
-    modulation += modulated ? weight * 0.5 * row[3] / 100. : 0.;
+    const int end = mirrored < quarter ? beforeQuarter : behindQuarter;
+    c = mixed(published(method, end), atQuarter, (mirrored - end) / (quarter - end));
   }
-  return { static_cast<float>(c[0]), static_cast<float>(c[1]),
-    static_cast<float>(0.5 - meanError(method, level)), static_cast<float>(modulation) };
+  else
+  {
+    const int low = std::min(static_cast<int>(x), 254);
+    c = mixed(published(method, low), published(method, low + 1), x - low);
+  }
+  // The means of Zhou and Fang are those with noise that only raises the threshold.
+  const double threshold = 0.5 - meanError(method, level) - (symmetric ? 0.5 * c.modulation : 0.);
+  return { static_cast<float>(c.right), static_cast<float>(c.downLeft),
+    static_cast<float>(threshold), static_cast<float>(c.modulation) };
 }
 
 const DiffusionCoefficients* diffusionTable(DiffusionMethod method)
