@@ -308,7 +308,7 @@ Lattice latticeOfChart(const Vec2& extent, std::vector<Segment> segments,
 
 /// Adds `missing` of the candidates, each time the one farthest from all that is there.
 void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples,
-  const std::vector<int>& candidates, std::vector<Vec2> present, int missing,
+  const std::vector<int>& candidates, const std::vector<Vec2>& present, int missing,
   std::vector<Sample>& result)
 {
   std::vector<Vec2> place;
