@@ -223,6 +223,10 @@ void applyNumbers(const Options& o, vtkGeometryRemesher* remesher)
   remesher->SetImportance(importances.at(o.importance));
   remesher->SetImageProjection(projections.at(o.imageProjection));
   remesher->SetBandPass(o.bandPass[0], o.bandPass[1]);
+  if (o.diffusion == "zhou-fang")
+  {
+    remesher->SetDiffusionMethodToZhouFang();
+  }
   remesher->SetNumberOfCharts(o.charts);
   remesher->SetMapSize(o.mapSize);
   remesher->SetBackend(backends.at(o.mapBackend));
