@@ -161,7 +161,11 @@ const std::vector<Group>& groups()
           number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") },
         { "--strokes", "FILE",
           "painted density: x y z radius strength a line; strength > 0\nadds, -1 to 0 erases",
-          text(&Options::strokes) } } },
+          text(&Options::strokes) },
+        { "--diffusion", "METHOD",
+          "whose coefficients of error diffusion: ostromoukhov or\nzhou-fang (default: "
+          "ostromoukhov)",
+          choice(&Options::diffusion, { "ostromoukhov", "zhou-fang" }) } } },
     { "Features and charts",
       { { "--feature-angle", "DEG",
           "an edge bent by more is a feature, 0 to 180 degrees\n(default: 40; 180: none)",

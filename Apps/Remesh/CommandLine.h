@@ -37,6 +37,7 @@ struct Options
   std::string importanceImage;
   std::string importanceArray;
   std::string imageProjection = "chart";
+  std::string diffusion = "ostromoukhov";
   std::array<double, 2> bandPass = { { 0, 0 } }; ///< percent of the diagonal; (0, 0): none
   bool hasGamma = false;
   double gamma = 1;

@@ -161,6 +161,10 @@ void applyOptions(const Options& o, vtkGeometryRemesher* remesher)
   static const std::map<std::string, int> moves = { { "none", vtkRemeshOptimizer::SMOOTHING_NONE },
     { "area", vtkRemeshOptimizer::AREA }, { "density", vtkRemeshOptimizer::DENSITY },
     { "lloyd", vtkRemeshOptimizer::LLOYD } };
+  if (o.diffusion == "zhou-fang")
+  {
+    remesher->SetDiffusionMethodToZhouFang();
+  }
   remesher->SetMapSize(o.mapSize);
   remesher->SetBackend(backends.at(o.mapBackend));
   if (o.preset == "uniform")

@@ -10,7 +10,7 @@ import unittest
 from stipple_program import STIPPLE, ProgramTest
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
---band-pass --gamma --transfer --gradation --minimum-density --strokes
+--band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
 --feature-angle --feature-edges --constraints --charts --map-size --map-backend --connectivity --smoothing --iterations
 --pattern --subdivisions --report --picture --save-charts --save-maps --save-samples --threads --quiet --verbose --version
 --help""".split()
@@ -65,6 +65,7 @@ class CommandLine(ProgramTest):
             ([cube, "-o", out, "--band-pass", "3,2"], "FINE < COARSE"),
             ([cube, "-o", out, "--image-projection", "x"], "needs --importance-image"),
             ([cube, "-o", out, "--image-projection", "w"], "one of chart, x, y, z"),
+            ([cube, "-o", out, "--diffusion", "zhoufang"], "did you mean 'zhou-fang'"),
             ([cube, "-o", out, "--feature-angle", "181"], "from 0 to 180"),
             ([cube, "-o", out, "--charts", "0"], "whole number"),
             ([cube, "-o", out, "--map-size", "5"], "auto or a whole number"),

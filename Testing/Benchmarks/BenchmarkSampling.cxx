@@ -19,7 +19,7 @@
 
 namespace
 {
-/// One map of 512 x 512 pixels at the level 1 / range(0), with the rows of the flipped copy.
+/// One map of 512 x 512 pixels at the level 1 / range(0).
 void errorDiffusion(benchmark::State& state)
 {
   constexpr int size = 512;

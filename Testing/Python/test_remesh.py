@@ -103,6 +103,31 @@ class Result(unittest.TestCase):
         result = stipple.remesh(mesh, points=3000, importance="array", importance_array="Wanted")
         self.assertGreater((shapes.arrays(result)[0][:, 2] > 0).mean(), 0.8)
 
+    def test_strokes_attract_points(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+
+        def near(points):
+            return (np.linalg.norm(points - [0, 0, 0.5], axis=1) < 0.15).mean()
+
+        plain, _ = stipple.remesh(mesh, points=2000)
+        painted, _ = stipple.remesh(mesh, points=2000, strokes=[(0, 0, 0.5, 0.25, 5)])
+        self.assertGreater(near(painted), 2 * near(plain))
+
+    def test_image_projected_along_an_axis(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+        image = np.tile(np.repeat([0.1, 1.0], 8), (16, 1))  # bright on the right
+        points, _ = stipple.remesh(mesh, points=2000, importance="image", importance_image=image, image_projection="z")
+        self.assertGreater((points[:, 0] > 0).mean(), 0.8)
+
+    def test_band_pass_and_diffusion_change_the_mesh(self):
+        mesh = shapes.torus()
+        plain = shapes.arrays(stipple.remesh(mesh, points=800, importance="mean"))[0]
+        for options in ({"band_pass": (1, 10)}, {"diffusion": "zhou-fang"}):
+            with self.subTest(options):
+                result = shapes.arrays(stipple.remesh(mesh, points=800, importance="mean", **options))[0]
+                self.assertEqual(result.shape, plain.shape)
+                self.assertFalse(np.array_equal(result, plain))
+
     def test_repeats_itself(self):
         mesh = shapes.arrays(shapes.torus())
         first, second = (stipple.remesh(mesh, points=800, importance="mean") for _ in range(2))
@@ -193,6 +218,11 @@ class BadInput(unittest.TestCase):
         self.check(ValueError, "charts", mesh, 300, charts=0)
         self.check(ValueError, "minimum_density", mesh, 300, minimum_density=1.5)
         self.check(ValueError, "map_backend", mesh, 300, map_backend="vulkan")
+        self.check(ValueError, "image_projection", mesh, 300, image_projection="w")
+        self.check(ValueError, "band_pass", mesh, 300, band_pass=(3, 2))
+        self.check(ValueError, "band_pass", mesh, 300, band_pass=3)
+        self.check(ValueError, r"strokes\[0\]", mesh, 300, strokes=[(0, 0, 1, 0, 1)])
+        self.check(ValueError, "diffusion", mesh, 300, diffusion="zhoufang")
         self.check(ValueError, "transfer", mesh, 300, transfer=[1, 2, 3])
         self.check(TypeError, "progress", mesh, 300, progress=5)
         self.check(TypeError, "pionts", mesh, pionts=300)

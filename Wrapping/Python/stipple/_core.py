@@ -134,6 +134,23 @@ def _set_importance(algorithm, data, importance, importance_array, importance_im
         raise ValueError("importance 'image' needs importance_image")
 
 
+def _set_control(algorithm, image_projection, band_pass, strokes):
+    if image_projection not in ("chart", "x", "y", "z"):
+        raise ValueError(f"image_projection must be 'chart', 'x', 'y' or 'z', not {image_projection!r}")
+    suffix = "" if image_projection == "chart" else "axis"
+    _choose(algorithm, "ImageProjection", image_projection + suffix, "image_projection")
+    if band_pass is not None:
+        sizes = array_of([band_pass], "band_pass", 2, np.float64)[0]
+        if not 0 <= sizes[0] < sizes[1] <= 100:
+            raise ValueError(f"band_pass must be (fine, coarse) with 0 <= fine < coarse <= 100, not {band_pass}")
+        algorithm.SetBandPass(float(sizes[0]), float(sizes[1]))
+    if strokes is not None:
+        for i, (x, y, z, radius, strength) in enumerate(array_of(strokes, "strokes", 5, np.float64)):
+            if radius <= 0 or strength < -1:
+                raise ValueError(f"strokes[{i}] must have a positive radius and a strength of -1 or more")
+            algorithm.AddStroke(x, y, z, radius, strength)
+
+
 def _array_names(data):
     return [
         attributes.GetArrayName(i)
@@ -187,9 +204,13 @@ def remesh(
     *,
     importance_array=None,
     importance_image=None,
+    image_projection="chart",
+    band_pass=None,
     transfer=None,
     gradation=0.0,
     minimum_density=None,
+    strokes=None,
+    diffusion="ostromoukhov",
     feature_edges=None,
     constraints=None,
     charts=1,
@@ -223,13 +244,22 @@ def remesh(
     importance_array : str, optional
         Name of a point or cell array of the mesh.
     importance_image : vtkImageData or (rows, columns) array, optional
-        Laid over every chart's rectangle; the first row of an array is the lowest.
+        The first row of an array is the lowest.
+    image_projection : "chart", "x", "y" or "z", optional
+        "chart" lays the image over every chart's rectangle; an axis projects it along this through the whole surface.
+    band_pass : (fine, coarse), optional
+        Keeps only the importance's detail of sizes between, 0 <= fine < coarse <= 100, in % of the diagonal of the
+        bounding box.
     transfer : sequence of (x, y), optional
         Piecewise linear function from the importance, scaled to 0..1, to the density.
     gradation : float, optional
         Low-pass filter of the density, in % of the diagonal of the bounding box. The default is 0.
     minimum_density : float, optional
         Least importance, as a fraction (0 to 1) of the greatest. None is vtkControlMap's default, 0.02.
+    strokes : (k, 5) real numbers, optional
+        Dabs of a brush on the importance: x, y, z, radius and strength, which adds if positive and erases from -1 to 0.
+    diffusion : "ostromoukhov" or "zhou-fang", optional
+        Whose coefficients of error diffusion are used.
     feature_edges : (k, 2) integers, optional
         Pairs of points of the mesh, ends of edges that are features whatever their angle.
     constraints : (k, 3) real numbers, optional
@@ -270,6 +300,10 @@ def remesh(
     _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
     _set_map_options(remesher, map_size, map_backend)
     _set_importance(remesher, data, importance, importance_array, importance_image)
+    _set_control(remesher, image_projection, band_pass, strokes)
+    if diffusion not in ("ostromoukhov", "zhou-fang"):
+        raise ValueError(f"diffusion must be 'ostromoukhov' or 'zhou-fang', not {diffusion!r}")
+    _choose(remesher, "DiffusionMethod", diffusion.replace("-", ""), "diffusion")
     _set(remesher, "Gamma", gamma, "gamma")
     _set(remesher, "Gradation", gradation, "gradation")
     if minimum_density is not None:
