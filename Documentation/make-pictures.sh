@@ -19,3 +19,7 @@ mkdir -p "$folder"
 
 "$stipple" "$models/bunny00.off" -o "$mesh" --quiet --points 5000 --importance total --gamma 0.5 \
   --picture "$folder/bunny.png"
+
+# A close-up of the bunny's mesh with the seams that 15 charts had on it, as paper, Figure 10: by the test of healed seams.
+MODELS=$models PICTURES=$folder "$(dirname "$stipple")/StippleAppTests" --gtest_brief=1 \
+  --gtest_filter=HealedSeamsOfTheBunny.ArePictured
