@@ -242,7 +242,7 @@ TEST_P(HealedSeams, ShowWithoutOptimisation)
 }
 
 // A picture of the documentation, for Documentation/make-pictures.sh, which says where to by
-// PICTURES. PICTURES=Documentation/Pictures.
+// PICTURES.
 TEST(HealedSeamsOfTheBunny, ArePictured)
 {
   vtkNew<vtkGeometryRemesher> remesher;
