@@ -25,3 +25,7 @@ while read -r arguments; do
   "$program" --quiet $arguments
 done <commands
 mv ./*.png "$folder"
+
+# A close-up of the bunny's mesh with the seams that 15 charts had on it (the paper's Figure 10): by the test of healed seams.
+MODELS=$models PICTURES=$folder "$(dirname "$program")/StippleAppTests" --gtest_brief=1 \
+  --gtest_filter=HealedSeamsOfTheBunny.ArePictured

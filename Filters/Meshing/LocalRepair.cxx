@@ -82,13 +82,12 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   double best = starQuality(mesh, v);
   const double start = best;
   const auto accept = [&]() {
-    const double q = starQuality(mesh, v);
-    if (q > best + 1e-6)
+    if (!starExceeds(mesh, v, best + 1e-6))
     {
-      best = q;
-      return true;
+      return false;
     }
-    return false;
+    best = starQuality(mesh, v);
+    return true;
   };
   double reach = 0;
   int count = 0;
@@ -165,6 +164,26 @@ double starQuality(const OptimizedMesh& mesh, int v)
     folded += std::min(0., q);
   });
   return folded < 0 ? folded : worst;
+}
+
+bool starExceeds(const OptimizedMesh& mesh, int v, double bound)
+{
+  if (bound < 0)
+  {
+    return starQuality(mesh, v) > bound;
+  }
+  const auto& graph = mesh.graph();
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
+  {
+    if (!graph.is_boundary(h) && !(faceQuality(mesh, graph.face_handle(h).idx()) > bound))
+    {
+      return false;
+    }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first);
+  return true;
 }
 
 double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
@@ -364,6 +383,18 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
 int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs)
 {
   const auto& graph = mesh.graph();
+  // A swap can only gain where one of the four valences is bad.
+  std::vector<char> isRegular(mesh.numberOfVertices());
+  const auto look = [&](int v) {
+    isRegular[v] = mesh.freedom(v) == Freedom::Surface &&
+      !graph.is_boundary(OptimizedMesh::Vertex(v)) && irregularity(mesh.valence(v) - 6) == 0;
+  };
+  vtkSMPTools::For(0, mesh.numberOfVertices(), 1024, [&](vtkIdType begin, vtkIdType end) {
+    for (int v = static_cast<int>(begin); v < end; ++v)
+    {
+      look(v);
+    }
+  });
   int total = 0;
   for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
@@ -378,11 +409,19 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
       const Halfedge g = graph.opposite_halfedge_handle(h);
       const std::array<Halfedge, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
         graph.prev_halfedge_handle(g) } };
+      std::array<int, 4> quad;
+      for (int i = 0; i < 4; ++i)
+      {
+        quad[i] = graph.from_vertex_handle(corner[i]).idx();
+      }
+      if (std::all_of(quad.begin(), quad.end(), [&](int v) { return isRegular[v] != 0; }))
+      {
+        continue;
+      }
       int change = 0;
       for (int i = 0; i < 4; ++i)
       {
-        const bool isRib =
-          ribs && mesh.freedom(graph.from_vertex_handle(corner[i]).idx()) == Freedom::Backbone;
+        const bool isRib = ribs && mesh.freedom(quad[i]) == Freedom::Backbone;
         const int before = isRib ? ribExcess(mesh, corner[i]) : valenceExcess(mesh, corner[i]);
         const int after = before + (i < 2 ? -1 : 1);
         change += isRib ? RibWeight * (after * after - before * before)
@@ -392,6 +431,7 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
         swapAndSettle(mesh, edge, threshold))
       {
         ++swaps;
+        std::for_each(quad.begin(), quad.end(), look);
       }
     }
     total += swaps;

@@ -15,6 +15,8 @@ STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, i
 
 /// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
 STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
+/// starQuality() > bound, without looking on once that is out of the question.
+bool starExceeds(const OptimizedMesh& mesh, int v, double bound);
 
 /// Moves a vertex to where the worst triangle about it is better, if there is such a place.
 STIPPLEFILTERSMESHING_EXPORT bool improveByMove(OptimizedMesh& mesh, int v);

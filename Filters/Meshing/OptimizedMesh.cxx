@@ -401,13 +401,22 @@ bool OptimizedMesh::moveOne(
   {
     return false;
   }
-  const SurfacePlace old = this->Place[v];
-  this->placeVertex(v, this->Atlas->walk().walk(SurfacePlace(from), step));
+  // Most attempts are refused: what they need not know is left for later.
+  const SurfacePlace oldPlace = this->Place[v];
+  const Vec3 oldPosition = this->Position[v];
+  const Vec3 oldNormal = this->Normal[v];
+  const SurfacePlace place = this->Atlas->walk().walk(SurfacePlace(from), step);
+  this->Place[v] = place;
+  this->Position[v] = this->Atlas->surface().position(place.face, place.bary);
+  this->Normal[v] = this->Atlas->smoothNormal(place.face);
   if (accept())
   {
+    this->placeVertex(v, place);
     return true;
   }
-  this->placeVertex(v, old);
+  this->Place[v] = oldPlace;
+  this->Position[v] = oldPosition;
+  this->Normal[v] = oldNormal;
   return false;
 }
 

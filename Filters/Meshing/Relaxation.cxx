@@ -55,7 +55,7 @@ struct CellIntegral
 /// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off
 /// a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to the
 /// tip.
-Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
+inline Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
 {
   constexpr double Least = 0.2; // a fold: no way of turning is better than another
   const double scale = 1. / std::max(Least, 1. + triangleNormal.dot(normal));

@@ -15,7 +15,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 
 namespace stipple
 {
@@ -122,8 +121,15 @@ struct SelfIntersections::Internals
     Vec3 low;
     Vec3 high;
   };
-  std::vector<Box> Boxes;                                    // as last updated
-  std::unordered_map<std::uint64_t, std::vector<int>> Cells; // faces whose boxes touch the cell
+  std::vector<Box> Boxes; // as last updated
+  /// Cells that share a bucket share its list of faces; a comparison of boxes tells them apart.
+  struct Entry
+  {
+    int face;
+    int next; ///< in the same bucket, or -1
+  };
+  std::vector<Entry> Entries;
+  std::vector<int> Buckets; // first entry, or -1; their number is a power of two
 
   explicit Internals(const OptimizedMesh& mesh)
     : Mesh(mesh)
@@ -138,7 +144,7 @@ struct SelfIntersections::Internals
     return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
   }
   template <typename Visit>
-  void forEachCell(const Box& box, const Visit& visit) const
+  void forEachBucket(const Box& box, const Visit& visit) const
   {
     const auto index = [this](double x) {
       return static_cast<std::int64_t>(std::floor(x / this->CellSize));
@@ -149,10 +155,10 @@ struct SelfIntersections::Internals
       {
         for (std::int64_t k = index(box.low.z()); k <= index(box.high.z()); ++k)
         {
-          constexpr std::uint64_t Mask = (1u << 21) - 1;
-          visit(((static_cast<std::uint64_t>(i) & Mask) << 42) |
-            ((static_cast<std::uint64_t>(j) & Mask) << 21) |
-            (static_cast<std::uint64_t>(k) & Mask));
+          // Teschner et al., Optimized Spatial Hashing (2003).
+          const std::uint64_t hash = (static_cast<std::uint64_t>(i) * 73856093) ^
+            (static_cast<std::uint64_t>(j) * 19349663) ^ (static_cast<std::uint64_t>(k) * 83492791);
+          visit(static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
         }
       }
     }
@@ -161,14 +167,10 @@ struct SelfIntersections::Internals
   std::vector<int> near(int f, const Box& box, int first = 0) const
   {
     std::vector<int> result;
-    this->forEachCell(box, [&](std::uint64_t cell) {
-      const auto found = this->Cells.find(cell);
-      if (found == this->Cells.end())
+    this->forEachBucket(box, [&](std::size_t bucket) {
+      for (int e = this->Buckets[bucket]; e >= 0; e = this->Entries[e].next)
       {
-        return;
-      }
-      for (int g : found->second)
-      {
+        const int g = this->Entries[e].face;
         if (g >= first && g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
           (box.low.array() <= this->Boxes[g].high.array()).all())
         {
@@ -179,6 +181,30 @@ struct SelfIntersections::Internals
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
+  }
+  void insert(int f)
+  {
+    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
+      this->Entries.push_back({ f, this->Buckets[bucket] });
+      this->Buckets[bucket] = static_cast<int>(this->Entries.size()) - 1;
+    });
+  }
+  void remove(int f)
+  {
+    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
+      for (int* link = &this->Buckets[bucket]; *link >= 0;)
+      {
+        Entry& entry = this->Entries[*link];
+        if (entry.face == f)
+        {
+          *link = entry.next;
+        }
+        else
+        {
+          link = &entry.next;
+        }
+      }
+    });
   }
 };
 
@@ -195,10 +221,16 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
     sum += (grid.Boxes[f].high - grid.Boxes[f].low).maxCoeff();
   }
   grid.CellSize = n > 0 && sum > 0 ? sum / n : 1.;
-  grid.Cells.reserve(n);
+  std::size_t buckets = 1024;
+  while (buckets < static_cast<std::size_t>(n))
+  {
+    buckets *= 2;
+  }
+  grid.Buckets.assign(buckets, -1);
+  grid.Entries.reserve(8 * static_cast<std::size_t>(n));
   for (int f = 0; f < n; ++f)
   {
-    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) { grid.Cells[cell].push_back(f); });
+    grid.insert(f);
   }
 }
 
@@ -231,12 +263,9 @@ void SelfIntersections::update(const std::vector<int>& faces)
   Internals& grid = *this->Grid;
   for (int f : faces)
   {
-    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) {
-      std::vector<int>& list = grid.Cells[cell];
-      list.erase(std::remove(list.begin(), list.end(), f), list.end());
-    });
+    grid.remove(f);
     grid.Boxes[f] = grid.boxOf(f);
-    grid.forEachCell(grid.Boxes[f], [&](std::uint64_t cell) { grid.Cells[cell].push_back(f); });
+    grid.insert(f);
   }
 }
 

@@ -7,10 +7,22 @@
 #include "MeshFile.h"
 #include "PolyDataConversion.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkGeometryRemesher.h"
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkImageData.h"
+#include "vtkImageShrink3D.h"
 #include "vtkNew.h"
+#include "vtkPNGWriter.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -227,6 +239,92 @@ TEST_P(HealedSeams, ShowWithoutOptimisation)
 {
   const Statistics s = remesh(GetParam(), 0);
   EXPECT_LT(s.quality.ratio(), 0.97);
+}
+
+// A picture of the documentation, for Documentation/make-pictures.sh, which says where to by
+// PICTURES.
+TEST(HealedSeamsOfTheBunny, ArePictured)
+{
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(readModel("bunny00"));
+  remesher->SetNumberOfPoints(5000);
+  remesher->SetNumberOfCharts(15);
+  remesher->Update();
+  const Lines seams = seamsOf(remesher);
+  ASSERT_FALSE(seams.segments.empty());
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1., 1., 1.);
+  vtkNew<vtkPolyData> faces;
+  faces->SetPoints(remesher->GetOutput()->GetPoints());
+  faces->SetPolys(remesher->GetOutput()->GetPolys());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [a, b] : seams.segments)
+  {
+    const vtkIdType ends[2] = { points->InsertNextPoint(a.data()),
+      points->InsertNextPoint(b.data()) };
+    cells->InsertNextCell(2, ends);
+  }
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  for (vtkPolyData* data : { faces.Get(), lines.Get() })
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0., -60.);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    if (data == faces.Get())
+    {
+      actor->GetProperty()->SetColor(0.88, 0.86, 0.82);
+      actor->GetProperty()->EdgeVisibilityOn();
+      actor->GetProperty()->SetEdgeColor(0.25, 0.25, 0.28);
+      actor->GetProperty()->SetLineWidth(2.F);
+      actor->GetProperty()->SetInterpolationToFlat();
+    }
+    else
+    {
+      actor->GetProperty()->SetColor(0.85, 0.15, 0.1);
+      actor->GetProperty()->SetLineWidth(6.F);
+      actor->GetProperty()->LightingOff();
+    }
+    renderer->AddActor(actor);
+  }
+  vtkNew<vtkHeadlessRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(1600, 1200);
+  window->AddRenderer(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetPosition(0.3, 0.2, 1.);
+  camera->SetViewUp(0., 1., 0.);
+  renderer->ResetCamera();
+  camera->Zoom(3.5);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetShrinkFactors(2, 2, 1);
+  shrink->AveragingOn();
+  const char* folder = std::getenv("PICTURES");
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shrink->GetOutputPort());
+  writer->SetFileName(
+    ((folder ? std::string(folder) + "/" : testing::TempDir() + "stipple-") + "seams.png").c_str());
+  writer->Write();
+  EXPECT_EQ(writer->GetErrorCode(), 0UL);
+  int red = 0;
+  vtkImageData* image = shrink->GetOutput();
+  vtkDataArray* pixels = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    red += pixels->GetComponent(i, 0) > 150 && pixels->GetComponent(i, 1) < 100 ? 1 : 0;
+  }
+  EXPECT_GT(red, 500) << "seams are seen";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HealedSeams,
