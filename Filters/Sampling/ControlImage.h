@@ -8,9 +8,19 @@
 #include "StippleFiltersSamplingModule.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
+/// Pixels (x, y) with xBegin <= x < xEnd and yBegin <= y < yEnd.
+struct PixelBox
+{
+  int xBegin;
+  int xEnd;
+  int yBegin;
+  int yEnd;
+};
+
 /// Pixel (i, j) is centred at ((i + .5) extent.x / width, (j + .5) extent.y / height) of the
 /// rectangle.
 struct STIPPLEFILTERSSAMPLING_EXPORT ControlImage
@@ -40,6 +50,18 @@ struct STIPPLEFILTERSSAMPLING_EXPORT ControlImage
     const int y = pixel / this->width;
     return { (x + 0.5) * this->extent.x() / this->width,
       (y + 0.5) * this->extent.y() / this->height };
+  }
+  /// The pixels that a triangle of parameters may own, and one more on each side: who owns a pixel
+  /// is decided with rounded coordinates.
+  PixelBox pixelsAround(const Vec2& a, const Vec2& b, const Vec2& c) const
+  {
+    const Vec2 toPixel(this->width / this->extent.x(), this->height / this->extent.y());
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c).cwiseProduct(toPixel).array() - 1.5;
+    const Vec2 high = a.cwiseMax(b).cwiseMax(c).cwiseProduct(toPixel).array() + 0.5;
+    return { std::max(0, static_cast<int>(std::ceil(low.x()))),
+      std::min(this->width, static_cast<int>(std::floor(high.x())) + 1),
+      std::max(0, static_cast<int>(std::ceil(low.y()))),
+      std::min(this->height, static_cast<int>(std::floor(high.y())) + 1) };
   }
   /// Wanted samples per unit of surface area, up to the global factor; 0 where nothing is known.
   double density(int pixel) const

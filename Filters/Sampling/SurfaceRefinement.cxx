@@ -168,16 +168,10 @@ std::vector<PixelPlace> placePixels(
       continue;
     }
     const int face = refined.face[t] - firstFace;
-    const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
-    const Vec2 low = a.cwiseMin(b).cwiseMin(c).cwiseProduct(toPixel).array() - 1.5;
-    const Vec2 high = a.cwiseMax(b).cwiseMax(c).cwiseProduct(toPixel).array() + 0.5;
-    const int xBegin = std::max(0, static_cast<int>(std::ceil(low.x())));
-    const int yBegin = std::max(0, static_cast<int>(std::ceil(low.y())));
-    const int xEnd = std::min(image.width, static_cast<int>(std::floor(high.x())) + 1);
-    const int yEnd = std::min(image.height, static_cast<int>(std::floor(high.y())) + 1);
-    for (int y = yBegin; y < yEnd; ++y)
+    const PixelBox box = image.pixelsAround(a, b, c);
+    for (int y = box.yBegin; y < box.yEnd; ++y)
     {
-      for (int x = xBegin; x < xEnd; ++x)
+      for (int x = box.xBegin; x < box.xEnd; ++x)
       {
         const int pixel = y * image.width + x;
         if (image.faceIndex[pixel] != face || inside[pixel] >= 0.f)
