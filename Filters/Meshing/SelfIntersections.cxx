@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelfIntersections.h"
 
-#include "LocalRepair.h"
 #include "Relaxation.h"
+#include "VertexStar.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_3.h>
@@ -22,14 +22,6 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Halfedge = OptimizedMesh::Halfedge;
-
-std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
-{
-  const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-  return { { graph.from_vertex_handle(h).idx(), graph.to_vertex_handle(h).idx(),
-    graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx() } };
-}
 
 Kernel::Point_3 exact(const Vec3& p)
 {
@@ -94,22 +86,6 @@ bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std
   return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
 }
 
-std::vector<int> facesAbout(const OptimizedMesh& mesh, int v)
-{
-  const auto& graph = mesh.graph();
-  std::vector<int> faces;
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    if (!graph.is_boundary(h))
-    {
-      faces.push_back(graph.face_handle(h).idx());
-    }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
-  return faces;
-}
 }
 
 struct SelfIntersections::Internals
@@ -137,7 +113,7 @@ struct SelfIntersections::Internals
   }
   Box boxOf(int f) const
   {
-    const auto t = corners(this->Mesh, f);
+    const auto t = this->Mesh.corners(f);
     const Vec3& a = this->Mesh.position(t[0]);
     const Vec3& b = this->Mesh.position(t[1]);
     const Vec3& c = this->Mesh.position(t[2]);
@@ -242,17 +218,17 @@ int SelfIntersections::count(const std::vector<int>& faces) const
   int pairs = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const auto t = corners(grid.Mesh, faces[i]);
+    const auto t = grid.Mesh.corners(faces[i]);
     for (int g : grid.near(faces[i], grid.boxOf(faces[i])))
     {
       if (std::find(faces.begin(), faces.end(), g) == faces.end())
       {
-        pairs += intersect(grid.Mesh, t, corners(grid.Mesh, g)) ? 1 : 0;
+        pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
       }
     }
     for (std::size_t j = 0; j < i; ++j)
     {
-      pairs += intersect(grid.Mesh, t, corners(grid.Mesh, faces[j])) ? 1 : 0;
+      pairs += intersect(grid.Mesh, t, grid.Mesh.corners(faces[j])) ? 1 : 0;
     }
   }
   return pairs;
@@ -277,10 +253,10 @@ std::vector<int> SelfIntersections::faces() const
   vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
     for (int f = static_cast<int>(begin); f < end; ++f)
     {
-      const auto t = corners(grid.Mesh, f);
+      const auto t = grid.Mesh.corners(f);
       for (int g : grid.near(f, grid.boxOf(f), f + 1))
       {
-        if (intersect(grid.Mesh, t, corners(grid.Mesh, g)))
+        if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
         {
           does[f] = 1;
           does[g] = 1;
@@ -303,16 +279,18 @@ namespace
 {
 bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, double minimumAngle)
 {
-  const std::vector<int> faces = facesAbout(mesh, v);
+  std::vector<int> faces;
+  mesh.forEachFace(v, [&](int f) { faces.push_back(f); });
   int best = intersections.count(faces);
   if (best == 0)
   {
     return false;
   }
-  const double quality = std::min(minimumAngle, starQuality(mesh, v));
+  const VertexStar star(mesh, v);
+  const double quality = std::min(minimumAngle, star.quality(mesh.footing(v)));
   bool changed = false;
   const auto accept = [&]() {
-    if (starQuality(mesh, v) < quality)
+    if (star.quality(mesh.footing(v)) < quality)
     {
       return false;
     }
@@ -331,16 +309,19 @@ bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, do
   {
     if (mesh.freedom(v) == Freedom::Backbone)
     {
-      mesh.slideOne(v, size * reach, accept);
-      mesh.slideOne(v, -size * reach, accept);
+      mesh.trySlide(v, size * reach, accept);
+      mesh.trySlide(v, -size * reach, accept);
     }
     for (int k = 0; k < 8 && best > 0 && mesh.freedom(v) == Freedom::Surface; ++k)
     {
-      const Vec3& n = mesh.normal(v);
+      const Vec3 n = mesh.normal(v);
       const Vec3 e = n.unitOrthogonal();
       const Vec3 g = n.cross(e);
       const double angle = k * 0.785398163397448;
-      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+      mesh.tryOut(v,
+        mesh.footing(
+          mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g)),
+        accept);
     }
   }
   return changed;
@@ -361,8 +342,7 @@ bool partBySwap(
     double q = 10;
     for (int f : faces)
     {
-      const auto t = corners(mesh, f);
-      q = std::min(q, triangleQuality(mesh, t[0], t[1], t[2]));
+      q = std::min(q, faceQuality(mesh, f));
     }
     return q;
   };
@@ -392,7 +372,7 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
     bool changed = false;
     for (int f : bad)
     {
-      const auto t = corners(mesh, f);
+      const auto t = mesh.corners(f);
       for (int v : t)
       {
         changed = partByMove(mesh, intersections, v, minimumAngle) || changed;

@@ -4,6 +4,7 @@
 
 #include "LocalRepair.h"
 #include "Relaxation.h"
+#include "VertexStar.h"
 
 #include "vtkSMPTools.h"
 
@@ -229,8 +230,9 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   SurfaceError::Measure best = error.about(v);
   const double far = FarAway * meanEdgeLength(mesh, v);
   const bool isTip = best.largest > far * far;
-  const double quality =
-    std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle, starQuality(mesh, v));
+  const VertexStar star(mesh, v);
+  const double quality = std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle,
+    star.quality(mesh.footing(v)));
   if (quality < LeastQuality)
   {
     return false;
@@ -242,10 +244,6 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   const double most = std::max(largest, mean / leastArea);
   bool changed = false;
   const auto accept = [&]() {
-    if (starQuality(mesh, v) < quality)
-    {
-      return false;
-    }
     const auto area = areasAbout(mesh, v);
     if (area.first < least || area.second > most)
     {
@@ -260,12 +258,17 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
     changed = true;
     return true;
   };
+  const auto isSound = [&](const Footing& there) {
+    return star.exceeds(there, quality - 1e-9);
+  };
   const double reach = meanEdgeLength(mesh, v);
   if (mesh.freedom(v) == Freedom::Backbone)
   {
+    const auto acceptSound = [&]() { return isSound(mesh.footing(v)) && accept(); };
     for (const double size : { 0.2, 0.07 })
     {
-      while (mesh.slideOne(v, size * reach, accept) || mesh.slideOne(v, -size * reach, accept))
+      while (mesh.trySlide(v, size * reach, acceptSound) ||
+        mesh.trySlide(v, -size * reach, acceptSound))
       {
       }
     }
@@ -275,20 +278,26 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   {
     return false;
   }
-  const int p = best.farthest;
-  if (p >= 0)
+  const auto attempt = [&](const SurfacePlace& from, const Vec3& step) {
+    const Footing there = mesh.footing(from, step);
+    if (isSound(there))
+    {
+      mesh.tryOut(v, there, accept);
+    }
+  };
+  if (best.farthest >= 0)
   {
-    mesh.moveOne(v, mesh.atlas().placeOfPoint(p), Vec3::Zero(), accept);
+    attempt(mesh.atlas().placeOfPoint(best.farthest), Vec3::Zero());
   }
   for (const double size : { 0.2, 0.07 })
   {
-    const Vec3& n = mesh.normal(v);
+    const Vec3 n = mesh.normal(v);
     const Vec3 e = n.unitOrthogonal();
     const Vec3 g = n.cross(e);
     for (int k = 0; k < 8; ++k)
     {
       const double angle = k * 0.785398163397448;
-      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g));
     }
   }
   return changed;
@@ -310,14 +319,14 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
     graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
     graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
   std::vector<int> all(quad.begin(), quad.end());
-  std::array<SurfacePlace, 4> before;
+  std::array<Footing, 4> before;
   for (int i = 0; i < 4; ++i)
   {
     if (mesh.freedom(quad[i]) != Freedom::Surface)
     {
       return false;
     }
-    before[i] = mesh.place(quad[i]);
+    before[i] = mesh.footing(quad[i]);
     const std::vector<int> ring = ringOf(mesh, quad[i]);
     all.insert(all.end(), ring.begin(), ring.end());
   }
@@ -364,7 +373,7 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
   mesh.forceSwap(edge);
   for (int i = 0; i < 4; ++i)
   {
-    mesh.moveOne(quad[i], before[i], Vec3::Zero(), []() { return true; });
+    mesh.put(quad[i], before[i]);
   }
   return false;
 }
