@@ -80,17 +80,18 @@ void swapEdges(OptimizedMesh& mesh, Swaps swaps, int passes)
   }
 }
 
-Vec3 nextStep(const OptimizedMesh& mesh, const OptimizerOptions& options, const Pace& pace, int v,
-  const Vec3& last)
+Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
+  const OptimizerOptions& options, const Pace& pace, int v, const Vec3& last)
 {
   if (options.moves == Moves::Lloyd)
   {
     const bool isDelaunay = options.swaps == Swaps::Regularity;
     const Vec3 step = pace.momentum * last +
-      pace.overRelaxation * towardsRidges(mesh, v, lloydStep(mesh, v, isDelaunay));
+      pace.overRelaxation * towardsRidges(mesh, v, lloydStep(mesh, measures, v, isDelaunay));
     const double length = step.norm();
-    const double limit = LongestStep * meanEdgeLength(mesh, v);
-    return length > limit ? Vec3(limit / length * step) : step;
+    return exceedsEdges(mesh, v, length, LongestStep)
+      ? Vec3(LongestStep * meanEdgeLength(mesh, v) / length * step)
+      : step;
   }
   return LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
 }
@@ -105,6 +106,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   const int n = mesh.numberOfVertices();
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
+  FaceMeasures measures;
   std::vector<Vec3> step(n, Vec3::Zero());
   std::vector<double> arcLength(n, 0.);
   for (int i = 0; i < options.iterations; ++i)
@@ -118,13 +120,14 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     swapEdges(mesh, options.swaps, i == 0 ? 10 : 2);
     if (moves)
     {
+      measures.update(mesh);
       vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
         for (int v = static_cast<int>(begin); v < end; ++v)
         {
           arcLength[v] = mesh.arcLength(v);
           if (mesh.freedom(v) == Freedom::Surface)
           {
-            step[v] = nextStep(mesh, options, pace, v, step[v]);
+            step[v] = nextStep(mesh, measures, options, pace, v, step[v]);
           }
         }
       });

@@ -296,10 +296,14 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
 {
   const int n = this->numberOfVertices();
   const int faces = this->numberOfFaces();
-  const std::vector<SurfacePlace> oldPlace = this->Place;
-  const std::vector<double> oldArcLength = this->ArcLength;
-  std::vector<Vec3> oldPosition = this->Position;
-  std::vector<Vec3> oldNormal = this->Normal;
+  std::vector<SurfacePlace>& oldPlace = this->Before.place; // kept for their memory only
+  std::vector<double>& oldArcLength = this->Before.arcLength;
+  std::vector<Vec3>& oldPosition = this->Before.position;
+  std::vector<Vec3>& oldNormal = this->Before.normal;
+  oldPlace = this->Place;
+  oldArcLength = this->ArcLength;
+  oldPosition = this->Position;
+  oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
   std::vector<int> drawnBack;
   const auto forget = [&]() {

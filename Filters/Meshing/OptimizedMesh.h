@@ -187,6 +187,13 @@ private:
   std::vector<double> ArcLength;
   std::vector<char> Feature; // by edge
   std::vector<std::vector<int>> Chain;
+  struct
+  {
+    std::vector<SurfacePlace> place;
+    std::vector<Vec3> position;
+    std::vector<Vec3> normal;
+    std::vector<double> arcLength;
+  } Before; // the last move
 };
 }
 

@@ -98,11 +98,12 @@ struct SelfIntersections::Internals
     Vec3 high;
   };
   std::vector<Box> Boxes; // as last updated
-  /// Cells that share a bucket share its list of faces; a comparison of boxes tells them apart.
+  /// A face in one of the cells that its box touches.
   struct Entry
   {
     int face;
     int next; ///< in the same bucket, or -1
+    std::uint64_t cell;
   };
   std::vector<Entry> Entries;
   std::vector<int> Buckets; // first entry, or -1; their number is a power of two
@@ -119,55 +120,73 @@ struct SelfIntersections::Internals
     const Vec3& c = this->Mesh.position(t[2]);
     return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
   }
-  template <typename Visit>
-  void forEachBucket(const Box& box, const Visit& visit) const
+  std::array<std::int64_t, 3> indexOf(const Vec3& p) const
   {
     const auto index = [this](double x) {
       return static_cast<std::int64_t>(std::floor(x / this->CellSize));
     };
-    for (std::int64_t i = index(box.low.x()); i <= index(box.high.x()); ++i)
+    return { { index(p.x()), index(p.y()), index(p.z()) } };
+  }
+  /// Cells 2^21 apart share a number; a comparison of boxes tells their faces apart.
+  static std::uint64_t numberOf(std::int64_t i, std::int64_t j, std::int64_t k)
+  {
+    constexpr std::uint64_t Mask = (1U << 21) - 1;
+    return (static_cast<std::uint64_t>(i) & Mask) | (static_cast<std::uint64_t>(j) & Mask) << 21 |
+      (static_cast<std::uint64_t>(k) & Mask) << 42;
+  }
+  /// Calls visit(cell, bucket) for every cell that a box touches.
+  template <typename Visit>
+  void forEachCell(const Box& box, const Visit& visit) const
+  {
+    const auto low = this->indexOf(box.low);
+    const auto high = this->indexOf(box.high);
+    for (std::int64_t i = low[0]; i <= high[0]; ++i)
     {
-      for (std::int64_t j = index(box.low.y()); j <= index(box.high.y()); ++j)
+      for (std::int64_t j = low[1]; j <= high[1]; ++j)
       {
-        for (std::int64_t k = index(box.low.z()); k <= index(box.high.z()); ++k)
+        for (std::int64_t k = low[2]; k <= high[2]; ++k)
         {
           // Teschner et al., Optimized Spatial Hashing (2003).
           const std::uint64_t hash = (static_cast<std::uint64_t>(i) * 73856093) ^
             (static_cast<std::uint64_t>(j) * 19349663) ^ (static_cast<std::uint64_t>(k) * 83492791);
-          visit(static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
+          visit(numberOf(i, j, k), static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
         }
       }
     }
   }
-  /// Faces from `first` on, other than f, whose boxes overlap the box, ascending.
-  std::vector<int> near(int f, const Box& box, int first = 0) const
+  /// Calls visit(g) once for every face from `first` on whose box overlaps the box.
+  template <typename Visit>
+  void forEachNear(const Box& box, int first, const Visit& visit) const
   {
-    std::vector<int> result;
-    this->forEachBucket(box, [&](std::size_t bucket) {
+    this->forEachCell(box, [&](std::uint64_t cell, std::size_t bucket) {
       for (int e = this->Buckets[bucket]; e >= 0; e = this->Entries[e].next)
       {
         const int g = this->Entries[e].face;
-        if (g >= first && g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
-          (box.low.array() <= this->Boxes[g].high.array()).all())
+        const Box& other = this->Boxes[g];
+        if (g >= first && this->Entries[e].cell == cell &&
+          (other.low.array() <= box.high.array()).all() &&
+          (box.low.array() <= other.high.array()).all())
         {
-          result.push_back(g);
+          // Of all cells that both touch, it counts in the one where the overlap begins.
+          const auto begin = this->indexOf(box.low.cwiseMax(other.low));
+          if (numberOf(begin[0], begin[1], begin[2]) == cell)
+          {
+            visit(g);
+          }
         }
       }
     });
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
   }
   void insert(int f)
   {
-    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
-      this->Entries.push_back({ f, this->Buckets[bucket] });
+    this->forEachCell(this->Boxes[f], [&](std::uint64_t cell, std::size_t bucket) {
+      this->Entries.push_back({ f, this->Buckets[bucket], cell });
       this->Buckets[bucket] = static_cast<int>(this->Entries.size()) - 1;
     });
   }
   void remove(int f)
   {
-    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
+    this->forEachCell(this->Boxes[f], [&](std::uint64_t, std::size_t bucket) {
       for (int* link = &this->Buckets[bucket]; *link >= 0;)
       {
         Entry& entry = this->Entries[*link];
@@ -219,13 +238,12 @@ int SelfIntersections::count(const std::vector<int>& faces) const
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const auto t = grid.Mesh.corners(faces[i]);
-    for (int g : grid.near(faces[i], grid.boxOf(faces[i])))
-    {
+    grid.forEachNear(grid.boxOf(faces[i]), 0, [&](int g) {
       if (std::find(faces.begin(), faces.end(), g) == faces.end())
       {
         pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
       }
-    }
+    });
     for (std::size_t j = 0; j < i; ++j)
     {
       pairs += intersect(grid.Mesh, t, grid.Mesh.corners(faces[j])) ? 1 : 0;
@@ -254,14 +272,13 @@ std::vector<int> SelfIntersections::faces() const
     for (int f = static_cast<int>(begin); f < end; ++f)
     {
       const auto t = grid.Mesh.corners(f);
-      for (int g : grid.near(f, grid.boxOf(f), f + 1))
-      {
+      grid.forEachNear(grid.Boxes[f], f + 1, [&](int g) {
         if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
         {
           does[f] = 1;
           does[g] = 1;
         }
-      }
+      });
     }
   });
   std::vector<int> result;

@@ -172,17 +172,27 @@ SurfaceError::Measure SurfaceError::at(int v) const
 
 SurfaceError::Measure SurfaceError::about(int v) const
 {
+  const Measure unbounded = { 1e300, 1e300, -1 };
+  return this->aboutUpTo(v, unbounded);
+}
+
+SurfaceError::Measure SurfaceError::aboutUpTo(int v, const Measure& bound) const
+{
   Measure result = this->at(v);
-  for (int u : ringOf(this->Mesh, v))
+  const auto& graph = this->Mesh.graph();
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
   {
-    const Measure m = this->at(u);
+    const Measure m = this->at(graph.to_vertex_handle(h).idx());
     result.sum += m.sum;
     if (m.largest > result.largest)
     {
       result.largest = m.largest;
       result.farthest = m.farthest;
     }
-  }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first && result.sum < bound.sum && result.largest <= bound.largest);
   return result;
 }
 
@@ -249,8 +259,9 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
     {
       return false;
     }
-    const SurfaceError::Measure e = error.about(v);
-    if (e.sum >= (1. - LeastGain) * best.sum || e.largest > best.largest)
+    const SurfaceError::Measure bound = { (1. - LeastGain) * best.sum, best.largest, -1 };
+    const SurfaceError::Measure e = error.aboutUpTo(v, bound);
+    if (e.sum >= bound.sum || e.largest > bound.largest)
     {
       return false;
     }
