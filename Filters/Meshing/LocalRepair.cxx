@@ -130,28 +130,60 @@ int repairTriangles(
 {
   const int n = mesh.numberOfFaces();
   int bad = 0;
-  std::vector<char> isGood(n, 0); // as far as known: no one has touched the triangle since
-  const auto touch = [&](int v) { mesh.forEachFace(v, [&](int f) { isGood[f] = 0; }); };
+  enum class Known : char
+  {
+    Nothing,
+    Good,
+    Stuck ///< nothing that its repair looks at has changed since it failed
+  };
+  std::vector<Known> known(n, Known::Nothing);
+  const auto touch = [&](int v) {
+    mesh.forEachFace(v, [&](int f) {
+      known[f] = Known::Nothing;
+      for (int u : mesh.corners(f))
+      {
+        mesh.forEachFace(
+          u, [&](int g) { known[g] = known[g] == Known::Stuck ? Known::Nothing : known[g]; });
+      }
+    });
+  };
+  const auto improve = [&](int v) {
+    const bool moved = improveByMove(mesh, v);
+    if (moved)
+    {
+      touch(v);
+    }
+    return moved;
+  };
   for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
     vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
       for (int f = static_cast<int>(begin); f < end; ++f)
       {
-        isGood[f] = isGood[f] || faceQuality(mesh, f) >= threshold ? 1 : 0;
+        if (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold)
+        {
+          known[f] = Known::Good;
+        }
       }
     });
     bad = 0;
     bool changed = false;
     for (int f = 0; f < n; ++f)
     {
-      if (isGood[f] || faceQuality(mesh, f) >= threshold)
+      if (known[f] == Known::Good ||
+        (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold))
       {
         continue;
       }
       ++bad;
+      if (known[f] == Known::Stuck)
+      {
+        continue;
+      }
+      bool helped = false;
       if (maySwap && improveBySwap(mesh, f))
       {
-        changed = true;
+        changed = helped = true;
         for (int v : mesh.corners(f))
         {
           touch(v);
@@ -164,9 +196,9 @@ int repairTriangles(
       const auto t = mesh.corners(f);
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < threshold; ++k)
       {
-        changed = improveByMove(mesh, t[k]) || changed;
-        touch(t[k]);
+        helped = improve(t[k]) || helped;
       }
+      const bool isFold = faceQuality(mesh, f) < 0;
       // The neighbours of a fold may stand in the way.
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
       {
@@ -181,9 +213,13 @@ int repairTriangles(
         ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
         for (int u : ring)
         {
-          changed = improveByMove(mesh, u) || changed;
-          touch(u);
+          helped = improve(u) || helped;
         }
+      }
+      changed = changed || helped;
+      if (!helped && !isFold)
+      {
+        known[f] = Known::Stuck;
       }
     }
     if (!changed)
