@@ -106,7 +106,7 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
   for (int u : ring)
   {
-    if (mesh.freedom(u) == Freedom::Surface)
+    if (best < 0 && mesh.freedom(u) == Freedom::Surface)
     {
       attempt(mesh.place(u), centre - mesh.position(u));
     }
