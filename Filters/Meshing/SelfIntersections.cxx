@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelfIntersections.h"
 
+#include "LocalEmbedding.h"
 #include "Relaxation.h"
 #include "VertexStar.h"
 
@@ -379,6 +380,72 @@ bool partBySwap(
 }
 }
 
+namespace
+{
+using Groups = std::vector<std::vector<int>>;
+
+/// Triangles that hang together at vertices, each group ascending.
+Groups groups(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  Groups result;
+  std::vector<int> waiting = faces;
+  while (!waiting.empty())
+  {
+    std::vector<int> group = { waiting.front() };
+    waiting.erase(waiting.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (int v : mesh.corners(group[i]))
+      {
+        mesh.forEachFace(v, [&](int f) {
+          const auto found = std::lower_bound(waiting.begin(), waiting.end(), f);
+          if (found != waiting.end() && *found == f)
+          {
+            group.push_back(f);
+            waiting.erase(found);
+          }
+        });
+      }
+    }
+    std::sort(group.begin(), group.end());
+    result.push_back(std::move(group));
+  }
+  return result;
+}
+
+double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double worst = 10;
+  for (int f : faces)
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
+
+/// Places the vertices about the triangles anew, of as few rings as part any.
+bool partByEmbedding(OptimizedMesh& mesh, SelfIntersections& intersections,
+  const std::vector<int>& faces, double minimumAngle)
+{
+  constexpr int MostRings = 5;
+  for (int rings = 0; rings <= MostRings; ++rings)
+  {
+    LocalEmbedding embedding(mesh, faces, rings);
+    const int before = intersections.count(embedding.faces());
+    const double quality = std::min(minimumAngle, worstQuality(mesh, embedding.faces()));
+    embedding.embed();
+    if (intersections.count(embedding.faces()) < before &&
+      worstQuality(mesh, embedding.faces()) >= quality)
+    {
+      intersections.update(embedding.faces());
+      return true;
+    }
+    embedding.undo();
+  }
+  return false;
+}
+}
+
 int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses)
 {
   SelfIntersections intersections(mesh);
@@ -405,10 +472,16 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
       }
     }
     bad = intersections.faces();
+    // What is left then is a knot.
+    for (const std::vector<int>& group : changed ? Groups() : groups(mesh, bad))
+    {
+      changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
+    }
     if (!changed)
     {
       break;
     }
+    bad = intersections.faces();
   }
   return static_cast<int>(bad.size());
 }
