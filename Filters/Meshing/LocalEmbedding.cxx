@@ -173,4 +173,80 @@ void LocalEmbedding::undo()
     this->Mesh.put(this->Vertices[i], this->Before[i]);
   }
 }
+
+std::vector<std::vector<int>> groupsOf(
+  const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  std::vector<std::vector<int>> result;
+  std::vector<int> waiting = faces;
+  while (!waiting.empty())
+  {
+    std::vector<int> group = { waiting.front() };
+    waiting.erase(waiting.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (int v : mesh.corners(group[i]))
+      {
+        mesh.forEachFace(v, [&](int f) {
+          const auto found = std::lower_bound(waiting.begin(), waiting.end(), f);
+          if (found != waiting.end() && *found == f)
+          {
+            group.push_back(f);
+            waiting.erase(found);
+          }
+        });
+      }
+    }
+    std::sort(group.begin(), group.end());
+    result.push_back(std::move(group));
+  }
+  return result;
+}
+
+namespace
+{
+/// Triangles below are as good as folded.
+constexpr double LeastAngle = 0.01; // radians
+
+double sumOfFolds(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double sum = 0;
+  for (int f : faces)
+  {
+    const double quality = faceQuality(mesh, f);
+    sum += quality < LeastAngle ? 1. - std::min(0., quality) : 0.;
+  }
+  return sum;
+}
+}
+
+int unfold(OptimizedMesh& mesh)
+{
+  constexpr int MostRings = 4;
+  std::vector<int> folded;
+  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  {
+    if (faceQuality(mesh, f) < LeastAngle)
+    {
+      folded.push_back(f);
+    }
+  }
+  int unfolded = 0;
+  for (const std::vector<int>& group : groupsOf(mesh, folded))
+  {
+    for (int rings = 1; rings <= MostRings; ++rings)
+    {
+      LocalEmbedding embedding(mesh, group, rings);
+      const double before = sumOfFolds(mesh, embedding.faces());
+      embedding.embed();
+      if (sumOfFolds(mesh, embedding.faces()) < 0.5 * before)
+      {
+        ++unfolded;
+        break;
+      }
+      embedding.undo();
+    }
+  }
+  return unfolded;
+}
 }

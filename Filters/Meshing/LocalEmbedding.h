@@ -37,6 +37,13 @@ private:
   std::vector<Footing> Before; // of Vertices
   std::vector<int> Swapped;    // edges, in order
 };
+
+/// Triangles that hang together at vertices, each group ascending.
+std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces);
+
+/// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
+/// Returns the number of groups of triangles where that helped.
+int unfold(OptimizedMesh& mesh);
 }
 
 #endif

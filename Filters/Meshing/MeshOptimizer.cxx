@@ -3,6 +3,7 @@
 #include "MeshOptimizer.h"
 
 #include "EdgeSwaps.h"
+#include "LocalEmbedding.h"
 #include "LocalRepair.h"
 #include "Relaxation.h"
 #include "SelfIntersections.h"
@@ -136,7 +137,11 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     }
     if (i % RepairInterval == 2)
     {
-      repairTriangles(mesh, i < RepairInterval ? 0. : SliverAngle, swaps, moves, 3);
+      const bool isFirst = i < RepairInterval;
+      if (repairTriangles(mesh, isFirst ? 0. : SliverAngle, swaps, moves, 3) > 0 && moves && swaps)
+      {
+        unfold(mesh);
+      }
     }
   }
   swapEdges(mesh, options.swaps, 10);

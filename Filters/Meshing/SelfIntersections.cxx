@@ -382,37 +382,6 @@ bool partBySwap(
 
 namespace
 {
-using Groups = std::vector<std::vector<int>>;
-
-/// Triangles that hang together at vertices, each group ascending.
-Groups groups(const OptimizedMesh& mesh, const std::vector<int>& faces)
-{
-  Groups result;
-  std::vector<int> waiting = faces;
-  while (!waiting.empty())
-  {
-    std::vector<int> group = { waiting.front() };
-    waiting.erase(waiting.begin());
-    for (std::size_t i = 0; i < group.size(); ++i)
-    {
-      for (int v : mesh.corners(group[i]))
-      {
-        mesh.forEachFace(v, [&](int f) {
-          const auto found = std::lower_bound(waiting.begin(), waiting.end(), f);
-          if (found != waiting.end() && *found == f)
-          {
-            group.push_back(f);
-            waiting.erase(found);
-          }
-        });
-      }
-    }
-    std::sort(group.begin(), group.end());
-    result.push_back(std::move(group));
-  }
-  return result;
-}
-
 double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
 {
   double worst = 10;
@@ -473,7 +442,7 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
     }
     bad = intersections.faces();
     // What is left then is a knot.
-    for (const std::vector<int>& group : changed ? Groups() : groups(mesh, bad))
+    for (const std::vector<int>& group : changed ? std::vector<std::vector<int>>() : groupsOf(mesh, bad))
     {
       changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
     }
