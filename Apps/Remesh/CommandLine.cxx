@@ -173,7 +173,8 @@ const std::vector<Group>& groups()
         { "--feature-edges", "FILE", "more feature edges: two input point ids a line, from 0",
           text(&Options::featureEdges) },
         { "--feature-curves", "FILE",
-          "polylines on the surface that become features (.vtp, .vtk,\n.obj); densely pointed where "
+          "polylines on the surface that become features (.vtp, .vtk,\n.obj); densely pointed "
+          "where "
           "it is folded",
           text(&Options::featureCurves) },
         { "--constraints", "FILE", "positions that must become vertices: x y z a line",
