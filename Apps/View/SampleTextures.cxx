@@ -49,33 +49,28 @@ constexpr int PlacesWidth = 1024;
 constexpr double MeanShare = 0.24;     ///< of the mean distance between samples: a dot's radius ...
 constexpr double LocalShare = 0.30;    ///< ... but no more than so much of the distance there
 constexpr double LargestShare = 0.008; ///< ... and of the model's size
-constexpr double RoomyTexel = 0.2;     ///< samples a texel, at most, nearly everywhere
+constexpr double RoomyTexel = 0.12;    ///< samples a texel, at most, nearly everywhere
 constexpr int FinestTexture = 4;       ///< texels along a pixel of the halftone, at most
 
-/// At each pixel of the screen: how far is it to the samples whose numbers are in the four texels
-/// around it? A dot smaller than a pixel is a pixel, but paler: as much ink.
+/// At each pixel of the screen: how far is it to the sample whose number is in the texel there? A
+/// dot smaller than a pixel is a pixel, but paler: as much ink.
 const char* const DotShader = R"(
-  vec4 stippleCover = vec4(0.0);
   ivec2 stippleSize = textureSize(actortexture, 0);
-  ivec2 stippleCorner = ivec2(floor(tcoordVCVSOutput * vec2(stippleSize) - 0.5));
-  for (int i = 0; i < 4; ++i)
+  ivec2 texel = clamp(ivec2(tcoordVCVSOutput * vec2(stippleSize)), ivec2(0), stippleSize - 1);
+  vec4 code = texelFetch(actortexture, texel, 0) * 255.0 + 0.5;
+  int number = int(code.r) + 256 * int(code.g) + 65536 * int(code.b) - 1;
+  float stippleInk = 0.0;
+  if (number >= 0)
   {
-    ivec2 texel = clamp(stippleCorner + ivec2(i % 2, i / 2), ivec2(0), stippleSize - 1);
-    vec4 code = texelFetch(actortexture, texel, 0) * 255.0 + 0.5;
-    int number = int(code.r) + 256 * int(code.g) + 65536 * int(code.b) - 1;
-    if (number >= 0)
-    {
-      vec4 dot4 = texelFetch(stipplePlaces, ivec2(number % 1024, number / 1024), 0);
-      vec3 away = placeVSOutput - dot4.xyz;
-      float gap = length(away);
-      vec3 direction = away / max(gap, 1e-30);
-      float pixel = length(vec2(dot(direction, stippleDx), dot(direction, stippleDy)));
-      float radius = max(dot4.w, stippleLeast);
-      float ink = dot4.w / radius;
-      stippleCover[i] = ink * ink * clamp(0.5 + (radius - gap) / max(pixel, 1e-30), 0.0, 1.0);
-    }
+    vec4 dot4 = texelFetch(stipplePlaces, ivec2(number % 1024, number / 1024), 0);
+    vec3 away = placeVSOutput - dot4.xyz;
+    float gap = length(away);
+    vec3 direction = away / max(gap, 1e-30);
+    float pixel = length(vec2(dot(direction, stippleDx), dot(direction, stippleDy)));
+    float radius = max(dot4.w, stippleLeast);
+    float ink = dot4.w / radius;
+    stippleInk = ink * ink * clamp(0.5 + (radius - gap) / max(pixel, 1e-30), 0.0, 1.0);
   }
-  float stippleInk = max(max(stippleCover.x, stippleCover.y), max(stippleCover.z, stippleCover.w));
   gl_FragData[0].rgb *= mix(vec3(0.871, 0.898, 0.933), vec3(0.094, 0.173, 0.376), stippleInk);
 )";
 
@@ -156,7 +151,7 @@ SurfaceMetric metricOf(const AtlasSurface& surface, int face)
 void mark(const Vec2& at, const SurfaceMetric& m, double reach, int number, int width, int height,
   Texel* texels, float* distances)
 {
-  constexpr double Margin = 1.; // texels: all four around a pixel of the screen must know the dot
+  constexpr double Margin = 1.; // texels: the one at a pixel of the screen has its middle elsewhere
   const double determinant = std::max(m.uu * m.vv - m.uv * m.uv, 1e-12 * m.uu * m.vv);
   const double reachX = reach * std::sqrt(m.vv / determinant) + Margin;
   const double reachY = reach * std::sqrt(m.uu / determinant) + Margin;
@@ -374,7 +369,8 @@ void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::ve
     const auto high =
       crowd.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(crowd.size() - 1));
     std::nth_element(crowd.begin(), high, crowd.end());
-    while (fine<FinestTexture&& * high> RoomyTexel * fine * fine)
+    const double most = *high / RoomyTexel;
+    while (fine < FinestTexture && fine * fine < most)
     {
       ++fine;
     }

@@ -176,6 +176,14 @@ class Interaction(ViewTest):
         outlines = [turned[250:, x : x + 497].min(axis=2) < 250 for x in (0, 505)]
         self.assertLess(np.mean(outlines[0][:520] != outlines[1][:520]), 0.02)
 
+    def test_dots_stay_sharp(self):
+        """However near the surface is: it is light or dark, and hardly anything between."""
+        near = self.shot("zoom", "zoom", "zoom")[260:, 8:496].sum(axis=2)
+        dark, light = near < 200, near > 560
+        self.assertGreater(dark.mean(), 0.01)
+        self.assertGreater(light.mean(), 0.5)
+        self.assertLess(1 - dark.mean() - light.mean(), 0.02)
+
     def test_saved_picture(self):
         path = self.folder / "window.png"
         self.view(BUNNY, "--picture", path, "--play", HERE / "Recordings" / SMALL / "picture.log")
