@@ -17,12 +17,21 @@ mkdir -p "$3"
 folder=$(cd "$3" && pwd)
 work=$(mktemp -d "${TMPDIR:-/tmp}/stipple-pictures-XXXXXX")
 trap 'rm -rf "$work"' EXIT
-ln -s "$models" "$work/models"
+mkdir "$work/models"
+ln -s "$models"/* "$work/models"
+ln -s "$(dirname "$gallery")" "$work/Documentation"
 cd "$work"
-sed -n 's/^    stipple //p' "$gallery" >commands
-while read -r arguments; do
+sed -n 's/^    //p' "$gallery" >commands
+while read -r command arguments; do
   # shellcheck disable=SC2086 # words on purpose
-  "$program" --quiet $arguments
+  case $command in
+    stipple) "$program" --quiet $arguments ;;
+    python3) python3 $arguments ;;
+    *)
+      echo "make-pictures.sh: what is '$command $arguments'?" >&2
+      exit 1
+      ;;
+  esac
 done <commands
 mv ./*.png "$folder"
 

@@ -163,6 +163,42 @@ Status checkFaces(const std::string& file, vtkPolyData* mesh)
                                                      : "'" + file + "' holds an empty mesh");
 }
 
+Status checkLines(const std::string& file, vtkPolyData* curves)
+{
+  return curves->GetNumberOfLines() > 0 ? Status::success()
+                                        : Status::error("'" + file + "' holds no lines");
+}
+
+using Check = Status (*)(const std::string&, vtkPolyData*);
+
+Status readChecked(
+  const std::string& file, vtkSmartPointer<vtkPolyData>& data, const std::vector<Check>& checks)
+{
+  data = vtkSmartPointer<vtkPolyData>::New();
+  std::error_code code;
+  if (!std::filesystem::exists(file, code))
+  {
+    return Status::error("there is no file '" + file + "'");
+  }
+  if (std::filesystem::is_directory(file, code) || !std::ifstream(file))
+  {
+    return Status::error("cannot read '" + file + "'");
+  }
+  if (std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) == 0)
+  {
+    return Status::error("'" + file + "' is empty");
+  }
+  Status status = readByExtension(file, data);
+  for (const Check& check : checks)
+  {
+    if (status.ok())
+    {
+      status = check(file, data);
+    }
+  }
+  return status;
+}
+
 /// VTK 9.1's writer keeps six digits.
 Status writeObj(vtkPolyData* mesh, const std::string& file)
 {
@@ -220,29 +256,12 @@ std::string fileExtension(const std::string& file)
 
 Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh)
 {
-  mesh = vtkSmartPointer<vtkPolyData>::New();
-  std::error_code code;
-  if (!std::filesystem::exists(file, code))
-  {
-    return Status::error("there is no file '" + file + "'");
-  }
-  if (std::filesystem::is_directory(file, code) || !std::ifstream(file))
-  {
-    return Status::error("cannot read '" + file + "'");
-  }
-  if (std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) == 0)
-  {
-    return Status::error("'" + file + "' is empty");
-  }
-  Status status = readByExtension(file, mesh);
-  for (const auto check : { checkCells, checkPoints, checkFaces })
-  {
-    if (status.ok())
-    {
-      status = check(file, mesh);
-    }
-  }
-  return status;
+  return readChecked(file, mesh, { checkCells, checkPoints, checkFaces });
+}
+
+Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves)
+{
+  return readChecked(file, curves, { checkCells, checkPoints, checkLines });
 }
 
 Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)

@@ -25,6 +25,9 @@ namespace stipple
 /// coordinate that is not finite, a face that names a point which does not exist.
 [[nodiscard]] Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh);
 
+/// Likewise the polylines of a file: .vtp, .vtk or .obj.
+[[nodiscard]] Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves);
+
 /// Writes binary where the format has it, in full precision where the format has it (all but STL).
 /// .vtp and .vtk keep all arrays. The format is that of `extension`.
 [[nodiscard]] Status writeMesh(

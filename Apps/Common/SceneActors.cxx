@@ -105,6 +105,8 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines, const Color& color, doub
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
   mapper->ScalarVisibilityOff();
+  // Nearer than the surface that they lie on, wherever that is steep.
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -8);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);

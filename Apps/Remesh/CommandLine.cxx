@@ -172,6 +172,11 @@ const std::vector<Group>& groups()
           number(&Options::featureAngle, &Options::hasFeatureAngle, 0, 180, "from 0 to 180") },
         { "--feature-edges", "FILE", "more feature edges: two input point ids a line, from 0",
           text(&Options::featureEdges) },
+        { "--feature-curves", "FILE",
+          "polylines on the surface that become features (.vtp, .vtk,\n.obj); densely pointed "
+          "where "
+          "it is folded",
+          text(&Options::featureCurves) },
         { "--constraints", "FILE", "positions that must become vertices: x y z a line",
           text(&Options::constraints) },
         { "--charts", "K", "at least so many charts (default: 1)",
@@ -310,6 +315,7 @@ std::string checkTogether(Options& o, bool importanceGiven)
   for (const std::string& wrong : { wrongExtension("the input", o.input, meshFileExtensions()),
          wrongExtension("--session", o.session, { ".json" }),
          wrongExtension("the output", o.output, meshFileExtensions()),
+         wrongExtension("--feature-curves", o.featureCurves, { ".vtp", ".vtk", ".obj" }),
          wrongExtension("--picture", o.picture, { ".png" }),
          wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),
          wrongExtension("--save-samples", o.saveSamples, { ".vtp", ".vtk", ".ply" }) })

@@ -52,6 +52,7 @@ struct Options
   bool hasFeatureAngle = false;
   double featureAngle = 40; ///< degrees
   std::string featureEdges;
+  std::string featureCurves; ///< file
   std::string constraints;
   int charts = 0;  ///< 0: the session's, or 1
   int mapSize = 0; ///< 0: automatic

@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
@@ -237,7 +238,8 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
       addFeatures(renderer, content.lines, layout);
       addLabel(renderer, layout, "after",
         grouped(content.after->GetNumberOfPoints()) + " points, " +
-          grouped(content.after->GetNumberOfPolys()) + " triangles");
+          grouped(content.after->GetNumberOfPolys()) +
+          (content.after->GetPolys()->IsHomogeneous() == 3 ? " triangles" : " faces"));
   }
   if (panel != PicturePanel::Maps)
   {

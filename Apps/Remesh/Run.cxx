@@ -218,6 +218,12 @@ Status setUp(const Options& o, Session& session, vtkPolyData* input, vtkGeometry
     status = readImage(session.importanceImage, image);
     remesher->SetImportanceImage(image);
   }
+  if (status.ok() && !o.featureCurves.empty())
+  {
+    vtkSmartPointer<vtkPolyData> curves;
+    status = readCurves(o.featureCurves, curves);
+    remesher->SetFeatureCurves(curves);
+  }
   applySession(session, remesher);
   applyOptions(o, remesher);
   return status;

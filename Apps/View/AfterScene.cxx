@@ -3,6 +3,7 @@
 #include "AfterScene.h"
 
 #include "SceneActors.h"
+#include "SurfaceShading.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -22,6 +23,7 @@ AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
   this->Mesh = vtkSmartPointer<vtkActor>::New();
   this->Mesh->SetMapper(mapper);
   setSurfaceLook(this->Mesh->GetProperty());
+  addPlainLight(this->Mesh);
   this->Mesh->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Mesh);
   for (int type = 0; type < 3; ++type)

@@ -4,6 +4,7 @@
 
 #include "AtlasSurface.h"
 #include "SceneActors.h"
+#include "SurfaceShading.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -11,7 +12,6 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -20,7 +20,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +30,6 @@ namespace
 {
 using Pixel = std::array<unsigned char, 3>;
 constexpr Pixel SurfacePixel = { { 222, 229, 238 } };
-constexpr Pixel SamplePixel = { { 24, 44, 96 } };
 constexpr Color TagOrange = { { 0.93, 0.50, 0.05 } };
 
 vtkImageData* imageOf(vtkPartitionedDataSetCollection* images, std::size_t chart)
@@ -62,137 +60,6 @@ vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
     surface->GetPointData()->SetTCoords(coordinates);
   }
   return surface;
-}
-
-/// Lengths on the surface of steps in the parameter plane, for every triangle of a chart.
-std::vector<SurfaceMetric> metricsOf(vtkPolyData* chart)
-{
-  std::vector<SurfaceMetric> metrics;
-  vtkDataArray* uvs = chart->GetPointData()->GetArray("UV");
-  vtkCellArray* cells = chart->GetPolys();
-  for (vtkIdType f = 0; uvs && f < cells->GetNumberOfCells(); ++f)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    cells->GetCellAtId(f, size, ids);
-    Eigen::Matrix2d plane;
-    Eigen::Matrix<double, 3, 2> space;
-    for (int k = 0; k < 2; ++k)
-    {
-      plane.col(k) = Vec2(uvs->GetComponent(ids[k + 1], 0) - uvs->GetComponent(ids[0], 0),
-        uvs->GetComponent(ids[k + 1], 1) - uvs->GetComponent(ids[0], 1));
-      space.col(k) = Vec3(chart->GetPoint(ids[k + 1])) - Vec3(chart->GetPoint(ids[0]));
-    }
-    const Eigen::Matrix<double, 3, 2> jacobian = space * plane.inverse();
-    const Eigen::Matrix2d m = jacobian.transpose() * jacobian;
-    metrics.push_back(
-      m.allFinite() ? SurfaceMetric{ m(0, 0), m(0, 1), m(1, 1) } : SurfaceMetric{ 1, 0, 1 });
-  }
-  return metrics;
-}
-
-/// Paints a disc on the surface into the texture, as dark as `strength` (0 to 1); its middle and
-/// the metric are in pixels of the texture.
-void paintDot(
-  vtkImageData* texture, double x, double y, const SurfaceMetric& m, double radius, double strength)
-{
-  constexpr double Farthest = 24; // pixels: a dot on a bad map must not cost much
-  const int width = texture->GetDimensions()[0];
-  const int height = texture->GetDimensions()[1];
-  auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
-  const double determinant = std::max(m.uu * m.vv - m.uv * m.uv, 1e-12 * m.uu * m.vv);
-  const int reachX =
-    static_cast<int>(std::min(Farthest, radius * std::sqrt(m.vv / determinant)) + 1.5);
-  const int reachY =
-    static_cast<int>(std::min(Farthest, radius * std::sqrt(m.uu / determinant)) + 1.5);
-  for (int py = std::max(0, static_cast<int>(y) - reachY);
-       py <= std::min(height - 1, static_cast<int>(y) + reachY); ++py)
-  {
-    for (int px = std::max(0, static_cast<int>(x) - reachX);
-         px <= std::min(width - 1, static_cast<int>(x) + reachX); ++px)
-    {
-      const double dx = px + 0.5 - x;
-      const double dy = py + 0.5 - y;
-      const double onSurface = std::sqrt(m.uu * dx * dx + 2 * m.uv * dx * dy + m.vv * dy * dy);
-      const double inPlane = std::sqrt(dx * dx + dy * dy);
-      // Pixels from the rim, on the line through the middle.
-      const double depth = onSurface > 0 ? inPlane * (radius / onSurface - 1) : 1;
-      const double cover = strength * std::clamp(depth + 0.5, 0., 1.);
-      Pixel& pixel = pixels[static_cast<vtkIdType>(py) * width + px];
-      for (int k = 0; cover > 0 && k < 3; ++k)
-      {
-        pixel[k] = static_cast<unsigned char>(pixel[k] + cover * (SamplePixel[k] - pixel[k]));
-      }
-    }
-  }
-}
-
-/// A disc for each sample of the halftone, round on the surface, its size a share of the distance
-/// to the next samples. `samplesPerControl` is the number of samples over the integral of the
-/// control map.
-void paintSamples(vtkImageData* halftone, vtkImageData* controls,
-  const std::vector<SurfaceMetric>& metrics, double samplesPerControl, vtkImageData* texture)
-{
-  constexpr int Zoom = 2; // texture pixels a pixel of the halftone
-  constexpr double Share = 0.24;
-  constexpr double LeastRadius = 0.75; // texture pixels
-  constexpr double Stretch = 24;       // bounds the squared ratio of a dot's axes in the texture
-  auto* dots = vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"));
-  auto* control = vtkFloatArray::SafeDownCast(controls->GetPointData()->GetArray("Control"));
-  auto* faces = vtkIntArray::SafeDownCast(controls->GetPointData()->GetArray("FaceIndex"));
-  const int* size = halftone->GetDimensions();
-  const int* controlSize = controls->GetDimensions();
-  texture->SetDimensions(Zoom * size[0], Zoom * size[1], 1);
-  texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::fill_n(reinterpret_cast<Pixel*>(texture->GetScalarPointer()), texture->GetNumberOfPoints(),
-    SurfacePixel);
-  const double du = halftone->GetSpacing()[0] / Zoom;
-  const double dv = halftone->GetSpacing()[1] / Zoom;
-  for (vtkIdType i = 0; dots && control && faces && i < dots->GetNumberOfValues(); ++i)
-  {
-    if (dots->GetValue(i) != 0)
-    {
-      continue;
-    }
-    const auto column = static_cast<int>(i % size[0]);
-    const auto row = static_cast<int>(i / size[0]);
-    const vtkIdType pixel =
-      static_cast<vtkIdType>(row) * controlSize[1] / size[1] * controlSize[0] +
-      static_cast<vtkIdType>(column) * controlSize[0] / size[0];
-    SurfaceMetric m = metrics[faces->GetValue(pixel)];
-    m = { m.uu * du * du, m.uv * du * dv, m.vv * dv * dv };
-    // Where the map is squeezed to a thread, dots are not.
-    const double trace = (m.uu + m.vv) / Stretch;
-    m.uu += trace;
-    m.vv += trace;
-    const double area = std::sqrt(std::max(0., m.uu * m.vv - m.uv * m.uv)); // of a pixel
-    const double wanted = samplesPerControl * control->GetValue(pixel) * du * dv;
-    const double radius = wanted > 0 ? Share * std::sqrt(area / wanted) : 0.;
-    // A dot smaller than a pixel is a pixel, but paler: as much ink.
-    const double least = LeastRadius * std::sqrt(area);
-    const double strength = radius < least ? radius * radius / (least * least) : 1.;
-    paintDot(
-      texture, Zoom * (column + 0.5), Zoom * (row + 0.5), m, std::max(radius, least), strength);
-  }
-  texture->Modified();
-}
-
-/// Integral of the control map over all charts.
-double integralOf(vtkPartitionedDataSetCollection* controls)
-{
-  double sum = 0;
-  for (std::size_t c = 0; c < controls->GetNumberOfPartitionedDataSets(); ++c)
-  {
-    vtkImageData* image = imageOf(controls, c);
-    auto* control = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control"));
-    double part = 0;
-    for (vtkIdType i = 0; control && i < control->GetNumberOfValues(); ++i)
-    {
-      part += control->GetValue(i);
-    }
-    sum += part * image->GetSpacing()[0] * image->GetSpacing()[1];
-  }
-  return sum;
 }
 
 /// From white over blue to dark red, by the share of the highest density.
@@ -229,6 +96,7 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   this->Surface = vtkSmartPointer<vtkActor>::New();
   this->Surface->SetMapper(mapper);
   setSurfaceLook(this->Surface->GetProperty());
+  addPlainLight(this->Surface);
   this->Surface->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Surface);
   for (int type = 0; type < 3; ++type)
@@ -258,7 +126,12 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
   {
     this->Renderer->RemoveActor(chart.actor);
   }
+  for (vtkActor* actor : this->Samples.actors())
+  {
+    this->Renderer->RemoveActor(actor);
+  }
   this->Charts.clear();
+  this->Sampling = nullptr;
   this->Halftones = nullptr;
   this->Controls = nullptr;
   for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
@@ -272,7 +145,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     setSurfaceLook(chart.actor->GetProperty());
     chart.actor->GetProperty()->SetColor(1, 1, 1);
     chart.actor->GetProperty()->SetBackfaceCulling(this->Solid);
-    chart.metrics = metricsOf(chartOf(charts, c));
+    addPlainLight(chart.actor);
     chart.texture = vtkSmartPointer<vtkImageData>::New();
     chart.texture->SetDimensions(1, 1, 1);
     chart.texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -288,6 +161,12 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     this->Renderer->AddActor(chart.actor);
     this->Charts.push_back(chart);
   }
+  this->Samples.setCharts(charts);
+  for (vtkActor* actor : this->Samples.actors())
+  {
+    actor->GetProperty()->SetBackfaceCulling(this->Solid);
+    this->Renderer->AddActor(actor);
+  }
   for (int type = 0; type < 3; ++type)
   {
     static_cast<vtkPolyDataMapper*>(this->Lines[type]->GetMapper())
@@ -296,10 +175,10 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
   this->showRightActors();
 }
 
-void BeforeScene::setPreview(vtkPartitionedDataSetCollection* halftones,
-  vtkPartitionedDataSetCollection* controls, long long numberOfSamples)
+void BeforeScene::setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
+  vtkPartitionedDataSetCollection* controls)
 {
-  this->NumberOfSamples = static_cast<double>(numberOfSamples);
+  this->Sampling = samples;
   this->Halftones = halftones;
   this->Controls = controls;
   this->paintTextures();
@@ -311,11 +190,15 @@ void BeforeScene::paintTextures()
   {
     return;
   }
-  const double integral = integralOf(this->Controls);
-  const double samplesPerControl = integral > 0 ? this->NumberOfSamples / integral : 0;
+  if (this->View.display == Display::Samples)
+  {
+    this->Samples.setSamples(this->Sampling, this->Halftones);
+    return;
+  }
+  const bool density = this->View.display == Display::Density;
   double most = 0;
   std::vector<std::pair<vtkFloatArray*, vtkFloatArray*>> maps(this->Charts.size());
-  for (std::size_t c = 0; this->View.display == Display::Density && c < this->Charts.size(); ++c)
+  for (std::size_t c = 0; density && c < this->Charts.size(); ++c)
   {
     vtkPointData* data = imageOf(this->Controls, c)->GetPointData();
     maps[c] = { vtkFloatArray::SafeDownCast(data->GetArray("Control")),
@@ -328,23 +211,16 @@ void BeforeScene::paintTextures()
   for (std::size_t c = 0; c < this->Charts.size(); ++c)
   {
     vtkImageData* texture = this->Charts[c].texture;
-    if (this->View.display == Display::Samples)
-    {
-      paintSamples(imageOf(this->Halftones, c), imageOf(this->Controls, c), this->Charts[c].metrics,
-        samplesPerControl, texture);
-      continue;
-    }
-    const bool charts = this->View.display == Display::Charts;
     vtkImageData* image = imageOf(this->Controls, c);
     const int one[3] = { 1, 1, 1 };
-    texture->SetDimensions(charts ? one : image->GetDimensions());
+    texture->SetDimensions(density ? image->GetDimensions() : one);
     texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
     for (vtkIdType i = 0; i < texture->GetNumberOfPoints(); ++i)
     {
-      pixels[i] = charts
-        ? chartColor(static_cast<int>(c))
-        : densityPixel(densityOf(maps[c].first, maps[c].second, i) / (most > 0 ? most : 1));
+      pixels[i] = density
+        ? densityPixel(densityOf(maps[c].first, maps[c].second, i) / (most > 0 ? most : 1))
+        : chartColor(static_cast<int>(c));
     }
     texture->Modified();
   }
@@ -366,9 +242,14 @@ void BeforeScene::showRightActors()
 {
   const bool charts = this->View.display != Display::Input && !this->Charts.empty();
   this->Surface->SetVisibility(!charts);
+  const bool samples = this->View.display == Display::Samples;
   for (const Chart& chart : this->Charts)
   {
-    chart.actor->SetVisibility(charts);
+    chart.actor->SetVisibility(charts && !samples);
+  }
+  for (vtkActor* actor : this->Samples.actors())
+  {
+    actor->SetVisibility(charts && samples);
   }
   for (int type = 0; type < 3; ++type)
   {

@@ -4,10 +4,10 @@
 #ifndef stipple_BeforeScene_h
 #define stipple_BeforeScene_h
 
+#include "SampleTextures.h"
 #include "Session.h"
 #include "ViewState.h"
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -20,14 +20,6 @@ class vtkRenderer;
 
 namespace stipple
 {
-/// Squared length on the surface of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2.
-struct SurfaceMetric
-{
-  double uu = 1;
-  double uv = 0;
-  double vv = 1;
-};
-
 class BeforeScene
 {
 public:
@@ -38,9 +30,9 @@ public:
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
-  /// New samples: halftones and control images.
-  void setPreview(vtkPartitionedDataSetCollection* halftones,
-    vtkPartitionedDataSetCollection* controls, long long numberOfSamples);
+  /// New samples: both outputs of the sampler, and the control images.
+  void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
+    vtkPartitionedDataSetCollection* controls);
   void setView(const ViewState& view, float lineWidth);
   /// Constraints, tagged edges.
   void setMarks(const Session& session);
@@ -50,11 +42,11 @@ public:
   void setZoom(double pixelsPerLength);
 
 private:
+  /// In one colour, or coloured by density.
   struct Chart
   {
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkImageData> texture;
-    std::vector<SurfaceMetric> metrics; ///< by triangle
   };
   void paintTextures();
   void showRightActors();
@@ -66,8 +58,9 @@ private:
   ViewState View;
   float LineWidth = 1;
   double Zoom = 0;
-  double NumberOfSamples = 0;
   std::vector<Chart> Charts;
+  SampleTextures Samples;
+  vtkSmartPointer<vtkPolyData> Sampling;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
   vtkSmartPointer<vtkActor> Surface;

@@ -13,6 +13,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "n", "type the number of points; Return takes it" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
+    { "on the transfer function", "left button: add, drag a point; right: remove it" },
     { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
     { "Show", "" }, { "d", "next of samples, input, charts, density" },
     { "l, m", "feature lines, seams" }, { "Files", "" }, { "Ctrl+S", "save the mesh" },

@@ -200,7 +200,8 @@ void Viewer::updateZoom()
 void Viewer::tick()
 {
   this->takeResults();
-  if (this->PreviewIsOld && this->Sampling.hasAtlas())
+  const bool previews = this->PreviewIsOld && this->Sampling.hasAtlas();
+  if (previews)
   {
     this->updatePreview();
   }
@@ -214,7 +215,13 @@ void Viewer::tick()
     this->ShownProgress = progress;
     this->Window.touch(ViewerWindow::Status);
   }
-  if (this->StripIsOld && Clock::now() - this->LastStrip > StripTime)
+  // A frame with a new preview draws one other part at most: the sum would be felt.
+  if (this->StaleIsOld && (!previews || Clock::now() - this->LastStrip > 0.5 * StripTime))
+  {
+    this->StaleIsOld = false;
+    this->Window.touch(ViewerWindow::After);
+  }
+  else if (this->StripIsOld && Clock::now() - this->LastStrip > StripTime)
   {
     this->StripIsOld = false;
     this->LastStrip = Clock::now();
@@ -238,7 +245,7 @@ void Viewer::settle()
     this->tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty() || this->StripIsOld ||
-    this->Window.rough());
+    this->StaleIsOld || this->Window.rough());
   this->tick();
 }
 
@@ -282,8 +289,8 @@ void Viewer::updatePreview()
   this->PreviewProblem = status.ok() ? "" : status.message();
   if (status.ok())
   {
-    this->BeforeSide.setPreview(this->Sampling.halftones(), this->Sampling.controls(),
-      this->Sampling.samples()->GetNumberOfPoints());
+    this->BeforeSide.setPreview(
+      this->Sampling.samples(), this->Sampling.halftones(), this->Sampling.controls());
     this->Sheet.setControls(this->Sampling.controls());
   }
   const std::string importance = this->Now.importance + " " + this->Now.importanceArray;
@@ -338,15 +345,19 @@ void Viewer::showStale()
   {
     this->ShownStale = stale;
     this->Figures.setStale(stale);
-    this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+    this->StaleIsOld = true;
+    this->StripIsOld = true;
   }
 }
 
 void Viewer::say(const std::string& sentence, bool alarm)
 {
-  this->Message = sentence;
-  this->MessageAlarm = alarm;
-  this->Window.touch(ViewerWindow::Status);
+  if (this->Message != sentence || this->MessageAlarm != alarm)
+  {
+    this->Message = sentence;
+    this->MessageAlarm = alarm;
+    this->Window.touch(ViewerWindow::Status);
+  }
 }
 
 Status Viewer::writePicture(const std::string& file)

@@ -120,6 +120,17 @@ class BadInput(ProgramTest):
                 extra = self.file("extra", content)
                 self.fail_with(1, pattern, cube, "-o", out, "--points", "200", option, extra)
         self.fail_with(1, "cannot read", cube, "-o", out, "--constraints", self.folder / "none")
+        curves = [
+            ("c.obj", "v 0 0 0\nv 1 0 0\n", "holds no lines"),
+            ("c.vtk", "nothing", "cannot read"),
+            ("c.vtp", "", "is empty"),
+        ]
+        for name, content, pattern in curves:
+            with self.subTest(name=name, content=content):
+                extra = self.file(name, content)
+                self.fail_with(1, pattern, cube, "-o", out, "--points", "200", "--feature-curves", extra)
+        self.fail_with(1, "there is no file", cube, "-o", out, "--feature-curves", self.folder / "none.vtp")
+        self.fail_with(2, "--feature-curves .* must end in .vtp, .vtk, .obj", cube, "-o", out, "--feature-curves", "c.txt")
         self.fail_with(1, "has no array 'heat'; it has none", cube, "-o", out, "--importance-array", "heat")
 
     def repaired(self, name, content, points=200):

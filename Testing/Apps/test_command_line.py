@@ -11,7 +11,7 @@ from stipple_program import STIPPLE, ProgramTest
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
 --band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
---feature-angle --feature-edges --constraints --charts --map-size --map-backend --connectivity --smoothing --iterations
+--feature-angle --feature-edges --feature-curves --constraints --charts --map-size --map-backend --connectivity --smoothing --iterations
 --pattern --subdivisions --report --picture --save-charts --save-maps --save-samples --threads --quiet --verbose --version
 --help""".split()
 

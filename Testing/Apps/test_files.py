@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the program writes: meshes in every format, report, picture, charts, maps, samples."""
 import json
+import math
 import re
 import struct
 import unittest
@@ -168,6 +169,39 @@ class Files(ProgramTest):
         for place in [*wanted, (0, 0, 0), (1, 0, 0), (1, 1, 0)]:
             nearest = min(sum((a - b) ** 2 for a, b in zip(p, place)) for p in points)
             self.assertLess(nearest, 1e-20, place)
+
+    def test_feature_curves(self):
+        """A circle on a side of the cube becomes a closed row of edges, whatever the file's format."""
+        cube = self.cube()
+        corners = [(0.5 + 0.3 * math.cos(math.radians(5 * i)), 0.5 + 0.3 * math.sin(math.radians(5 * i))) for i in range(72)]
+        line = [*range(72), 0]
+        obj = "".join(f"v {x:.9g} {y:.9g} 1\n" for x, y in corners) + f"l {' '.join(str(i + 1) for i in line)}\n"
+        vtk = (
+            "# vtk DataFile Version 3.0\ncurve\nASCII\nDATASET POLYDATA\nPOINTS 72 double\n"
+            + "".join(f"{x:.9g} {y:.9g} 1\n" for x, y in corners)
+            + f"LINES 1 74\n73 {' '.join(map(str, line))}\n"
+        )
+
+        def remeshed(*options):
+            mesh = self.folder / "m.off"
+            self.succeed(cube, "-o", mesh, "--points", "800", *options)
+            rows = mesh.read_text().splitlines()[2:]
+            points = [tuple(map(float, row.split())) for row in rows[:800]]
+            on = {
+                i
+                for i, (x, y, z) in enumerate(points)
+                if abs(z - 1) < 1e-9 and abs(math.hypot(x - 0.5, y - 0.5) - 0.3) < 1e-3
+            }
+            faces = [tuple(map(int, row.split()[1:4])) for row in rows[800:] if row.strip()]
+            edges = {frozenset(e) for a, b, c in faces for e in ((a, b), (b, c), (c, a)) if set(e) <= on}
+            return on, edges
+
+        for name, content in (("curve.obj", obj), ("curve.vtk", vtk)):
+            on, edges = remeshed("--feature-curves", self.file(name, content))
+            self.assertGreater(len(on), 12)
+            self.assertEqual(len(edges), len(on))
+            self.assertEqual({sum(i in e for e in edges) for i in on}, {2})
+        self.assertLess(len(remeshed()[0]), 4)
 
     def test_importance_image(self):
         cube = self.cube()

@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python package and the program `stipple` give the same mesh, and the same figures of it."""
+import inspect
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -47,6 +49,24 @@ class AgainstProgram(unittest.TestCase):
             # Distances are taken from random places, other ones here and there.
             tolerance = {"rms_pct": 0.05, "hausdorff_pct": 0.25}.get(name, 1e-5)
             self.assertAlmostEqual(quality[name], value, delta=tolerance * max(1e-9, abs(value)), msg=name)
+
+    def test_same_options(self):
+        """What is asked of the program in a remesh can be asked of remesh(), by the same names, with the same defaults."""
+        text = subprocess.run([PROGRAM, "--help"], check=True, capture_output=True, text=True).stdout
+        parameters = dict(inspect.signature(stipple.remesh).parameters)
+        groups = re.findall(r"^(Sampling|Features and charts|Mesh):\n((?:  .*\n)+)", text, re.M)
+        self.assertEqual(len(groups), 3)
+        found = 0
+        for option, words in re.findall(r"^  --([a-z-]+)((?:.*\n)(?: {10}.*\n)*)", "".join(g[1] for g in groups), re.M):
+            with self.subTest(option=option):
+                found += 1
+                default = parameters.pop(option.replace("-", "_")).default
+                stated = re.search(r"\(default:\s+([^\s:;,)]+)", words)
+                if stated and default is not None:
+                    wanted = stated.group(1)
+                    self.assertEqual(str(default) if isinstance(default, str) else f"{default:g}", wanted)
+        self.assertGreater(found, 24)
+        self.assertEqual(set(parameters), {"mesh", "progress"})
 
 
 if __name__ == "__main__":

@@ -2,10 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package itself: names, documentation, and a stub that agrees with the code."""
 import ast
+import dataclasses
 import inspect
 import os
+import sys
+import types
 import unittest
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import shapes
 import stipple
 
 FUNCTIONS = ("remesh", "atlas", "maps", "quality")
@@ -42,10 +48,64 @@ class Package(unittest.TestCase):
             body = ast.parse(file.read()).body
         typed = {node.name for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         self.assertEqual(typed, set(stipple.__all__))
+        atlas = list(inspect.signature(stipple.atlas).parameters.values())
         for node in body:
-            if isinstance(node, ast.FunctionDef) and node.name != "maps":  # maps() passes options on to atlas()
-                names = [argument.arg for argument in node.args.args + node.args.kwonlyargs]
-                self.assertEqual(names, list(inspect.signature(getattr(stipple, node.name)).parameters), node.name)
+            if not isinstance(node, ast.FunctionDef):
+                continue
+            wanted = []
+            for parameter in inspect.signature(getattr(stipple, node.name)).parameters.values():
+                # maps() passes options on to atlas(); the stub names them.
+                wanted += [parameter] if parameter.kind != parameter.VAR_KEYWORD else [
+                    p.replace(kind=p.KEYWORD_ONLY) for p in atlas if p.name not in ("mesh", "progress")
+                ]
+            self.assertIsNone(node.args.kwarg)
+            optional = len(node.args.args) - len(node.args.defaults)
+            typed = [(a.arg, False, i >= optional) for i, a in enumerate(node.args.args)]
+            typed += [(a.arg, True, d is not None) for a, d in zip(node.args.kwonlyargs, node.args.kw_defaults)]
+            self.assertEqual(
+                typed, [(p.name, p.kind == p.KEYWORD_ONLY, p.default is not p.empty) for p in wanted], node.name
+            )
+        for node in body:
+            if isinstance(node, ast.ClassDef) and node.name in ("Atlas", "Chart"):
+                typed = [field.target.id for field in node.body if isinstance(field, ast.AnnAssign)]
+                self.assertEqual(typed, [field.name for field in dataclasses.fields(getattr(stipple, node.name))])
+
+
+class Pyvista(unittest.TestCase):
+    """With a module of that name that has what stipple needs of it; pyvista itself need not be there."""
+
+    def setUp(self):
+        class PolyData(vtkPolyData):
+            def __init__(self, other=None):
+                if other is not None:
+                    self.ShallowCopy(other)
+
+        PolyData.__module__ = "pyvista.core.pointset"
+        self.module = types.ModuleType("pyvista")
+        self.module.PolyData = PolyData
+        self.saved = sys.modules.get("pyvista")
+        sys.modules["pyvista"] = self.module
+
+    def tearDown(self):
+        del sys.modules["pyvista"]
+        if self.saved is not None:
+            sys.modules["pyvista"] = self.saved
+
+    def test_accessor(self):
+        stipple.add_to_pyvista()
+        mesh = self.module.PolyData(shapes.sphere())
+        result = mesh.stipple.remesh(points=300, gamma=2)
+        self.assertIsInstance(result, self.module.PolyData)
+        self.assertEqual(result.GetNumberOfPoints(), 300)
+        self.assertEqual(result.stipple.quality(reference=mesh)["V"], 300)
+        self.assertGreaterEqual(len(mesh.stipple.atlas(charts=3)), 3)
+        self.assertEqual(len(mesh.stipple.maps(size=32)), len(mesh.stipple.atlas()))
+        self.assertEqual(mesh.stipple.remesh.__doc__, stipple.remesh.__doc__)
+
+    def test_no_pyvista(self):
+        sys.modules["pyvista"] = None  # what import makes an ImportError of
+        with self.assertRaises(ImportError):
+            stipple.add_to_pyvista()
 
 
 if __name__ == "__main__":

@@ -128,6 +128,76 @@ class Result(unittest.TestCase):
                 self.assertEqual(result.shape, plain.shape)
                 self.assertFalse(np.array_equal(result, plain))
 
+    def test_presets(self):
+        mesh = shapes.cube()
+        names = ("uniform", "adaptive", "rib")
+        triangles = [shapes.arrays(stipple.remesh(mesh, points=900, preset=name))[1] for name in names]
+        self.assertFalse(np.array_equal(triangles[1], triangles[2]))
+        np.testing.assert_array_equal(triangles[1], shapes.arrays(stipple.remesh(mesh, points=900))[1])
+        # Uniform triangles, whatever attracts the samples.
+        upper = np.where(shapes.arrays(shapes.sphere(60))[0][:, 2] > 0, 9.0, 1.0)
+        spread = [
+            stipple.quality(stipple.remesh(shapes.sphere(60), 1500, upper, preset=name))["area_cv"]
+            for name in ("uniform", "adaptive")
+        ]
+        self.assertLess(2 * spread[0], spread[1])
+
+    def test_placement(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+        on, off = (stipple.remesh(mesh, points=500, placement=p) for p in ("surface", "least-squares"))
+        self.assertLess(np.linalg.norm(on[0], axis=1).max(), 0.5 + 1e-6)
+        self.assertGreater(np.linalg.norm(off[0], axis=1).max(), 0.5 + 1e-4)
+        distance = [stipple.quality(m, reference=mesh)["rms_pct"] for m in (on, off)]
+        self.assertLess(distance[1], 0.8 * distance[0])
+
+    def test_quads(self):
+        grid = stipple.remesh(shapes.plane(), points=400, pattern="quads")
+        sizes = {grid.GetCell(i).GetNumberOfPoints() for i in range(grid.GetNumberOfCells())}
+        self.assertEqual(sizes, {4})
+        self.assertLessEqual(grid.GetNumberOfPoints(), 400)
+        points, triangles = stipple.remesh(shapes.arrays(shapes.plane()), points=400, pattern="quads")
+        self.assertEqual(len(points), grid.GetNumberOfPoints())
+        self.assertEqual(len(triangles), 2 * grid.GetNumberOfCells())
+
+    def test_semiregular(self):
+        mesh = shapes.sphere()
+        for levels in (0, 1, 2):
+            _, triangles = stipple.remesh(shapes.arrays(mesh), 100, pattern="semiregular", subdivisions=levels)
+            self.assertEqual(len(triangles), 196 * 4**levels)
+        levels = stipple.remesh(mesh, 100, pattern="semiregular").GetPointData().GetArray("SubdivisionLevel")
+        self.assertEqual(levels.GetRange(), (0, 2))
+
+    def test_feature_curves(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+        angle = np.linspace(0, 2 * np.pi, 73)
+        circle = np.stack([0.4 * np.cos(angle), 0.4 * np.sin(angle), np.full(73, 0.3)], axis=1)
+        lines = vtkPolyData()
+        lines.ShallowCopy(stipple._core._curves([circle]))
+        self.assertEqual((lines.GetNumberOfLines(), lines.GetNumberOfPoints()), (1, 73))
+        for curves in ([circle], lines):
+            points, triangles = stipple.remesh(mesh, points=1500, feature_curves=curves)
+            on = np.abs(points[:, 2] - 0.3) < 1e-3
+            first, second = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])).T
+            along = np.unique(np.stack([first, second], 1)[on[first] & on[second]], axis=0)
+            # The edges on it make one closed line around the axis.
+            self.assertGreater(on.sum(), 30)
+            length = np.linalg.norm(points[along[:, 0]] - points[along[:, 1]], axis=1).sum()
+            self.assertAlmostEqual(length, 2 * np.pi * 0.4, delta=0.02)
+        plain, _ = stipple.remesh(mesh, points=1500)
+        self.assertLess((np.abs(plain[:, 2] - 0.3) < 1e-3).sum(), 15)
+        self.assertGreater(stipple.atlas(mesh, feature_curves=[circle]).feature_graph.GetNumberOfLines(), 0)
+
+    def test_feature_edges_and_constraints(self):
+        mesh = shapes.arrays(shapes.sphere(60))
+        wanted = mesh[0][[100, 700, 1500]]
+        points, _ = stipple.remesh(mesh, points=800, constraints=wanted)
+        for place in wanted:
+            self.assertLess(np.linalg.norm(points - place, axis=1).min(), 1e-7)
+        a, b = mesh[1][500][:2]
+        points, _ = stipple.remesh(mesh, points=800, feature_edges=[(a, b)])
+        for place in mesh[0][[a, b]]:
+            self.assertLess(np.linalg.norm(points - place, axis=1).min(), 1e-7)
+
     def test_repeats_itself(self):
         mesh = shapes.arrays(shapes.torus())
         first, second = (stipple.remesh(mesh, points=800, importance="mean") for _ in range(2))
@@ -164,7 +234,7 @@ class Progress(unittest.TestCase):
 
 
 class BadInput(unittest.TestCase):
-    def check(self, exception, pattern, *arguments, **options):
+    def check(self, exception, pattern, /, *arguments, **options):
         with self.assertRaisesRegex(exception, pattern):
             stipple.remesh(*arguments, **options)
 
@@ -224,6 +294,24 @@ class BadInput(unittest.TestCase):
         self.check(ValueError, r"strokes\[0\]", mesh, 300, strokes=[(0, 0, 1, 0, 1)])
         self.check(ValueError, "diffusion", mesh, 300, diffusion="zhoufang")
         self.check(ValueError, "transfer", mesh, 300, transfer=[1, 2, 3])
+        self.check(ValueError, "did you mean 'adaptive'", mesh, 300, preset="adaptiv")
+        self.check(TypeError, "preset", mesh, 300, preset=1)
+        self.check(ValueError, "placement must be one of surface, least-squares", mesh, 300, placement="off")
+        self.check(ValueError, "connectivity", mesh, 300, connectivity="swap")
+        self.check(ValueError, "smoothing", mesh, 300, smoothing="taubin")
+        self.check(ValueError, "iterations", mesh, 300, iterations=-1)
+        self.check(ValueError, "pattern must be one of quads, semiregular, triangles", mesh, 300, pattern="hex")
+        self.check(ValueError, "subdivisions must be from 0 to 8", mesh, 300, subdivisions=9)
+        self.check(ValueError, "gamma must be", mesh, 300, gamma=-1)
+        self.check(ValueError, "gradation must be", mesh, 300, gradation=-1)
+        self.check(ValueError, "map_size", mesh, 300, map_size=0)
+        self.check(ValueError, "feature_edges must have the shape", mesh, 300, feature_edges=[1, 2, 3])
+        self.check(stipple.StippleError, "99999", mesh, 300, feature_edges=[(0, 99999)])
+        self.check(ValueError, r"constraints\[0\] is not finite", mesh, 300, constraints=[(0, 0, np.inf)])
+        self.check(TypeError, "feature_curves", mesh, 300, feature_curves="curves.vtp")
+        self.check(ValueError, "feature_curves has no lines", mesh, 300, feature_curves=vtkPolyData())
+        self.check(ValueError, r"feature_curves\[0\] must have two points", mesh, 300, feature_curves=[[(0, 0, 1)]])
+        self.check(TypeError, "importance_image", mesh, 300, importance="image", importance_image="face.png")
         self.check(TypeError, "progress", mesh, 300, progress=5)
         self.check(TypeError, "pionts", mesh, pionts=300)
 

@@ -13,6 +13,8 @@ import shutil
 import subprocess
 import unittest
 
+import numpy as np
+
 import pictures
 from stipple_program import MODELS, ProgramTest, mesh_check, run
 
@@ -113,6 +115,81 @@ class Interaction(ViewTest):
         self.assertFalse((self.folder / "mesh.off").exists(), "there is no mesh to save")
         self.play("gamma", "escape", "return", "save")
         self.assertEqual(mesh_check(self.folder / "mesh.off", BUNNY)["points"], 5000)
+
+    def test_every_slider_and_choice(self):
+        """Each changes its own entry of the session and no other."""
+        before = json.loads(self.play())
+        for name, entry, low, high in (
+            ("gradation", "gradation", 0.5, 9),
+            ("floor", "minimum_density", 0.05, 0.9),
+            ("angle", "feature_angle", 60, 170),
+            ("charts", "charts", 2, 30),
+        ):
+            with self.subTest(name):
+                after = json.loads(self.play(name))
+                self.assertGreater(after[entry], low)
+                self.assertLess(after[entry], high)
+                after[entry] = before[entry]
+                self.assertEqual(after, before, "nothing else changed")
+        after = json.loads(self.play("importance"))
+        self.assertEqual((before["importance"], after["importance"]), ("total", "mean"))
+        after["importance"] = before["importance"]
+        self.assertEqual(after, before)
+
+    def test_curve_points_are_taken_away(self):
+        before = self.play()
+        self.assertEqual(len(json.loads(self.play("curve"))["transfer"]), 3)
+        after = json.loads(self.play("curve", "uncurve"))
+        self.assertEqual(len(after["transfer"]) % 2, 0, "the two ends, or none")
+        after["transfer"] = []
+        self.assertEqual(after, json.loads(before))
+
+    def test_erasing_brush(self):
+        strokes = json.loads(self.play("erase"))["strokes"]
+        self.assertGreater(len(strokes), 2)
+        self.assertEqual({stroke[4] for stroke in strokes}, {-1})
+
+    def shot(self, *names):
+        path = self.folder / "shot.png"
+        steps = [a for name in names for a in ("--play", HERE / "Recordings" / SMALL / f"{name}.log")]
+        self.view(BUNNY, *steps, "--shot", path)
+        return pictures.read(path)
+
+    def test_camera_and_overlays(self):
+        """What only the eye sees: the views change, the rest of the window does not, nor does the session."""
+        before = self.shot()
+        # Rows from the bottom: the views are above the strip.
+        left, right = np.s_[250:, :500], np.s_[250:, 508:1005]
+        strip = np.s_[30:236, :1005]
+        for name, both in (("turn", True), ("zoom", True), ("seams", False), ("display", False)):
+            with self.subTest(name):
+                after = self.shot(name)
+                self.assertGreater(pictures.worst_pixel(after[left], before[left]), 60)
+                if both:
+                    self.assertGreater(pictures.worst_pixel(after[right], before[right]), 60)
+                else:
+                    np.testing.assert_array_equal(after[right], before[right])
+                np.testing.assert_array_equal(after[strip], before[strip])
+        self.assertEqual(self.play("turn", "zoom", "seams", "display"), self.play())
+        # The cameras are one: turned, the outlines of both surfaces are the same.
+        turned = self.shot("turn")
+        outlines = [turned[250:, x : x + 497].min(axis=2) < 250 for x in (0, 505)]
+        self.assertLess(np.mean(outlines[0][:520] != outlines[1][:520]), 0.02)
+
+    def test_dots_stay_sharp(self):
+        """However near the surface is: it is light or dark, and hardly anything between."""
+        near = self.shot("zoom", "zoom", "zoom")[260:, 8:496].sum(axis=2)
+        dark, light = near < 200, near > 560
+        self.assertGreater(dark.mean(), 0.01)
+        self.assertGreater(light.mean(), 0.5)
+        self.assertLess(1 - dark.mean() - light.mean(), 0.02)
+
+    def test_saved_picture(self):
+        path = self.folder / "window.png"
+        self.view(BUNNY, "--picture", path, "--play", HERE / "Recordings" / SMALL / "picture.log")
+        picture = pictures.read(path)
+        self.assertEqual(picture.shape[:2], (800, 1280))
+        self.assertGreater(picture.std(), 20)
 
     def test_reopened_session(self):
         text = self.play("gamma", "number", "paint", "point", "curve")

@@ -18,10 +18,13 @@ or a pair `(points, triangles)` of numpy arrays, and return new objects of the s
 The wrapped VTK classes (`vtkGeometryRemesher`, `vtkConformalAtlas`, ...) are here too, to compose a pipeline
 by hand. VTK 9.1's own Python rules hold for them: `Update()` raises nothing on error, and an attribute that does
 not exist can be assigned without a word. No function of this package needs a display.
+
+Where pyvista is there, `stipple.add_to_pyvista()` gives its meshes the functions: `mesh.stipple.remesh(points=5000)`.
 """
 from . import _classes
 from ._classes import *  # noqa: F401,F403
 from ._classes import __version__
+from ._accessor import add_to_pyvista
 from ._core import Atlas, Chart, atlas, maps, remesh
 from ._pipeline import StippleAbort, StippleError, StippleWarning
 from ._quality import quality
@@ -32,6 +35,7 @@ __all__ = [
     "StippleAbort",
     "StippleError",
     "StippleWarning",
+    "add_to_pyvista",
     "atlas",
     "maps",
     "quality",

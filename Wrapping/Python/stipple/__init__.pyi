@@ -23,6 +23,7 @@ _Progress = Callable[[float], bool | None]
 _Importance = Literal[
     "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image", "array"
 ]
+_Curves = vtkPolyData | Sequence[ArrayLike]
 _Backend = Literal["auto", "opengl", "cpu"]
 
 class StippleError(RuntimeError): ...
@@ -48,13 +49,18 @@ def remesh(  # type: ignore
     strokes: ArrayLike | None = ...,
     diffusion: Literal["ostromoukhov", "zhou-fang"] = ...,
     feature_edges: ArrayLike | None = ...,
+    feature_curves: _Curves | None = ...,
     constraints: ArrayLike | None = ...,
     charts: int = ...,
     map_size: int | Literal["auto"] = ...,
     map_backend: _Backend = ...,
+    preset: Literal["uniform", "adaptive", "rib"] = ...,
+    placement: Literal["surface", "least-squares"] = ...,
     connectivity: Literal["none", "regularity", "aspect"] | None = ...,
     smoothing: Literal["none", "area", "density", "lloyd"] | None = ...,
     iterations: int | None = ...,
+    pattern: Literal["triangles", "quads", "semiregular"] = ...,
+    subdivisions: int = ...,
 ) -> _Triangles: ...
 @overload
 def remesh(
@@ -75,13 +81,18 @@ def remesh(
     strokes: ArrayLike | None = ...,
     diffusion: Literal["ostromoukhov", "zhou-fang"] = ...,
     feature_edges: ArrayLike | None = ...,
+    feature_curves: _Curves | None = ...,
     constraints: ArrayLike | None = ...,
     charts: int = ...,
     map_size: int | Literal["auto"] = ...,
     map_backend: _Backend = ...,
+    preset: Literal["uniform", "adaptive", "rib"] = ...,
+    placement: Literal["surface", "least-squares"] = ...,
     connectivity: Literal["none", "regularity", "aspect"] | None = ...,
     smoothing: Literal["none", "area", "density", "lloyd"] | None = ...,
     iterations: int | None = ...,
+    pattern: Literal["triangles", "quads", "semiregular"] = ...,
+    subdivisions: int = ...,
 ) -> _PolyData: ...
 
 @dataclass(frozen=True)
@@ -114,6 +125,7 @@ def atlas(
     progress: _Progress | None = ...,
     *,
     feature_edges: ArrayLike | None = ...,
+    feature_curves: _Curves | None = ...,
     constraints: ArrayLike | None = ...,
     maximum_density_ratio: float | None = ...,
 ) -> Atlas: ...
@@ -128,9 +140,11 @@ def maps(
     feature_angle: float = ...,
     charts: int = ...,
     feature_edges: ArrayLike | None = ...,
+    feature_curves: _Curves | None = ...,
     constraints: ArrayLike | None = ...,
     maximum_density_ratio: float | None = ...,
 ) -> list[dict[str, NDArray[Any]]]: ...
+def add_to_pyvista() -> None: ...
 def quality(
     mesh: vtkPolyData | _Arrays,
     reference: vtkPolyData | _Arrays | None = ...,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPiecewiseFunction, vtkPolyData
 
 from . import _classes
 from ._convert import array_of, data_array, from_mesh, points_of, to_mesh, triangles_of, vtk_points
@@ -73,6 +73,17 @@ def _choose(algorithm, name, value, argument):
     getattr(algorithm, setters[value.lower()])()
 
 
+def _one_of(value, choices, argument):
+    """The value that a word stands for; choices maps words to it."""
+    if not isinstance(value, str):
+        raise TypeError(f"{argument} must be one of {', '.join(choices)}, not {type(value).__name__}")
+    if value not in choices:
+        near = difflib.get_close_matches(value, choices, 1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise ValueError(f"{argument} must be one of {', '.join(choices)}, not {value!r}{hint}")
+    return choices[value]
+
+
 def _surface(mesh):
     data = from_mesh(mesh)
     if data.GetNumberOfPolys() == 0 and data.GetNumberOfStrips() == 0:
@@ -80,7 +91,31 @@ def _surface(mesh):
     return data
 
 
-def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints):
+def _curves(curves):
+    """A vtkPolyData of polylines, made of a sequence of (k, 3) arrays if it is none."""
+    if isinstance(curves, vtkPolyData):
+        if curves.GetNumberOfLines() == 0:
+            raise ValueError("feature_curves has no lines")
+        return curves
+    if not isinstance(curves, (list, tuple)) or not curves:
+        raise TypeError("feature_curves must be a vtkPolyData with lines or a sequence of (k, 3) arrays, a curve each")
+    parts = [array_of(curve, f"feature_curves[{i}]", 3, np.float64) for i, curve in enumerate(curves)]
+    lines = vtkCellArray()
+    start = 0
+    for i, part in enumerate(parts):
+        if len(part) < 2:
+            raise ValueError(f"feature_curves[{i}] must have two points or more, not {len(part)}")
+        lines.InsertNextCell(len(part))
+        for k in range(len(part)):
+            lines.InsertCellPoint(start + k)
+        start += len(part)
+    result = vtkPolyData()
+    result.SetPoints(vtk_points(np.concatenate(parts)))
+    result.SetLines(lines)
+    return result
+
+
+def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, feature_curves, constraints):
     _set(algorithm, "FeatureAngle", feature_angle, "feature_angle")
     _set(algorithm, "NumberOfCharts", charts, "charts")
     if feature_edges is not None:
@@ -88,6 +123,8 @@ def _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constrai
         ids = numpy_to_vtkIdTypeArray(edges.ravel(), deep=True)
         ids.SetNumberOfComponents(2)
         algorithm.SetFeatureEdges(ids)
+    if feature_curves is not None:
+        algorithm.SetFeatureCurves(_curves(feature_curves))
     if constraints is not None:
         algorithm.SetConstraints(vtk_points(array_of(constraints, "constraints", 3, np.float64)))
 
@@ -135,10 +172,7 @@ def _set_importance(algorithm, data, importance, importance_array, importance_im
 
 
 def _set_control(algorithm, image_projection, band_pass, strokes):
-    if image_projection not in ("chart", "x", "y", "z"):
-        raise ValueError(f"image_projection must be 'chart', 'x', 'y' or 'z', not {image_projection!r}")
-    suffix = "" if image_projection == "chart" else "axis"
-    _choose(algorithm, "ImageProjection", image_projection + suffix, "image_projection")
+    algorithm.SetImageProjection(_one_of(image_projection, {"chart": 0, "x": 1, "y": 2, "z": 3}, "image_projection"))
     if band_pass is not None:
         sizes = array_of([band_pass], "band_pass", 2, np.float64)[0]
         if not 0 <= sizes[0] < sizes[1] <= 100:
@@ -186,7 +220,10 @@ def _transfer_function(transfer):
 
 def _inner_algorithms(remesher):
     """The stages inside a vtkGeometryRemesher, whose messages are messages of the whole."""
-    names = ("GetAtlas", "GetMapRenderer", "GetControlMap", "GetSampler", "GetMesher", "GetOptimizer")
+    names = (
+        "GetAtlas", "GetMapRenderer", "GetControlMap", "GetSampler", "GetMesher", "GetOptimizer", "GetQuadMesher",
+        "GetSubdivision",
+    )  # fmt: skip
     stages = (getattr(remesher, name)() for name in names if hasattr(remesher, name))
     return [stage for stage in stages if stage is not None]
 
@@ -212,13 +249,18 @@ def remesh(
     strokes=None,
     diffusion="ostromoukhov",
     feature_edges=None,
+    feature_curves=None,
     constraints=None,
     charts=1,
     map_size="auto",
     map_backend="auto",
+    preset="adaptive",
+    placement="surface",
     connectivity=None,
     smoothing=None,
     iterations=None,
+    pattern="triangles",
+    subdivisions=2,
 ):
     """Remeshes a surface with exactly the number of points asked for.
 
@@ -262,6 +304,9 @@ def remesh(
         Whose coefficients of error diffusion are used.
     feature_edges : (k, 2) integers, optional
         Pairs of points of the mesh, ends of edges that are features whatever their angle.
+    feature_curves : vtkPolyData or sequence of (k, 3) arrays, optional
+        Polylines that become features wherever they lie on the surface. Their points are moved to it; between two
+        of them, which should be closer to each other than the surface's folds are, the curve is cut into it.
     constraints : (k, 3) real numbers, optional
         Positions on the surface that become points of the result.
     charts : int, optional
@@ -270,13 +315,24 @@ def remesh(
         Pixels along the longer side of a map, up to 16384.
     map_backend : "auto", "opengl" or "cpu", optional
         What draws the maps. "auto" and "cpu" need no display.
+    preset : "uniform", "adaptive" or "rib", optional
+        What the optimisation is for: "uniform" evens the mesh out whatever the importance, "adaptive" (the default)
+        keeps the density that the samples have, "rib" also gives every sharp edge two neighbours on each side.
+    placement : "surface" or "least-squares", optional
+        "surface" (the default) keeps points on the surface; "least-squares" moves them off it to where triangles fit it
+        best.
     connectivity : "none", "regularity" or "aspect", optional
         Aim of the edge swaps: "regularity" (valence 6; what None means) or "aspect" (fat triangles).
     smoothing : "none", "area", "density" or "lloyd", optional
         How points move on the surface: "area" evens out areas, "density" integrals of the wanted density, "lloyd" (what
         None means) moves points to the centroids of their Voronoi cells.
     iterations : int, optional
-        Rounds of swaps and moves; 0 leaves the mesh as it was triangulated. None is vtkRemeshOptimizer's default, 40.
+        Rounds of swaps and moves; 0 leaves the mesh as it was triangulated. None is vtkRemeshOptimizer's default, 60.
+    pattern : "triangles", "quads" or "semiregular", optional
+        "quads" are regular in every chart; they are not optimised, and arrays have each of them as two triangles.
+        "semiregular" splits the triangles of a mesh of so many points 1 to 4.
+    subdivisions : int, optional
+        Levels of the pattern "semiregular", 0 to 8. The default is 2.
 
     Returns
     -------
@@ -297,25 +353,29 @@ def remesh(
     remesher = _classes.vtkGeometryRemesher()
     if points is not None:  # otherwise 0: as many as the input has after repairs
         remesher.SetNumberOfPoints(_integer(points, "points", 1, MAXIMUM_NUMBER_OF_POINTS))
-    _set_atlas_options(remesher, feature_angle, charts, feature_edges, constraints)
+    _set_atlas_options(remesher, feature_angle, charts, feature_edges, feature_curves, constraints)
     _set_map_options(remesher, map_size, map_backend)
     _set_importance(remesher, data, importance, importance_array, importance_image)
     _set_control(remesher, image_projection, band_pass, strokes)
-    if diffusion not in ("ostromoukhov", "zhou-fang"):
-        raise ValueError(f"diffusion must be 'ostromoukhov' or 'zhou-fang', not {diffusion!r}")
-    _choose(remesher, "DiffusionMethod", diffusion.replace("-", ""), "diffusion")
+    remesher.SetDiffusionMethod(_one_of(diffusion, {"ostromoukhov": 0, "zhou-fang": 1}, "diffusion"))
     _set(remesher, "Gamma", gamma, "gamma")
     _set(remesher, "Gradation", gradation, "gradation")
     if minimum_density is not None:
         _set(remesher, "MinimumDensity", minimum_density, "minimum_density")
     if transfer is not None:
         remesher.SetTransferFunction(_transfer_function(transfer))
+    presets = ("uniform", "adaptive", "rib")
+    getattr(remesher, f"SetPresetTo{_one_of(preset, {p: p.capitalize() for p in presets}, 'preset')}")()
+    placement = _one_of(placement, {"surface": "OnSurface", "least-squares": "LeastSquares"}, "placement")
+    getattr(remesher, f"SetPlacementTo{placement}")()
     if connectivity is not None:
         _choose(remesher, "Connectivity", connectivity, "connectivity")
     if smoothing is not None:
         _choose(remesher, "Smoothing", smoothing, "smoothing")
     if iterations is not None:
         _set(remesher, "NumberOfIterations", iterations, "iterations")
+    _choose(remesher, "Pattern", pattern, "pattern")
+    _set(remesher, "NumberOfSubdivisions", subdivisions, "subdivisions")
     remesher.SetInputData(data)
     update(remesher, progress, _inner_algorithms(remesher))
     return to_mesh(remesher.GetOutput(), mesh)
@@ -406,6 +466,7 @@ def atlas(
     progress=None,
     *,
     feature_edges=None,
+    feature_curves=None,
     constraints=None,
     maximum_density_ratio=None,
 ):
@@ -413,11 +474,11 @@ def atlas(
 
     Parameters
     ----------
-    mesh, feature_angle, charts, feature_edges, constraints, progress
+    mesh, feature_angle, charts, feature_edges, feature_curves, constraints, progress
         As for remesh().
     maximum_density_ratio : float, optional
-        Charts are split until area distortions differ from the chart's mean by no more than this factor almost
-        everywhere.
+        Charts are cut until area distortions differ from the chart's mean by no more than this factor almost
+        everywhere; 2 or more. None is vtkConformalAtlas's default, 100.
 
     Returns
     -------
@@ -430,7 +491,7 @@ def atlas(
     """
     data = _surface(mesh)
     algorithm = _classes.vtkConformalAtlas()
-    _set_atlas_options(algorithm, feature_angle, charts, feature_edges, constraints)
+    _set_atlas_options(algorithm, feature_angle, charts, feature_edges, feature_curves, constraints)
     if maximum_density_ratio is not None:
         _set(algorithm, "MaximumDensityRatio", maximum_density_ratio, "maximum_density_ratio")
     algorithm.SetInputData(data)

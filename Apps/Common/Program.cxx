@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace stipple
+{
+int Program::complain(const std::string& sentence, ExitStatus status) const
+{
+  std::fprintf(stderr, "%s: %s\n", this->Name.c_str(), sentence.c_str());
+  return status;
+}
+
+int Program::print(const std::string& text) const
+{
+  std::fputs(text.c_str(), stdout);
+  return std::fflush(stdout) == 0 ? Done
+                                  : this->complain("cannot write to the standard output", Failed);
+}
+
+int Program::perform(const std::function<Status()>& work) const
+{
+  try
+  {
+    const Status status = work();
+    return status.ok()
+      ? Done
+      : this->complain(status.isAbort() ? "interrupted" : status.message(), Failed);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->complain("out of memory", Failed);
+  }
+  catch (const std::exception& exception)
+  {
+    return this->complain(std::string("internal error: ") + exception.what(), Failed);
+  }
+}
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What main() of both programs does with text, failures and exceptions.
+#ifndef stipple_Program_h
+#define stipple_Program_h
+
+#include "Progress.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace stipple
+{
+enum ExitStatus
+{
+  Done = 0,
+  Failed = 1,
+  WrongUsage = 2
+};
+
+class Program
+{
+public:
+  explicit Program(std::string name)
+    : Name(std::move(name))
+  {
+  }
+
+  /// One line on stderr; returns the status.
+  [[nodiscard]] int complain(const std::string& sentence, ExitStatus status) const;
+  /// Text on stdout.
+  [[nodiscard]] int print(const std::string& text) const;
+  /// Does it, and tells why it failed, if it did; exceptions too.
+  [[nodiscard]] int perform(const std::function<Status()>& work) const;
+
+private:
+  std::string Name;
+};
+}
+
+#endif
