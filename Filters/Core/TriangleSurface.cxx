@@ -55,29 +55,28 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
     bucket[fill[std::min(e[0], e[1])]++] = h;
   }
   std::vector<int> twin(n, -1);
+  const auto larger = [&](int h) { return std::max(ends(h)[0], ends(h)[1]); };
   for (int p = 0; p < numberOfPoints; ++p)
   {
-    for (int i = begin[p]; i < begin[p + 1]; ++i)
+    std::sort(bucket.begin() + begin[p], bucket.begin() + begin[p + 1],
+      [&](int g, int h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
+    for (int i = begin[p], j = i; i < begin[p + 1]; i = j)
     {
-      const int h = bucket[i];
-      const auto e = ends(h);
-      int same = 0;
-      int opposite = 0;
-      int other = -1;
-      for (int j = begin[p]; j < begin[p + 1]; ++j)
+      // The halfedges of one edge: [i, j).
+      int forward = 0;
+      for (; j < begin[p + 1] && larger(bucket[j]) == larger(bucket[i]); ++j)
       {
-        const auto g = ends(bucket[j]);
-        if (g == e)
-        {
-          ++same;
-        }
-        else if (g[0] == e[1] && g[1] == e[0])
-        {
-          ++opposite;
-          other = bucket[j];
-        }
+        forward += ends(bucket[j])[0] == p;
       }
-      twin[h] = same > 1 || opposite > 1 ? -2 : other;
+      if (forward > 1 || j - i - forward > 1)
+      {
+        std::for_each(bucket.begin() + i, bucket.begin() + j, [&](int h) { twin[h] = -2; });
+      }
+      else if (j - i == 2)
+      {
+        twin[bucket[i]] = bucket[i + 1];
+        twin[bucket[i + 1]] = bucket[i];
+      }
     }
   }
   return twin;
