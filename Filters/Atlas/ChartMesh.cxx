@@ -12,8 +12,9 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
   std::sort(faces.begin(), faces.end());
   chart.faces = std::move(faces);
   const int n = static_cast<int>(chart.faces.size());
-  // Where the surface's faces are in the chart.
-  std::vector<int> localFace(surface.triangles.size(), -1);
+  // Where the surface's faces are in the chart; what is left from another chart is never read.
+  thread_local std::vector<int> localFace;
+  localFace.resize(std::max(localFace.size(), surface.triangles.size()));
   for (int i = 0; i < n; ++i)
   {
     localFace[chart.faces[i]] = i;
