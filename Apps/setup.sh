@@ -50,10 +50,9 @@ stipple_install()
     stipple_fail "this script installs Debian packages; elsewhere, install the libraries by hand and use CMake"
   stipple_missing=
   for stipple_package in "$@"; do
-    case $(dpkg-query -W -f '${db:Status-Status}\n' "$stipple_package" 2>/dev/null) in
-      *installed*) ;;
-      *) stipple_missing="$stipple_missing $stipple_package" ;;
-    esac
+    # A line an architecture; dpkg also knows packages that are "not-installed".
+    dpkg-query -W -f '${db:Status-Status}\n' "$stipple_package" 2>/dev/null | grep -qx installed ||
+      stipple_missing="$stipple_missing $stipple_package"
   done
   if [ -z "$stipple_missing" ]; then
     stipple_say "all packages are installed"

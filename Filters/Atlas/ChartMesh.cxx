@@ -2,26 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMesh.h"
 
+#include <algorithm>
+
 namespace stipple
 {
+namespace
+{
+/// Sorts faces that are all different: marked and collected where that is faster.
+void sortFaces(std::vector<int>& faces, std::size_t numberOfFaces)
+{
+  if (faces.size() * 16 < numberOfFaces)
+  {
+    std::sort(faces.begin(), faces.end());
+    return;
+  }
+  std::vector<char> isThere(numberOfFaces, 0);
+  for (int f : faces)
+  {
+    isThere[f] = 1;
+  }
+  faces.clear();
+  for (std::size_t f = 0; f < numberOfFaces; ++f)
+  {
+    if (isThere[f])
+    {
+      faces.push_back(static_cast<int>(f));
+    }
+  }
+}
+}
+
 ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
 {
   ChartMesh chart;
-  const int n = static_cast<int>(faces.size());
-  // Where the surface's faces are in the chart.
-  std::vector<int> localFace(surface.triangles.size(), -1);
-  for (int f : faces)
-  {
-    localFace[f] = 0;
-  }
+  sortFaces(faces, surface.triangles.size());
   chart.faces = std::move(faces);
-  for (int f = 0, i = 0; i < n; ++f)
+  const int n = static_cast<int>(chart.faces.size());
+  // Where the surface's faces are in the chart; what is left from another chart is never read.
+  thread_local std::vector<int> localFace;
+  localFace.resize(std::max(localFace.size(), surface.triangles.size()));
+  for (int i = 0; i < n; ++i)
   {
-    if (localFace[f] == 0)
-    {
-      chart.faces[i] = f;
-      localFace[f] = i++;
-    }
+    localFace[chart.faces[i]] = i;
   }
   chart.triangles.assign(n, { -1, -1, -1 });
   int cutHalfedges = 0;

@@ -171,10 +171,10 @@ private:
   ShortestPaths ToSeam;
 };
 
-/// Fraction of a triangle's area on which a linear function with these corner values is below c.
-double fractionBelow(std::array<double, 3> u, double c)
+/// Fraction of a triangle's area on which a linear function with these corner values, ascending, is
+/// below c.
+double fractionBelow(const std::array<double, 3>& u, double c)
 {
-  std::sort(u.begin(), u.end());
   if (c <= u[0])
   {
     return 0;
@@ -191,12 +191,21 @@ double fractionBelow(std::array<double, 3> u, double c)
 double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
   const std::vector<double>& value, double fraction)
 {
-  std::vector<double> area(mesh.faces.size());
-  double total = 0;
-  for (std::size_t i = 0; i < area.size(); ++i)
+  struct Piece
   {
-    area[i] = surface.faceArea(mesh.faces[i]);
-    total += area[i];
+    double area;
+    std::array<double, 3> corners;
+  };
+  std::vector<Piece> pieces;
+  pieces.reserve(mesh.faces.size());
+  double total = 0;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    const Triangle& t = mesh.triangles[i];
+    pieces.push_back(
+      { surface.faceArea(mesh.faces[i]), { value[t[0]], value[t[1]], value[t[2]] } });
+    std::sort(pieces.back().corners.begin(), pieces.back().corners.end());
+    total += pieces.back().area;
   }
   double low = 0;
   double high = 1;
@@ -204,10 +213,9 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
   {
     const double c = 0.5 * (low + high);
     double below = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
+    for (const Piece& piece : pieces)
     {
-      const Triangle& t = mesh.triangles[i];
-      below += area[i] * fractionBelow({ value[t[0]], value[t[1]], value[t[2]] }, c);
+      below += piece.area * fractionBelow(piece.corners, c);
     }
     (below < fraction * total ? low : high) = c;
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's polygon soup orientation, behind a plain signature.
+// From triangles that share points to an oriented manifold.
 #ifndef stipple_SoupOrientation_h
 #define stipple_SoupOrientation_h
 
@@ -9,13 +9,12 @@
 namespace stipple
 {
 /// Turns triangles so that neighbours agree, and duplicates points where the surface is not
-/// manifold. sourcePoint is extended by the origin of each duplicate.
+/// manifold. sourcePoint, one a point, is extended by the origin of each duplicate.
+///
+/// Orientation spreads breadth first, so that a surface that can't be oriented is cut open along a
+/// short line, where fronts meet: a Moebius strip straight across. Edges of more than two triangles
+/// join none of them; around each point, what still holds together gets a point of its own.
 void orientSoup(std::vector<Triangle>& triangles, std::vector<int>& sourcePoint);
-
-/// Removes triangles without area by collapses and flips (CGAL's remove_degenerate_faces); false if
-/// some remain.
-bool removeDegenerateFaces(
-  TriangleSurface& surface, std::vector<int>& sourcePoint, std::vector<int>& sourceCell);
 }
 
 #endif

@@ -2,20 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceRepair.h"
 
+#include "DegenerateFaces.h"
 #include "PolyDataConversion.h"
 #include "SoupOrientation.h"
+#include "ThinTriangles.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace stipple
 {
 namespace
 {
+/// The maps hold areas and curvatures in single precision.
+constexpr double smallestSize = 1e-15;
+constexpr double largestSize = 1e15;
+
+/// Of the bounding box. Its diagonal's square might leave the range of double precision.
+double largestSide(const TriangleSurface& surface)
+{
+  if (surface.triangles.empty())
+  {
+    return 0;
+  }
+  Vec3 low = surface.point(0, 0);
+  Vec3 high = low;
+  for (const Triangle& t : surface.triangles)
+  {
+    for (int p : t)
+    {
+      low = low.cwiseMin(surface.points[p]);
+      high = high.cwiseMax(surface.points[p]);
+    }
+  }
+  return (high - low).maxCoeff();
+}
+
+std::string shortNumber(double x)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << x;
+  return text.str();
+}
+
 /// The representative of every point: the first one at exactly the same place (-0 equals 0).
 std::vector<int> weldMap(const std::vector<Vec3>& points)
 {
@@ -214,6 +250,12 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
         " of the input has a coordinate that is not a finite number: remove or correct it.");
     }
   }
+  const double size = largestSide(s);
+  if (size > 0 && (size < smallestSize || size > largestSize))
+  {
+    return Status::error("The surface is " + shortNumber(size) + " across: scale it to between " +
+      shortNumber(smallestSize) + " and " + shortNumber(largestSize) + ".");
+  }
   const int numberOfInputPoints = static_cast<int>(s.points.size());
   const std::vector<int> weld = weldMap(s.points);
   std::vector<char> used(numberOfInputPoints, 0);
@@ -248,7 +290,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
       before[f][k] = r.sourcePoint[s.triangles[f][k]];
     }
   }
-  // The usual input is clean already: only the others pay for CGAL's orienter.
+  // The usual input is clean already: only the others pay for the orienter.
   s.connect();
   if (!s.topology().manifold)
   {
@@ -266,18 +308,10 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
     restoreMajorityOrientation(r, before);
     compactPoints(r);
   }
-  const auto hasNoArea = [&](int f) {
-    return (s.point(f, 1) - s.point(f, 0)).cross(s.point(f, 2) - s.point(f, 0)).isZero(0);
-  };
-  int degenerate = 0;
-  for (int f = 0; f < s.numberOfFaces(); ++f)
+  if (const int thin = removeThinTriangles(s, r.sourceCell); thin > 0)
   {
-    degenerate += hasNoArea(f);
-  }
-  if (degenerate > 0)
-  {
-    r.counts.degenerateTriangles += degenerate;
-    removeDegenerateFaces(s, r.sourcePoint, r.sourceCell);
+    r.counts.degenerateTriangles += thin;
+    removeDegenerateFaces(s, r.sourcePoint, r.sourceCell); // what single steps could not
     compactPoints(r);
   }
   s.connect();

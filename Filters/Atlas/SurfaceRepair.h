@@ -16,7 +16,7 @@ struct RepairCounts
 {
   int weldedPoints = 0;        ///< points merged into another one at the very same place
   int unusedPoints = 0;        ///< points that no triangle uses
-  int degenerateTriangles = 0; ///< triangles without area, dropped or flipped away
+  int degenerateTriangles = 0; ///< triangles without area but for rounding, removed
   int duplicateTriangles = 0;  ///< second and further copies of a triangle
   int reorientedTriangles = 0; ///< triangles turned around to agree with their neighbours
   int splitEdges = 0;          ///< edges of more than two triangles
@@ -33,8 +33,9 @@ struct RepairedSurface
   RepairCounts counts;
 };
 
-/// Welds, triangulates, orients and splits the non-manifold. An error names the first point that is
-/// NaN or infinite.
+/// Welds, triangulates, orients and splits the non-manifold; drops triangles without area, and
+/// those that rounding alone keeps from it. An error names the first point that is NaN or infinite,
+/// or tells that the surface is too large or too small for the maps' single precision.
 STIPPLEFILTERSATLAS_EXPORT Status repairSurface(vtkPolyData* input, RepairedSurface& repaired);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataConversion.h"
 
+#include "PolygonTriangulation.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -28,12 +30,23 @@ TriangleSurface fromPolyData(vtkPolyData* data, std::vector<int>* sourceCell)
   vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
   vtkIdType size;
   const vtkIdType* ids;
+  std::vector<Vec3> polygon;
   for (vtkIdType i = 0; i < data->GetNumberOfPolys(); ++i, ++cell)
   {
     data->GetPolys()->GetCellAtId(i, size, ids);
-    for (vtkIdType k = 2; k < size; ++k)
+    if (size == 3)
     {
-      add(ids[0], ids[k - 1], ids[k], cell);
+      add(ids[0], ids[1], ids[2], cell);
+      continue;
+    }
+    polygon.clear();
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      polygon.push_back(surface.points[ids[k]]);
+    }
+    for (const Triangle& t : triangulatePolygon(polygon))
+    {
+      add(ids[t[0]], ids[t[1]], ids[t[2]], cell);
     }
   }
   for (vtkIdType i = 0; i < data->GetNumberOfStrips(); ++i, ++cell)

@@ -12,8 +12,8 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// The triangles of a poly data (polygons are fan-triangulated, strips unrolled, other cells
-/// ignored) and its points, unwelded; not yet connected. sourceCell, if asked for, receives the
+/// The triangles of a poly data (polygons are triangulated, strips unrolled, other cells ignored)
+/// and its points, unwelded; not yet connected. sourceCell, if asked for, receives the
 /// cell of each triangle.
 STIPPLEFILTERSCORE_EXPORT TriangleSurface fromPolyData(
   vtkPolyData* data, std::vector<int>* sourceCell = nullptr);

@@ -3,11 +3,18 @@
 #include "Shapes.h"
 #include "SurfaceRepair.h"
 
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 using namespace stipple;
 
@@ -148,6 +155,228 @@ TEST(SurfaceRepair, TriangleWithoutAreaIsRemovedWithoutACrack)
   }
 }
 
+namespace
+{
+/// A strip of n x m squares, cut in two, around the z axis; half a turn makes it a Moebius strip.
+TriangleSurface moebiusStrip(int n, int m)
+{
+  TriangleSurface s;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j <= m; ++j)
+    {
+      const double u = 2 * 3.14159265358979323846 * i / n;
+      const double v = 0.8 * (static_cast<double>(j) / m - 0.5);
+      const double r = 1 + v * std::cos(u / 2);
+      s.points.emplace_back(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2));
+    }
+  }
+  const auto id = [&](int i, int j) { return i < n ? i * (m + 1) + j : m - j; };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      s.triangles.push_back({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
+      s.triangles.push_back({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
+    }
+  }
+  return s;
+}
+
+double leastHeight(const TriangleSurface& s)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < s.numberOfFaces(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double side = (s.point(f, (k + 1) % 3) - s.point(f, k)).norm();
+      least = std::min(least, 2 * s.faceArea(f) / side);
+    }
+  }
+  return least;
+}
+}
+
+TEST(SurfaceRepair, MoebiusStripIsCutStraightAcross)
+{
+  const RepairedSurface r = repaired(moebiusStrip(60, 6));
+  const SurfaceTopology topology = r.surface.topology();
+  EXPECT_EQ(topology.components, 1);
+  EXPECT_EQ(topology.boundaryLoops, 1);
+  EXPECT_EQ(topology.euler, 1) << "a strip";
+  EXPECT_LE(r.counts.splitVertices, 2 * 7);
+  EXPECT_EQ(r.surface.numberOfFaces(), 2 * 60 * 6);
+}
+
+TEST(SurfaceRepair, TriangleThatRoundingKeepsFromHavingNoAreaIsRemoved)
+{
+  for (const double off : { 1e-17, 1e-12, -1e-9 })
+  {
+    TriangleSurface s = shapes::sphere(1, 3);
+    const TriangleSurface good = s;
+    int added = 0;
+    for (int f = 0; f < good.numberOfFaces(); f += 7)
+    {
+      const Triangle t = s.triangles[f];
+      const int m = static_cast<int>(s.points.size());
+      s.points.push_back(Vec3(0.5 * (s.points[t[0]] + s.points[t[1]]) + off * good.faceNormal(f)));
+      s.triangles[f] = { t[0], m, t[2] };
+      s.triangles.push_back({ m, t[1], t[2] });
+      s.triangles.push_back({ t[0], t[1], m });
+      ++added;
+    }
+    const RepairedSurface r = repaired(s);
+    EXPECT_EQ(r.counts.degenerateTriangles, added) << off;
+    EXPECT_TRUE(r.surface.topology() == good.topology()) << off;
+    EXPECT_GT(leastHeight(r.surface), 0.01) << off;
+    EXPECT_NEAR(r.surface.area(), good.area(), 1e-6) << off;
+  }
+}
+
+TEST(SurfaceRepair, NeedlesAreCollapsed)
+{
+  // Some points doubled, a hair apart: two needles between the two copies.
+  TriangleSurface s = shapes::torus(2, 0.7, 40, 20);
+  const TriangleSurface good = s;
+  const std::vector<int> first = good.vertexHalfedges();
+  int needles = 0;
+  for (int p = 0; p < 800; p += 90)
+  {
+    const int h = first[p];
+    const int g = good.twin[previousHalfedge(good.twin[previousHalfedge(h)])];
+    const int copy = static_cast<int>(s.points.size());
+    s.points.push_back(Vec3(s.points[p] + Vec3(1e-10, -1e-10, 2e-10)));
+    // The fan from h up to g takes the copy; along both of its ends a needle opens.
+    for (int c = h; c != g; c = good.twin[previousHalfedge(c)])
+    {
+      s.triangles[c / 3][c % 3] = copy;
+    }
+    s.triangles.push_back({ copy, p, good.head(h) });
+    s.triangles.push_back({ p, copy, good.head(g) });
+    needles += 2;
+  }
+  s.connect();
+  ASSERT_TRUE(s.topology() == good.topology());
+  const RepairedSurface r = repaired(s);
+  EXPECT_EQ(r.counts.degenerateTriangles, needles);
+  EXPECT_EQ(r.surface.points.size(), good.points.size());
+  EXPECT_TRUE(r.surface.topology() == good.topology());
+  EXPECT_GT(leastHeight(r.surface), 0.01);
+}
+
+TEST(SurfaceRepair, ThinTrianglesAtTheBoundaryAreDropped)
+{
+  TriangleSurface s = shapes::saddle(8);
+  const TriangleSurface good = s;
+  int added = 0;
+  for (int h = 0; h < 3 * good.numberOfFaces(); h += 1)
+  {
+    if (good.twin[h] < 0 && h % 2 == 0)
+    {
+      const int f = h / 3;
+      const int k = h % 3;
+      const Triangle t = s.triangles[f];
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      const int c = t[(k + 2) % 3];
+      const int m = static_cast<int>(s.points.size());
+      const Vec3 inwards = s.points[c] - s.points[a];
+      s.points.push_back(Vec3(0.5 * (s.points[a] + s.points[b]) + 1e-10 * inwards));
+      if (t == good.triangles[f])
+      {
+        s.triangles[f] = { a, m, c };
+        s.triangles.push_back({ m, b, c });
+        s.triangles.push_back({ a, b, m });
+        ++added;
+      }
+    }
+  }
+  ASSERT_GT(added, 4);
+  const RepairedSurface r = repaired(s);
+  EXPECT_EQ(r.counts.degenerateTriangles, added);
+  EXPECT_TRUE(r.surface.topology() == good.topology());
+  EXPECT_GT(leastHeight(r.surface), 0.01);
+  EXPECT_NEAR(r.surface.area(), good.area(), 1e-6);
+}
+
+TEST(SurfaceRepair, NothingIsLeftOfASurfaceThatIsAllThin)
+{
+  TriangleSurface s;
+  s.points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-9, 0), Vec3(2, 1e-9, 0) };
+  s.triangles = { { 0, 1, 2 }, { 1, 3, 2 } };
+  const RepairedSurface r = repaired(s);
+  EXPECT_EQ(r.surface.numberOfFaces(), 0);
+  EXPECT_EQ(r.counts.degenerateTriangles, 2);
+}
+
+TEST(SurfaceRepair, PolygonsThatAreNotConvexAreCovered)
+{
+  // A fan from the first corner would leave the L.
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y] : { std::pair(4, 1), { 1, 1 }, { 1, 3 }, { 0, 3 }, { 0, 0 }, { 4, 0 } })
+  {
+    points->InsertNextPoint(x, y, 7);
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3, 4, 5 });
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(polys);
+  RepairedSurface r;
+  ASSERT_TRUE(repairSurface(data, r).ok());
+  EXPECT_EQ(r.surface.numberOfFaces(), 4);
+  EXPECT_NEAR(r.surface.area(), 6, 1e-12);
+  for (int f = 0; f < 4; ++f)
+  {
+    EXPECT_EQ(r.surface.faceNormal(f), Vec3(0, 0, 1));
+  }
+}
+
+TEST(SurfaceRepair, CornersOnAPolygonsSideLeaveNoFlatTriangle)
+{
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y] :
+    { std::pair(0, 0), { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 3 }, { 1, 3 }, { 0, 3 } })
+  {
+    points->InsertNextPoint(x, y, 0);
+  }
+  for (vtkIdType first = 0; first < 7; ++first)
+  {
+    vtkNew<vtkCellArray> polys;
+    polys->InsertNextCell(7);
+    for (vtkIdType k = 0; k < 7; ++k)
+    {
+      polys->InsertCellPoint((first + k) % 7);
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(polys);
+    RepairedSurface r;
+    ASSERT_TRUE(repairSurface(data, r).ok());
+    EXPECT_NEAR(r.surface.area(), 9, 1e-12);
+    EXPECT_EQ(r.surface.numberOfFaces(), 5);
+    EXPECT_GT(leastHeight(r.surface), 0.1);
+  }
+}
+
+TEST(SurfaceRepair, SizesBeyondSinglePrecisionAreRefused)
+{
+  for (const double scale : { 1e-200, 1e-16, 1e16, 1e150 })
+  {
+    TriangleSurface s = shapes::cube(2);
+    for (Vec3& p : s.points)
+    {
+      p *= scale;
+    }
+    RepairedSurface r;
+    const Status status = repairSurface(shapes::toPolyData(s), r);
+    EXPECT_FALSE(status.ok()) << scale;
+    EXPECT_NE(status.message().find("scale it to between 1e-15 and 1e+15"), std::string::npos)
+      << status.message();
+  }
+}
+
 TEST(SurfaceRepair, NotANumberNamesThePoint)
 {
   TriangleSurface s = shapes::cube(1);
@@ -156,4 +385,23 @@ TEST(SurfaceRepair, NotANumberNamesThePoint)
   const Status status = repairSurface(shapes::toPolyData(s), r);
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message().find("Point 5 "), std::string::npos);
+}
+
+TEST(SurfaceRepair, APointOfVeryManyTrianglesTakesNoMoreTimeThanItsTriangles)
+{
+  // Pairing each halfedge with each other one at the point would take hours: ctest's limit fails.
+  constexpr int n = 500000;
+  TriangleSurface s;
+  s.points.emplace_back(0, 0, 0);
+  for (int i = 0; i < n; ++i)
+  {
+    const double a = 2 * 3.14159265358979323846 * i / n;
+    s.points.emplace_back(std::cos(a), std::sin(a), 0);
+    s.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % n });
+  }
+  s.connect();
+  const SurfaceTopology topology = s.topology();
+  EXPECT_TRUE(topology.manifold);
+  EXPECT_EQ(topology.euler, 1);
+  EXPECT_EQ(topology.boundaryLoops, 1);
 }
