@@ -75,7 +75,10 @@ int InteriorSampler::upsampling(const ControlImage& image, double scale, const C
     aboveOne += overfull[factor];
     --factor;
   }
-  return factor;
+  const double forAll = std::ceil(std::sqrt(2. * mass.largest * toWanted));
+  return forAll <= largestForAll * factor && withinLimits(image, static_cast<int>(forAll))
+    ? static_cast<int>(forAll)
+    : factor;
 }
 
 bool InteriorSampler::withinLimits(const ControlImage& image, int factor)

@@ -28,10 +28,12 @@ constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in
 constexpr double largestRasterSize = 512. * 1024 * 1024; ///< pixels of one chart
 /// Rasters of all charts together beyond which they are drawn twice rather than kept.
 constexpr double mostKeptPixels = 128. * 1024 * 1024;
-/// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
-/// and more than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins
-/// to show; what a pixel cannot take, error diffusion hands to those beside it, and nothing is
-/// lost.
+/// No pixel wants more than half a sample, unless a few would cost more than this factor squared in
+/// pixels: a spike of the control. Then at most these shares of a chart's samples may fall to
+/// pixels that want more than half a sample, and more than a whole one. Up to one, halftoning is
+/// fine but for the pixels' lattice that begins to show; what a pixel cannot take, error diffusion
+/// hands to those beside it, and nothing is lost.
+constexpr double largestForAll = 2.;
 constexpr double crowdedShare = 0.05;
 constexpr double overfullShare = 0.005;
 
@@ -44,7 +46,7 @@ public:
     const ChartGraph& graph, std::vector<double> bandWidths, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
-  /// (but for crowdedShare and overfullShare), which may be beyond the limits.
+  /// (but for spikes, see largestForAll), which may be beyond the limits.
   static int upsampling(const ControlImage& image, double scale, const ControlMass& mass);
   static bool withinLimits(const ControlImage& image, int factor);
 
