@@ -31,7 +31,7 @@
 namespace
 {
 int failures = 0;
-int named = 0; // numbers that were refused with another one
+int refused = 0; // numbers that were refused with another one
 
 bool check(bool condition, const std::string& what)
 {
@@ -126,7 +126,7 @@ std::string remeshOrNamed(Remesher& r, int n)
   {
     return wrong;
   }
-  ++named;
+  ++refused;
   const int other = std::stoi(wrong.substr(named + words.size()));
   const std::string still = other > n ? r.remesh(other) : "not more";
   return still.empty() ? still
@@ -216,7 +216,7 @@ void testRandomDraws(int draws)
         std::to_string(filter->GetNumberOfIterations()) + " iterations: " + wrong);
   }
   check(draws < 100 || constrained > draws / 8, "half of the draws have constraints");
-  check(named <= draws / 200, "few numbers are refused: " + std::to_string(named));
+  check(refused <= draws / 200, "few numbers are refused: " + std::to_string(refused));
 }
 
 /// Every number from the least on.
