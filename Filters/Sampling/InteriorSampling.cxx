@@ -208,8 +208,8 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const double length = e.norm();
   const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
   // How far to look: where the control fades beside the segment, what wants to be in its band lies
-  // farther away than the control on it says.
-  const double far = 2. * length + 8. * pixel.maxCoeff();
+  // farther away than the control on it says. Not without end: nothing may be wanted there.
+  const double far = 8. * (length + r.factor * pixel.maxCoeff());
   const auto least = [&](double away) {
     double value = std::numeric_limits<double>::max();
     for (double t : { 0., 0.5, 1. })
