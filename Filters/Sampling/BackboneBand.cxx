@@ -99,7 +99,7 @@ private:
     const Vec3 cross = (b - a).cross(c - a);
     const double area = cross.norm(); // twice
     const std::array<Vec3, 3> opposite = { { c - b, a - c, b - a } };
-    const Vec3 edge = opposite[(this->Entry + 2) % 3];
+    const Vec3& edge = opposite[(this->Entry + 2) % 3];
     const double length = edge.norm();
     this->Valid = area > 0 && length > 0;
     if (!this->Valid)
