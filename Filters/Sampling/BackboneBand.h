@@ -18,8 +18,9 @@ namespace stipple
 constexpr double bandLimit = 0.21650635094610965; // sqrt(3) / 8
 
 /// A band may be widened up to this many times to make room for those that share it: two backbones
-/// in one place can each keep their spacing. What is not there even so, is not sampled.
-constexpr double widestBand = 2.;
+/// in one place nearly keep their spacing. What is not there even so, is not sampled. (Wider ones
+/// leave gaps where seams meet at small angles.)
+constexpr double widestBand = 1.9;
 
 /// The surface on both sides of a backbone, across it at one place.
 class STIPPLEFILTERSSAMPLING_EXPORT BandSection
