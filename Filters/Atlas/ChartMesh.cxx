@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMesh.h"
 
-#include <algorithm>
-
 namespace stipple
 {
 ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
 {
   ChartMesh chart;
-  std::sort(faces.begin(), faces.end());
-  chart.faces = std::move(faces);
-  const int n = static_cast<int>(chart.faces.size());
+  const int n = static_cast<int>(faces.size());
   // Where the surface's faces are in the chart.
   std::vector<int> localFace(surface.triangles.size(), -1);
-  for (int i = 0; i < n; ++i)
+  for (int f : faces)
   {
-    localFace[chart.faces[i]] = i;
+    localFace[f] = 0;
+  }
+  chart.faces = std::move(faces);
+  for (int f = 0, i = 0; i < n; ++f)
+  {
+    if (localFace[f] == 0)
+    {
+      chart.faces[i] = f;
+      localFace[f] = i++;
+    }
   }
   chart.triangles.assign(n, { -1, -1, -1 });
   int cutHalfedges = 0;
@@ -87,29 +92,36 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
 std::vector<std::vector<int>> chartFaces(const CutSurface& surface)
 {
   std::vector<std::vector<int>> charts;
-  std::vector<char> seen(surface.triangles.size(), 0);
+  std::vector<int> chartOf(surface.triangles.size(), -1);
+  std::vector<int> faces;
   for (int start = 0; start < surface.numberOfFaces(); ++start)
   {
-    if (seen[start])
+    if (chartOf[start] >= 0)
     {
       continue;
     }
-    std::vector<int> faces = { start };
-    seen[start] = 1;
+    const int chart = static_cast<int>(charts.size());
+    faces = { start };
+    chartOf[start] = chart;
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       for (int k = 0; k < 3; ++k)
       {
         const int h = 3 * faces[i] + k;
-        if (!surface.cut[h] && !seen[surface.twin[h] / 3])
+        const int neighbour = surface.cut[h] ? -1 : surface.twin[h] / 3;
+        if (neighbour >= 0 && chartOf[neighbour] < 0)
         {
-          seen[surface.twin[h] / 3] = 1;
-          faces.push_back(surface.twin[h] / 3);
+          chartOf[neighbour] = chart;
+          faces.push_back(neighbour);
         }
       }
     }
-    std::sort(faces.begin(), faces.end());
-    charts.push_back(std::move(faces));
+    charts.emplace_back();
+    charts.back().reserve(faces.size());
+  }
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    charts[chartOf[f]].push_back(f);
   }
   return charts;
 }

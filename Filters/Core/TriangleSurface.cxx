@@ -24,6 +24,11 @@ void unite(std::vector<int>& parent, int a, int b)
 {
   parent[findRoot(parent, a)] = findRoot(parent, b);
 }
+
+int nextCorner(int k)
+{
+  return k == 2 ? 0 : k + 1;
+}
 }
 
 std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
@@ -36,48 +41,72 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
   {
     numberOfPoints = std::max({ numberOfPoints, t[0] + 1, t[1] + 1, t[2] + 1 });
   }
-  std::vector<int> begin(numberOfPoints + 1, 0);
-  const auto ends = [&](int h) {
-    const Triangle& t = triangles[h / 3];
-    return std::array<int, 2>{ t[h % 3], t[h % 3 == 2 ? 0 : h % 3 + 1] };
-  };
-  for (int h = 0; h < n; ++h)
+  struct Entry
   {
-    const auto e = ends(h);
-    ++begin[std::min(e[0], e[1]) + 1];
+    int far; ///< the larger end point
+    int halfedge;
+    bool leaves; ///< from the smaller end point
+    bool operator<(const Entry& e) const { return this->far < e.far; }
+  };
+  std::vector<int> begin(numberOfPoints + 1, 0);
+  for (const Triangle& t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ++begin[std::min(t[k], t[nextCorner(k)]) + 1];
+    }
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<int> bucket(n);
+  std::vector<Entry> bucket(n);
   std::vector<int> fill(begin.begin(), begin.end() - 1);
-  for (int h = 0; h < n; ++h)
+  int h = 0;
+  for (const Triangle& t : triangles)
   {
-    const auto e = ends(h);
-    bucket[fill[std::min(e[0], e[1])]++] = h;
+    for (int k = 0; k < 3; ++k, ++h)
+    {
+      const int p = t[k];
+      const int q = t[nextCorner(k)];
+      bucket[fill[std::min(p, q)]++] = { std::max(p, q), h, p <= q };
+    }
   }
   std::vector<int> twin(n, -1);
-  for (int p = 0; p < numberOfPoints; ++p)
-  {
-    for (int i = begin[p]; i < begin[p + 1]; ++i)
+  const auto match = [&](const Entry* first, const Entry* last) {
+    for (const Entry* e = first; e != last; ++e)
     {
-      const int h = bucket[i];
-      const auto e = ends(h);
       int same = 0;
       int opposite = 0;
       int other = -1;
-      for (int j = begin[p]; j < begin[p + 1]; ++j)
+      for (const Entry* g = first; g != last; ++g)
       {
-        const auto g = ends(bucket[j]);
-        if (g == e)
+        if (g->far == e->far && g->leaves == e->leaves)
         {
           ++same;
         }
-        else if (g[0] == e[1] && g[1] == e[0])
+        else if (g->far == e->far)
         {
           ++opposite;
-          other = bucket[j];
+          other = g->halfedge;
         }
       }
-      twin[h] = same > 1 || opposite > 1 ? -2 : other;
+      twin[e->halfedge] = same > 1 || opposite > 1 ? -2 : other;
+    }
+  };
+  constexpr int Many = 32; // the hub of a fan: every pair of its edges would be too much
+  for (int p = 0; p < numberOfPoints; ++p)
+  {
+    Entry* first = bucket.data() + begin[p];
+    Entry* last = bucket.data() + begin[p + 1];
+    if (last - first <= Many)
+    {
+      match(first, last);
+      continue;
+    }
+    std::sort(first, last);
+    while (first != last)
+    {
+      Entry* end = std::upper_bound(first, last, *first);
+      match(first, end);
+      first = end;
     }
   }
   return twin;
@@ -161,49 +190,57 @@ SurfaceTopology TriangleSurface::topology() const
   const int n = 3 * this->numberOfFaces();
   std::vector<int> component(this->points.size());
   std::iota(component.begin(), component.end(), 0);
-  std::vector<int> fan(n); // corners joined around their vertex
-  std::iota(fan.begin(), fan.end(), 0);
-  std::vector<int> loop(this->points.size());
-  std::iota(loop.begin(), loop.end(), 0);
+  std::vector<int> loop = component;
   std::vector<char> onBoundary(this->points.size(), 0);
   int edges = 0;
   for (int h = 0; h < n; ++h)
   {
-    unite(component, this->tail(h), this->head(h));
     const int t = this->twin[h];
-    if (t == -2)
+    if (t > h)
     {
-      result.manifold = false;
+      continue; // the edge's turn comes
     }
+    ++edges;
+    unite(component, this->tail(h), this->head(h));
     if (t < 0)
     {
-      ++edges;
+      result.manifold = result.manifold && t != -2;
       unite(loop, this->tail(h), this->head(h));
       onBoundary[this->tail(h)] = onBoundary[this->head(h)] = 1;
     }
-    else
-    {
-      edges += h < t;
-      unite(fan, h, nextHalfedge(t));
-      unite(fan, nextHalfedge(h), t);
-    }
   }
-  std::vector<int> fanOf(this->points.size(), -1);
+  // The corners about a point are one fan: turning one way and the other from any of them reaches
+  // all.
+  std::vector<char> visited(n, 0);
+  std::vector<char> hasFan(this->points.size(), 0);
   int vertices = 0;
   for (int h = 0; h < n; ++h)
   {
-    const int p = this->tail(h);
-    const int root = findRoot(fan, h);
-    if (fanOf[p] < 0)
+    if (visited[h])
     {
-      fanOf[p] = root;
+      continue;
+    }
+    const int p = this->tail(h);
+    if (hasFan[p])
+    {
+      result.manifold = false;
+    }
+    else
+    {
+      hasFan[p] = 1;
       ++vertices;
       result.components += findRoot(component, p) == p;
       result.boundaryLoops += onBoundary[p] && findRoot(loop, p) == p;
     }
-    else if (fanOf[p] != root)
+    int g = h;
+    do
     {
-      result.manifold = false;
+      visited[g] = 1;
+      g = this->twin[previousHalfedge(g)];
+    } while (g >= 0 && g != h);
+    for (g = this->twin[h]; g >= 0 && !visited[nextHalfedge(g)]; g = this->twin[nextHalfedge(g)])
+    {
+      visited[nextHalfedge(g)] = 1;
     }
   }
   result.euler = vertices - edges + this->numberOfFaces();

@@ -152,6 +152,11 @@ int swapLocallyWhile(OptimizedMesh& mesh, int maximumNumberOfPasses, const Wish&
 }
 }
 
+bool isDelaunaySwap(const OptimizedMesh& mesh, int edge)
+{
+  return mesh.isSwappable(edge) && exceedsHalfTurn(mesh, Quad(mesh, edge));
+}
+
 int delaunaySwaps(OptimizedMesh& mesh, int maximumNumberOfPasses)
 {
   return swapLocallyWhile(

@@ -8,6 +8,9 @@
 
 namespace stipple
 {
+/// The edge may be swapped, and its opposite angles (in space) exceed 180 degrees together.
+bool isDelaunaySwap(const OptimizedMesh& mesh, int edge);
+
 /// Passes over all edges in order, again and again while something changes; they return the number
 /// of swaps.
 

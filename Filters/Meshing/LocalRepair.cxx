@@ -4,6 +4,7 @@
 
 #include "EdgeSwaps.h"
 #include "Relaxation.h"
+#include "VertexStar.h"
 
 #include "vtkSMPTools.h"
 
@@ -15,40 +16,6 @@ namespace stipple
 namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
-
-/// A vertex and a triangle whose normals' cosine is below this face away from each other.
-constexpr double WorstCosine = -0.3;
-
-std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
-{
-  const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-  return { { graph.from_vertex_handle(h).idx(), graph.to_vertex_handle(h).idx(),
-    graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx() } };
-}
-
-double faceQuality(const OptimizedMesh& mesh, int f)
-{
-  const auto t = corners(mesh, f);
-  return triangleQuality(mesh, t[0], t[1], t[2]);
-}
-
-/// Calls visit(f) for every triangle about v.
-template <typename Visit>
-void forEachFace(const OptimizedMesh& mesh, int v, const Visit& visit)
-{
-  const auto& graph = mesh.graph();
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    if (!graph.is_boundary(h))
-    {
-      visit(graph.face_handle(h).idx());
-    }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
-}
 
 bool improveBySwap(OptimizedMesh& mesh, int f)
 {
@@ -79,24 +46,27 @@ bool improveBySwap(OptimizedMesh& mesh, int f)
 
 bool improveByMove(OptimizedMesh& mesh, int v)
 {
-  double best = starQuality(mesh, v);
+  const VertexStar star(mesh, v);
+  double best = star.quality(mesh.footing(v));
   const double start = best;
-  const auto accept = [&]() {
-    if (!starExceeds(mesh, v, best + 1e-6))
+  const auto isBetter = [&](const Footing& there) {
+    if (!star.exceeds(there, best + 1e-6))
     {
       return false;
     }
-    best = starQuality(mesh, v);
+    best = star.quality(there);
     return true;
   };
   double reach = 0;
   int count = 0;
   Vec3 centre = Vec3::Zero();
-  forEachFace(mesh, v, [&](int f) {
-    for (int u : corners(mesh, f))
+  std::vector<int> ring;
+  mesh.forEachFace(v, [&](int f) {
+    for (int u : mesh.corners(f))
     {
       if (u != v)
       {
+        ring.push_back(u);
         centre += mesh.position(u);
         reach += (mesh.position(u) - mesh.position(v)).norm();
         ++count;
@@ -107,9 +77,10 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   reach /= count;
   if (mesh.freedom(v) == Freedom::Backbone)
   {
+    const auto accept = [&]() { return isBetter(mesh.footing(v)); };
     for (double size : { 0.2, 0.05 })
     {
-      while (mesh.slideOne(v, size * reach, accept) || mesh.slideOne(v, -size * reach, accept))
+      while (mesh.trySlide(v, size * reach, accept) || mesh.trySlide(v, -size * reach, accept))
       {
       }
     }
@@ -119,104 +90,39 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   {
     return false;
   }
+  const auto attempt = [&](const SurfacePlace& from, const Vec3& step) {
+    const Footing there = mesh.footing(from, step);
+    if (isBetter(there))
+    {
+      mesh.put(v, there);
+    }
+  };
   // Where relaxation would go and to the middle of the ring; then a pattern search about the place.
   for (const double share : { 1., 0.5 })
   {
-    mesh.moveOne(v, share * (centre - mesh.position(v)), accept);
-    mesh.moveOne(v, share * lloydStep(mesh, v), accept);
+    attempt(mesh.place(v), share * (centre - mesh.position(v)));
+    attempt(mesh.place(v), share * lloydStep(mesh, v));
   }
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
-  std::vector<int> ring;
-  forEachFace(mesh, v, [&](int f) {
-    for (int u : corners(mesh, f))
-    {
-      if (u != v && mesh.freedom(u) == Freedom::Surface)
-      {
-        ring.push_back(u);
-      }
-    }
-  });
   for (int u : ring)
   {
-    mesh.moveOne(v, mesh.place(u), centre - mesh.position(u), accept);
+    if (best < 0 && mesh.freedom(u) == Freedom::Surface)
+    {
+      attempt(mesh.place(u), centre - mesh.position(u));
+    }
   }
   for (double size = 0.2; size > 0.01; size *= 0.5)
   {
-    const Vec3& n = mesh.normal(v);
+    const Vec3 n = mesh.normal(v);
     const Vec3 e = n.unitOrthogonal();
     const Vec3 g = n.cross(e);
     for (int k = 0; k < 8; ++k)
     {
       const double angle = k * 0.785398163397448;
-      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g));
     }
   }
   return best > start;
-}
-
-double starQuality(const OptimizedMesh& mesh, int v)
-{
-  double worst = 10;
-  double folded = 0;
-  forEachFace(mesh, v, [&](int f) {
-    const double q = faceQuality(mesh, f);
-    worst = std::min(worst, q);
-    folded += std::min(0., q);
-  });
-  return folded < 0 ? folded : worst;
-}
-
-bool starExceeds(const OptimizedMesh& mesh, int v, double bound)
-{
-  if (bound < 0)
-  {
-    return starQuality(mesh, v) > bound;
-  }
-  const auto& graph = mesh.graph();
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    if (!graph.is_boundary(h) && !(faceQuality(mesh, graph.face_handle(h).idx()) > bound))
-    {
-      return false;
-    }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
-  return true;
-}
-
-double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
-{
-  const Vec3& p = mesh.position(a);
-  const Vec3& q = mesh.position(b);
-  const Vec3& r = mesh.position(c);
-  const Vec3 u = q - p;
-  const Vec3 w = r - q;
-  const Vec3 z = p - r;
-  const Vec3 n = u.cross(-z);
-  const double area = n.norm();
-  const double cosine = mesh.agreement(a, b, c, n);
-  if (cosine < OptimizedMesh::minimumAgreement())
-  {
-    return cosine - 1.;
-  }
-  // A vertex that has slipped out of its ring turns its back on some of its triangles, though these
-  // may agree on average.
-  for (int v : { a, b, c })
-  {
-    const double own = mesh.freedom(v) == Freedom::Surface ? n.dot(mesh.normal(v)) : 0.;
-    if (own < WorstCosine * area)
-    {
-      return own / area;
-    }
-  }
-  // The smallest angle is opposite to the shortest edge.
-  const double uu = u.squaredNorm();
-  const double ww = w.squaredNorm();
-  const double zz = z.squaredNorm();
-  const double dot = uu <= ww && uu <= zz ? w.dot(z) : ww <= zz ? u.dot(z) : u.dot(w);
-  return std::atan2(area, -dot);
 }
 
 int repairTriangles(
@@ -224,29 +130,61 @@ int repairTriangles(
 {
   const int n = mesh.numberOfFaces();
   int bad = 0;
-  std::vector<char> isGood(n, 0); // as far as known: no one has touched the triangle since
-  const auto touch = [&](int v) { forEachFace(mesh, v, [&](int f) { isGood[f] = 0; }); };
+  enum class Known : char
+  {
+    Nothing,
+    Good,
+    Stuck ///< nothing that its repair looks at has changed since it failed
+  };
+  std::vector<Known> known(n, Known::Nothing);
+  const auto touch = [&](int v) {
+    mesh.forEachFace(v, [&](int f) {
+      known[f] = Known::Nothing;
+      for (int u : mesh.corners(f))
+      {
+        mesh.forEachFace(
+          u, [&](int g) { known[g] = known[g] == Known::Stuck ? Known::Nothing : known[g]; });
+      }
+    });
+  };
+  const auto improve = [&](int v) {
+    const bool moved = improveByMove(mesh, v);
+    if (moved)
+    {
+      touch(v);
+    }
+    return moved;
+  };
   for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
     vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
       for (int f = static_cast<int>(begin); f < end; ++f)
       {
-        isGood[f] = isGood[f] || faceQuality(mesh, f) >= threshold ? 1 : 0;
+        if (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold)
+        {
+          known[f] = Known::Good;
+        }
       }
     });
     bad = 0;
     bool changed = false;
     for (int f = 0; f < n; ++f)
     {
-      if (isGood[f] || faceQuality(mesh, f) >= threshold)
+      if (known[f] == Known::Good ||
+        (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold))
       {
         continue;
       }
       ++bad;
+      if (known[f] == Known::Stuck)
+      {
+        continue;
+      }
+      bool helped = false;
       if (maySwap && improveBySwap(mesh, f))
       {
-        changed = true;
-        for (int v : corners(mesh, f))
+        changed = helped = true;
+        for (int v : mesh.corners(f))
         {
           touch(v);
         }
@@ -255,18 +193,18 @@ int repairTriangles(
           continue;
         }
       }
-      const auto t = corners(mesh, f);
+      const auto t = mesh.corners(f);
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < threshold; ++k)
       {
-        changed = improveByMove(mesh, t[k]) || changed;
-        touch(t[k]);
+        helped = improve(t[k]) || helped;
       }
+      const bool isFold = faceQuality(mesh, f) < 0;
       // The neighbours of a fold may stand in the way.
       for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
       {
         std::vector<int> ring;
-        forEachFace(mesh, t[k], [&](int g) {
-          for (int u : corners(mesh, g))
+        mesh.forEachFace(t[k], [&](int g) {
+          for (int u : mesh.corners(g))
           {
             ring.push_back(u);
           }
@@ -275,9 +213,13 @@ int repairTriangles(
         ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
         for (int u : ring)
         {
-          changed = improveByMove(mesh, u) || changed;
-          touch(u);
+          helped = improve(u) || helped;
         }
+      }
+      changed = changed || helped;
+      if (!helped && !isFold)
+      {
+        known[f] = Known::Stuck;
       }
     }
     if (!changed)
@@ -316,8 +258,8 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
   std::vector<int> movable;
   for (int v : quad)
   {
-    forEachFace(mesh, v, [&](int f) {
-      for (int u : corners(mesh, f))
+    mesh.forEachFace(v, [&](int f) {
+      for (int u : mesh.corners(f))
       {
         if (mesh.freedom(u) == Freedom::Surface)
         {
@@ -328,10 +270,10 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
   }
   std::sort(movable.begin(), movable.end());
   movable.erase(std::unique(movable.begin(), movable.end()), movable.end());
-  std::vector<SurfacePlace> before;
+  std::vector<Footing> before;
   for (int v : movable)
   {
-    before.push_back(mesh.place(v));
+    before.push_back(mesh.footing(v));
   }
   const auto worst = [&]() {
     double q = 10;
@@ -374,7 +316,7 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
   mesh.forceSwap(edge);
   for (std::size_t i = 0; i < movable.size(); ++i)
   {
-    mesh.moveOne(movable[i], before[i], Vec3::Zero(), []() { return true; });
+    mesh.put(movable[i], before[i]);
   }
   return false;
 }

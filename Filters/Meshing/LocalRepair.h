@@ -9,15 +9,6 @@
 
 namespace stipple
 {
-/// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
-/// lower the farther.
-STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
-
-/// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
-STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
-/// starQuality() > bound, without looking on once that is out of the question.
-bool starExceeds(const OptimizedMesh& mesh, int v, double bound);
-
 /// Moves a vertex to where the worst triangle about it is better, if there is such a place.
 STIPPLEFILTERSMESHING_EXPORT bool improveByMove(OptimizedMesh& mesh, int v);
 

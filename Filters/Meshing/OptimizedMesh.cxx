@@ -239,13 +239,7 @@ void OptimizedMesh::placeOnBackbone(int v, double arcLength)
 int OptimizedMesh::valence(int v) const
 {
   int n = 0;
-  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    ++n;
-    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
-  } while (h != first);
+  this->forEachHalfedge(v, [&n](Halfedge) { ++n; });
   return n;
 }
 
@@ -318,10 +312,8 @@ double OptimizedMesh::agreement(int a, int b, int c, const Vec3& normal) const
 
 bool OptimizedMesh::isSoundFace(int f) const
 {
-  const Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
-  const Halfedge g = this->Graph.next_halfedge_handle(h);
-  return this->isSound(this->Graph.from_vertex_handle(h).idx(),
-    this->Graph.to_vertex_handle(h).idx(), this->Graph.to_vertex_handle(g).idx());
+  const auto t = this->corners(f);
+  return this->isSound(t[0], t[1], t[2]);
 }
 
 bool OptimizedMesh::swap(int edge)
@@ -350,10 +342,14 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
 {
   const int n = this->numberOfVertices();
   const int faces = this->numberOfFaces();
-  const std::vector<SurfacePlace> oldPlace = this->Place;
-  const std::vector<double> oldArcLength = this->ArcLength;
-  std::vector<Vec3> oldPosition = this->Position;
-  std::vector<Vec3> oldNormal = this->Normal;
+  std::vector<SurfacePlace>& oldPlace = this->Before.place; // kept for their memory only
+  std::vector<double>& oldArcLength = this->Before.arcLength;
+  std::vector<Vec3>& oldPosition = this->Before.position;
+  std::vector<Vec3>& oldNormal = this->Before.normal;
+  oldPlace = this->Place;
+  oldArcLength = this->ArcLength;
+  oldPosition = this->Position;
+  oldNormal = this->Normal;
   std::vector<float> share(n, 1.f);
   std::vector<int> drawnBack;
   const auto forget = [&]() {
@@ -435,70 +431,41 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
   }
 }
 
-bool OptimizedMesh::moveOne(int v, const Vec3& step, const std::function<bool()>& accept)
+Footing OptimizedMesh::footing(const SurfacePlace& from, const Vec3& step) const
 {
-  return this->moveOne(v, this->Place[v], step, accept);
+  Footing there;
+  there.place = this->Atlas->walk().walk(from, step);
+  there.position = this->Atlas->surface().position(there.place.face, there.place.bary);
+  there.normal = this->Atlas->smoothNormal(there.place.face);
+  return there;
 }
 
-bool OptimizedMesh::moveOne(
-  int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept)
+void OptimizedMesh::put(int v, const Footing& there)
 {
-  if (this->Free[v] != Freedom::Surface)
+  this->stand(v, there);
+  if (!this->Field->uniform())
   {
-    return false;
+    this->Density[v] = this->Field->at(this->Atlas->surface(), there.place);
   }
-  // Most attempts are refused: what they need not know is left for later.
-  const SurfacePlace oldPlace = this->Place[v];
-  const Vec3 oldPosition = this->Position[v];
-  const Vec3 oldNormal = this->Normal[v];
-  const SurfacePlace place = this->Atlas->walk().walk(SurfacePlace(from), step);
-  this->Place[v] = place;
-  this->Position[v] = this->Atlas->surface().position(place.face, place.bary);
-  this->Normal[v] = this->Atlas->smoothNormal(place.face);
-  if (accept())
-  {
-    this->placeVertex(v, place);
-    return true;
-  }
-  this->Place[v] = oldPlace;
-  this->Position[v] = oldPosition;
-  this->Normal[v] = oldNormal;
-  return false;
 }
 
-bool OptimizedMesh::slideOne(int v, double step, const std::function<bool()>& accept)
+bool OptimizedMesh::hasRoom(int v, double step) const
 {
   if (this->Free[v] != Freedom::Backbone)
   {
     return false;
   }
-  // Its neighbours on the backbone bound the way.
-  double room = 1e300;
-  const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
-  Halfedge h = first;
-  do
-  {
+  double room = 1e300; // to its neighbours on the backbone
+  this->forEachHalfedge(v, [&](Halfedge h) {
     if (this->Feature[this->Graph.edge_handle(h).idx()])
     {
       room = std::min(
         room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
     }
-    h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
-  } while (h != first);
+  });
   const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
-  const double old = this->ArcLength[v];
-  const double target = old + step;
+  const double target = this->ArcLength[v] + step;
   const bool closed = this->Atlas->graph().backbones[this->BackboneOf[v]].closed;
-  if (std::abs(step) > 0.5 * room || (!closed && (target <= 0 || target >= length)))
-  {
-    return false;
-  }
-  this->placeOnBackbone(v, target);
-  if (accept())
-  {
-    return true;
-  }
-  this->placeOnBackbone(v, old);
-  return false;
+  return std::abs(step) <= 0.5 * room && (closed || (target > 0 && target < length));
 }
 }

@@ -10,7 +10,7 @@
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
-#include <functional>
+#include <array>
 
 namespace stipple
 {
@@ -20,6 +20,14 @@ enum class Freedom : char
   Surface,  ///< anywhere; also where a seam runs
   Backbone, ///< along its sharp or boundary backbone
   None      ///< corners and constraints, also those on backbones
+};
+
+/// A place on the surface, and what is asked there most.
+struct Footing
+{
+  SurfacePlace place;
+  Vec3 position = Vec3::Zero();
+  Vec3 normal = Vec3::Zero(); ///< of the surface, averaged over a few faces about the place
 };
 
 class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
@@ -53,6 +61,35 @@ public:
     return !this->Feature[edge] && !this->Graph.is_boundary(OpenMesh::EdgeHandle(edge));
   }
   int valence(int v) const;
+  std::array<int, 3> corners(int face) const
+  {
+    const Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(face));
+    return { { this->Graph.from_vertex_handle(h).idx(), this->Graph.to_vertex_handle(h).idx(),
+      this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx() } };
+  }
+  /// Calls visit(h) for every halfedge out of v, clockwise.
+  template <typename Visit>
+  void forEachHalfedge(int v, const Visit& visit) const
+  {
+    const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+    Halfedge h = first;
+    do
+    {
+      visit(h);
+      h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+    } while (h != first);
+  }
+  /// Calls visit(f) for every triangle about v.
+  template <typename Visit>
+  void forEachFace(int v, const Visit& visit) const
+  {
+    this->forEachHalfedge(v, [&](Halfedge h) {
+      if (!this->Graph.is_boundary(h))
+      {
+        visit(this->Graph.face_handle(h).idx());
+      }
+    });
+  }
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
 
@@ -74,13 +111,47 @@ public:
   /// at once. Where that makes a triangle unsound, the steps of its vertices are halved, at last
   /// refused.
   void move(std::vector<Vec3>& step, const std::vector<double>& arcLength);
-  /// Moves one vertex on the surface resp. along its backbone, but never past the neighbour there.
-  /// False, and nothing is changed, if `accept`, asked at the new position, says no.
-  bool moveOne(int v, const Vec3& step, const std::function<bool()>& accept);
-  /// The same, with the walk starting at another place.
-  bool moveOne(
-    int v, const SurfacePlace& from, const Vec3& step, const std::function<bool()>& accept);
-  bool slideOne(int v, double step, const std::function<bool()>& accept);
+  Footing footing(int v) const { return { this->Place[v], this->Position[v], this->Normal[v] }; }
+  /// Where a walk from a place along a vector of space ends.
+  Footing footing(const SurfacePlace& from, const Vec3& step) const;
+  /// Puts a vertex that is free on the surface there.
+  void put(int v, const Footing& there);
+  /// Puts a vertex there, unless it is not free on the surface or accept(), asked with the vertex
+  /// there, says no: then nothing is changed, and it returns false.
+  template <typename Accept>
+  bool tryOut(int v, const Footing& there, const Accept& accept)
+  {
+    if (this->Free[v] != Freedom::Surface)
+    {
+      return false;
+    }
+    const Footing old = this->footing(v);
+    this->stand(v, there);
+    if (accept())
+    {
+      this->put(v, there);
+      return true;
+    }
+    this->stand(v, old);
+    return false;
+  }
+  /// The same along a vertex's backbone, but never past half the way to its neighbours there.
+  template <typename Accept>
+  bool trySlide(int v, double step, const Accept& accept)
+  {
+    if (!this->hasRoom(v, step))
+    {
+      return false;
+    }
+    const double old = this->ArcLength[v];
+    this->placeOnBackbone(v, old + step);
+    if (accept())
+    {
+      return true;
+    }
+    this->placeOnBackbone(v, old);
+    return false;
+  }
 
   /// Backbone vertices in order, with both ends; empty for seams.
   const std::vector<std::vector<int>>& chains() const { return this->Chain; }
@@ -92,6 +163,14 @@ private:
   Status connect(const std::vector<Triangle>& triangles);
   Status markFeatures();
   void placeVertex(int v, const SurfacePlace& place);
+  /// All but the density, which attempts do not ask for.
+  void stand(int v, const Footing& there)
+  {
+    this->Place[v] = there.place;
+    this->Position[v] = there.position;
+    this->Normal[v] = there.normal;
+  }
+  bool hasRoom(int v, double step) const;
   void placeOnBackbone(int v, double arcLength);
   bool isSoundFace(int f) const;
 
@@ -108,6 +187,13 @@ private:
   std::vector<double> ArcLength;
   std::vector<char> Feature; // by edge
   std::vector<std::vector<int>> Chain;
+  struct
+  {
+    std::vector<SurfacePlace> place;
+    std::vector<Vec3> position;
+    std::vector<Vec3> normal;
+    std::vector<double> arcLength;
+  } Before; // the last move
 };
 }
 

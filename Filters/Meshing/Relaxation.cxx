@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relaxation.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,8 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
-/// Calls visit(q, r, wall) for every triangle (v, q, r) about v; wall: the edge qr bounds the
-/// surface, or is a crease.
+/// Calls visit(f, q, r, wall) for every triangle f = (v, q, r) about v; wall: the edge qr bounds
+/// the surface, or is a crease.
 template <typename Visit>
 void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
 {
@@ -24,8 +26,8 @@ void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
     const Halfedge g = graph.next_halfedge_handle(h);
     if (!graph.is_boundary(h))
     {
-      visit(graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(g).idx(),
-        mesh.isFeature(graph.edge_handle(g).idx()));
+      visit(graph.face_handle(h).idx(), graph.to_vertex_handle(h).idx(),
+        graph.to_vertex_handle(g).idx(), mesh.isFeature(graph.edge_handle(g).idx()));
     }
     h = graph.opposite_halfedge_handle(graph.next_halfedge_handle(g));
   } while (h != first);
@@ -72,66 +74,74 @@ double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3&
   return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
 }
 
-/// What Lloyd's step needs to know of a triangle (v, q, r) about v.
+/// A triangle (v, q, r) about v.
 struct Corner
 {
   Vec3 a; ///< from v to q
   Vec3 b; ///< from v to r
-  double aa = 0;
-  double bb = 0;
-  double ab = 0;
-  double square = 0; ///< of twice the area
-  Vec3 normal;
-  double twiceArea = 0; ///< of the surface under the triangle
-  double slopeA = 0;    ///< how the weight changes from v to q
-  double slopeB = 0;    ///< and to r
+  const FaceMeasure* face = nullptr;
+  double slopeA = 0; ///< how the weight changes from v to q
+  double slopeB = 0; ///< and to r
 
-  /// False for a degenerate triangle.
-  bool set(const OptimizedMesh& mesh, int v, int q, int r, double here)
-  {
-    const Vec3& x = mesh.position(v);
-    this->a = mesh.position(q) - x;
-    this->b = mesh.position(r) - x;
-    this->aa = this->a.squaredNorm();
-    this->bb = this->b.squaredNorm();
-    this->ab = this->a.dot(this->b);
-    this->square = this->aa * this->bb - this->ab * this->ab;
-    if (this->square <= 0)
-    {
-      return false;
-    }
-    const Vec3 cross = this->a.cross(this->b);
-    const double flatArea = std::sqrt(this->square);
-    this->normal = cross / flatArea;
-    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
-    // triangle cuts off would have no weight, and vertices would slide off them.
-    this->twiceArea = flatArea * areaOfSurface(mesh, v, q, r, cross);
-    this->slopeA = mesh.density(q) * mesh.density(q) - here;
-    this->slopeB = mesh.density(r) * mesh.density(r) - here;
-    return true;
-  }
   double mass(double here) const
   {
-    return 0.5 * this->twiceArea * (here + (this->slopeA + this->slopeB) / 3.);
+    return 0.5 * this->face->twiceArea * (here + (this->slopeA + this->slopeB) / 3.);
   }
 };
 
+/// Calls visit(corner, wall) for every triangle about v that is not degenerate.
+template <typename Measure, typename Visit>
+void forEachCorner(
+  const OptimizedMesh& mesh, const Measure& measureOf, int v, double here, const Visit& visit)
+{
+  const Vec3& x = mesh.position(v);
+  forEachTriangle(mesh, v, [&](int f, int q, int r, bool wall) {
+    const FaceMeasure& face = measureOf(f);
+    if (face.twiceArea > 0)
+    {
+      Corner c;
+      c.face = &face;
+      c.a = mesh.position(q) - x;
+      c.b = mesh.position(r) - x;
+      c.slopeA = mesh.density(q) * mesh.density(q) - here;
+      c.slopeB = mesh.density(r) * mesh.density(r) - here;
+      visit(c, wall);
+    }
+  });
+}
+
 /// To the centroid of the triangles about v.
-Vec3 stepToCentroidOfRing(const OptimizedMesh& mesh, int v, double here, double mass)
+template <typename Measure>
+Vec3 stepToCentroidOfRing(
+  const OptimizedMesh& mesh, const Measure& measureOf, int v, double here, double mass)
 {
   Vec3 moment = Vec3::Zero();
-  Corner c;
-  forEachTriangle(mesh, v, [&](int q, int r, bool) {
-    if (c.set(mesh, v, q, r, here))
-    {
-      moment += turned(c.mass(here) / 3. * (c.a + c.b), c.normal, mesh.normal(v));
-    }
+  forEachCorner(mesh, measureOf, v, here, [&](const Corner& c, bool) {
+    moment += turned(c.mass(here) / 3. * (c.a + c.b), c.face->normal, mesh.normal(v));
   });
   return moment / mass;
 }
+
+FaceMeasure measureFace(const OptimizedMesh& mesh, int f)
+{
+  const auto t = mesh.corners(f);
+  const Vec3& x = mesh.position(t[0]);
+  const Vec3 cross = (mesh.position(t[1]) - x).cross(mesh.position(t[2]) - x);
+  FaceMeasure result;
+  result.square = cross.squaredNorm();
+  if (result.square > 0)
+  {
+    const double flatArea = std::sqrt(result.square);
+    result.normal = cross / flatArea;
+    // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
+    // triangle cuts off would have no weight, and vertices would slide off them.
+    result.twiceArea = flatArea * areaOfSurface(mesh, t[0], t[1], t[2], cross);
+  }
+  return result;
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
+template <typename Measure>
+Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, int v, bool isDelaunay)
 {
   // Points settle with a density that is the root of the weight of a centroidal Voronoi
   // tessellation in the plane.
@@ -139,34 +149,33 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
   Vec3 moment = Vec3::Zero();
   double mass = 0;
   double massOfRing = 0;
-  Corner c;
-  forEachTriangle(mesh, v, [&](int q, int r, bool wall) {
-    if (!c.set(mesh, v, q, r, here))
-    {
-      return;
-    }
+  forEachCorner(mesh, measureOf, v, here, [&](const Corner& c, bool wall) {
     const Vec2 halfA(0.5, 0.);
     const Vec2 halfB(0., 0.5);
+    const double aa = c.a.squaredNorm();
+    const double bb = c.b.squaredNorm();
+    const double ab = c.a.dot(c.b);
+    const double area = c.face->twiceArea;
     CellIntegral cell;
-    if ((wall || !isDelaunay) && c.ab < 0)
+    if ((wall || !isDelaunay) && ab < 0)
     {
       // The circumcentre lies beyond the wall: the cell ends there.
-      const double atA = 0.5 * c.aa / (c.aa - c.ab);
-      const double atB = 0.5 * c.bb / (c.bb - c.ab);
+      const double atA = 0.5 * aa / (aa - ab);
+      const double atB = 0.5 * bb / (bb - ab);
       const Vec2 p(1. - atA, atA);
-      const Vec2 q2(atB, 1. - atB);
-      cell.add(halfA, p, c.twiceArea, here, c.slopeA, c.slopeB);
-      cell.add(p, q2, c.twiceArea, here, c.slopeA, c.slopeB);
-      cell.add(q2, halfB, c.twiceArea, here, c.slopeA, c.slopeB);
+      const Vec2 q(atB, 1. - atB);
+      cell.add(halfA, p, area, here, c.slopeA, c.slopeB);
+      cell.add(p, q, area, here, c.slopeA, c.slopeB);
+      cell.add(q, halfB, area, here, c.slopeA, c.slopeB);
     }
     else
     {
-      const Vec2 circumcentre(
-        0.5 * c.bb * (c.aa - c.ab) / c.square, 0.5 * c.aa * (c.bb - c.ab) / c.square);
-      cell.add(halfA, circumcentre, c.twiceArea, here, c.slopeA, c.slopeB);
-      cell.add(circumcentre, halfB, c.twiceArea, here, c.slopeA, c.slopeB);
+      const double scale = 0.5 / c.face->square;
+      const Vec2 circumcentre(scale * bb * (aa - ab), scale * aa * (bb - ab));
+      cell.add(halfA, circumcentre, area, here, c.slopeA, c.slopeB);
+      cell.add(circumcentre, halfB, area, here, c.slopeA, c.slopeB);
     }
-    moment += turned(cell.alongA * c.a + cell.alongB * c.b, c.normal, mesh.normal(v));
+    moment += turned(cell.alongA * c.a + cell.alongB * c.b, c.face->normal, mesh.normal(v));
     mass += cell.mass;
     massOfRing += c.mass(here);
   });
@@ -176,7 +185,33 @@ Vec3 lloydStep(const OptimizedMesh& mesh, int v, bool isDelaunay)
   {
     return moment / mass;
   }
-  return massOfRing > 0 ? stepToCentroidOfRing(mesh, v, here, massOfRing) : Vec3::Zero();
+  return massOfRing > 0 ? stepToCentroidOfRing(mesh, measureOf, v, here, massOfRing)
+                        : Vec3(Vec3::Zero());
+}
+}
+
+void FaceMeasures::update(const OptimizedMesh& mesh)
+{
+  const int n = mesh.numberOfFaces();
+  this->Face.resize(n);
+  vtkSMPTools::For(0, n, 512, [&](vtkIdType begin, vtkIdType end) {
+    for (int f = static_cast<int>(begin); f < end; ++f)
+    {
+      this->Face[f] = measureFace(mesh, f);
+    }
+  });
+}
+
+Vec3 lloydStep(const OptimizedMesh& mesh, const FaceMeasures& measures, int v, bool isDelaunay)
+{
+  const auto measureOf = [&](int f) -> const FaceMeasure& { return measures[f]; };
+  return lloydStepWith(mesh, measureOf, v, isDelaunay);
+}
+
+Vec3 lloydStep(const OptimizedMesh& mesh, int v)
+{
+  const auto measureOf = [&](int f) { return measureFace(mesh, f); };
+  return lloydStepWith(mesh, measureOf, v, true);
 }
 
 Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
@@ -184,7 +219,7 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
   const Vec3& x = mesh.position(v);
   Vec3 sum = Vec3::Zero();
   double total = 0;
-  forEachTriangle(mesh, v, [&](int q, int r, bool) {
+  forEachTriangle(mesh, v, [&](int, int q, int r, bool) {
     const Vec3& a = mesh.position(q);
     const Vec3& b = mesh.position(r);
     double area = triangleArea(x, a, b);
@@ -213,7 +248,7 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
   bool onRidge = false;
-  forEachTriangle(mesh, v, [&](int q, int, bool) {
+  forEachTriangle(mesh, v, [&](int, int q, int, bool) {
     const Vec3& n = mesh.normal(q);
     const double w = std::min((Ridge - n.dot(normal)) / Ridge, 1.);
     if (w > 0 && mesh.freedom(q) == Freedom::Surface)
@@ -232,11 +267,22 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   return matrix.ldlt().solve(right);
 }
 
+bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share)
+{
+  // The shortest edge is no longer than the mean, and costs no roots.
+  double shortest = 1e300;
+  mesh.forEachHalfedge(v, [&](Halfedge h) {
+    const int q = mesh.graph().to_vertex_handle(h).idx();
+    shortest = std::min(shortest, (mesh.position(q) - mesh.position(v)).squaredNorm());
+  });
+  return length * length > share * share * shortest && length > share * meanEdgeLength(mesh, v);
+}
+
 double meanEdgeLength(const OptimizedMesh& mesh, int v)
 {
   double sum = 0;
   int count = 0;
-  forEachTriangle(mesh, v, [&](int q, int, bool) {
+  forEachTriangle(mesh, v, [&](int, int q, int, bool) {
     sum += (mesh.position(q) - mesh.position(v)).norm();
     ++count;
   });

@@ -9,12 +9,33 @@
 
 namespace stipple
 {
+/// What Lloyd's steps of a triangle's three vertices need to know of it.
+struct FaceMeasure
+{
+  Vec3 normal = Vec3::Zero();
+  double square = 0;    ///< of twice the area
+  double twiceArea = 0; ///< of the surface under the triangle; 0 if it is degenerate
+};
+
+/// Those of all triangles, as they were at the last update.
+class STIPPLEFILTERSMESHING_EXPORT FaceMeasures
+{
+public:
+  void update(const OptimizedMesh& mesh);
+  const FaceMeasure& operator[](int face) const { return this->Face[face]; }
+
+private:
+  std::vector<FaceMeasure> Face;
+};
+
 /// To the centroid, under the wanted density, of the vertex's Voronoi cell: Lloyd's step. The cell
 /// is pieced together from the circumcentres of the triangles about the vertex, each in its own
 /// plane. Cells have equal shares of the density where the centroids are those of its square. Cells
 /// end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
 STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(
-  const OptimizedMesh& mesh, int v, bool isDelaunay = true);
+  const OptimizedMesh& mesh, const FaceMeasures& measures, int v, bool isDelaunay);
+/// The same for one vertex, in a mesh that is Delaunay.
+STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v);
 
 /// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and
 /// thin rims keep vertices then.
@@ -26,6 +47,8 @@ STIPPLEFILTERSMESHING_EXPORT Vec3 laplacianStep(
   const OptimizedMesh& mesh, int v, bool weightedByDensity);
 
 STIPPLEFILTERSMESHING_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
+/// length > share * meanEdgeLength(mesh, v), at less cost where it is not.
+bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share);
 
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
 /// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelfIntersections.h"
 
-#include "LocalRepair.h"
+#include "LocalEmbedding.h"
 #include "Relaxation.h"
+#include "VertexStar.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_3.h>
@@ -22,14 +23,6 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Halfedge = OptimizedMesh::Halfedge;
-
-std::array<int, 3> corners(const OptimizedMesh& mesh, int f)
-{
-  const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-  return { { graph.from_vertex_handle(h).idx(), graph.to_vertex_handle(h).idx(),
-    graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx() } };
-}
 
 Kernel::Point_3 exact(const Vec3& p)
 {
@@ -94,22 +87,6 @@ bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std
   return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
 }
 
-std::vector<int> facesAbout(const OptimizedMesh& mesh, int v)
-{
-  const auto& graph = mesh.graph();
-  std::vector<int> faces;
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    if (!graph.is_boundary(h))
-    {
-      faces.push_back(graph.face_handle(h).idx());
-    }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
-  return faces;
-}
 }
 
 struct SelfIntersections::Internals
@@ -122,11 +99,12 @@ struct SelfIntersections::Internals
     Vec3 high;
   };
   std::vector<Box> Boxes; // as last updated
-  /// Cells that share a bucket share its list of faces; a comparison of boxes tells them apart.
+  /// A face in one of the cells that its box touches.
   struct Entry
   {
     int face;
     int next; ///< in the same bucket, or -1
+    std::uint64_t cell;
   };
   std::vector<Entry> Entries;
   std::vector<int> Buckets; // first entry, or -1; their number is a power of two
@@ -137,61 +115,79 @@ struct SelfIntersections::Internals
   }
   Box boxOf(int f) const
   {
-    const auto t = corners(this->Mesh, f);
+    const auto t = this->Mesh.corners(f);
     const Vec3& a = this->Mesh.position(t[0]);
     const Vec3& b = this->Mesh.position(t[1]);
     const Vec3& c = this->Mesh.position(t[2]);
     return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
   }
-  template <typename Visit>
-  void forEachBucket(const Box& box, const Visit& visit) const
+  std::array<std::int64_t, 3> indexOf(const Vec3& p) const
   {
     const auto index = [this](double x) {
       return static_cast<std::int64_t>(std::floor(x / this->CellSize));
     };
-    for (std::int64_t i = index(box.low.x()); i <= index(box.high.x()); ++i)
+    return { { index(p.x()), index(p.y()), index(p.z()) } };
+  }
+  /// Cells 2^21 apart share a number; a comparison of boxes tells their faces apart.
+  static std::uint64_t numberOf(std::int64_t i, std::int64_t j, std::int64_t k)
+  {
+    constexpr std::uint64_t Mask = (1U << 21) - 1;
+    return (static_cast<std::uint64_t>(i) & Mask) | (static_cast<std::uint64_t>(j) & Mask) << 21 |
+      (static_cast<std::uint64_t>(k) & Mask) << 42;
+  }
+  /// Calls visit(cell, bucket) for every cell that a box touches.
+  template <typename Visit>
+  void forEachCell(const Box& box, const Visit& visit) const
+  {
+    const auto low = this->indexOf(box.low);
+    const auto high = this->indexOf(box.high);
+    for (std::int64_t i = low[0]; i <= high[0]; ++i)
     {
-      for (std::int64_t j = index(box.low.y()); j <= index(box.high.y()); ++j)
+      for (std::int64_t j = low[1]; j <= high[1]; ++j)
       {
-        for (std::int64_t k = index(box.low.z()); k <= index(box.high.z()); ++k)
+        for (std::int64_t k = low[2]; k <= high[2]; ++k)
         {
           // Teschner et al., Optimized Spatial Hashing (2003).
           const std::uint64_t hash = (static_cast<std::uint64_t>(i) * 73856093) ^
             (static_cast<std::uint64_t>(j) * 19349663) ^ (static_cast<std::uint64_t>(k) * 83492791);
-          visit(static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
+          visit(numberOf(i, j, k), static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
         }
       }
     }
   }
-  /// Faces from `first` on, other than f, whose boxes overlap the box, ascending.
-  std::vector<int> near(int f, const Box& box, int first = 0) const
+  /// Calls visit(g) once for every face from `first` on whose box overlaps the box.
+  template <typename Visit>
+  void forEachNear(const Box& box, int first, const Visit& visit) const
   {
-    std::vector<int> result;
-    this->forEachBucket(box, [&](std::size_t bucket) {
+    this->forEachCell(box, [&](std::uint64_t cell, std::size_t bucket) {
       for (int e = this->Buckets[bucket]; e >= 0; e = this->Entries[e].next)
       {
         const int g = this->Entries[e].face;
-        if (g >= first && g != f && (this->Boxes[g].low.array() <= box.high.array()).all() &&
-          (box.low.array() <= this->Boxes[g].high.array()).all())
+        const Box& other = this->Boxes[g];
+        if (g >= first && this->Entries[e].cell == cell &&
+          (other.low.array() <= box.high.array()).all() &&
+          (box.low.array() <= other.high.array()).all())
         {
-          result.push_back(g);
+          // Of all cells that both touch, it counts in the one where the overlap begins.
+          const auto begin = this->indexOf(box.low.cwiseMax(other.low));
+          if (numberOf(begin[0], begin[1], begin[2]) == cell)
+          {
+            visit(g);
+          }
         }
       }
     });
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
   }
   void insert(int f)
   {
-    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
-      this->Entries.push_back({ f, this->Buckets[bucket] });
+    this->forEachCell(this->Boxes[f], [&](std::uint64_t cell, std::size_t bucket) {
+      this->Entries.push_back({ f, this->Buckets[bucket], cell });
       this->Buckets[bucket] = static_cast<int>(this->Entries.size()) - 1;
     });
   }
   void remove(int f)
   {
-    this->forEachBucket(this->Boxes[f], [&](std::size_t bucket) {
+    this->forEachCell(this->Boxes[f], [&](std::uint64_t, std::size_t bucket) {
       for (int* link = &this->Buckets[bucket]; *link >= 0;)
       {
         Entry& entry = this->Entries[*link];
@@ -242,17 +238,16 @@ int SelfIntersections::count(const std::vector<int>& faces) const
   int pairs = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const auto t = corners(grid.Mesh, faces[i]);
-    for (int g : grid.near(faces[i], grid.boxOf(faces[i])))
-    {
+    const auto t = grid.Mesh.corners(faces[i]);
+    grid.forEachNear(grid.boxOf(faces[i]), 0, [&](int g) {
       if (std::find(faces.begin(), faces.end(), g) == faces.end())
       {
-        pairs += intersect(grid.Mesh, t, corners(grid.Mesh, g)) ? 1 : 0;
+        pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
       }
-    }
+    });
     for (std::size_t j = 0; j < i; ++j)
     {
-      pairs += intersect(grid.Mesh, t, corners(grid.Mesh, faces[j])) ? 1 : 0;
+      pairs += intersect(grid.Mesh, t, grid.Mesh.corners(faces[j])) ? 1 : 0;
     }
   }
   return pairs;
@@ -277,15 +272,14 @@ std::vector<int> SelfIntersections::faces() const
   vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
     for (int f = static_cast<int>(begin); f < end; ++f)
     {
-      const auto t = corners(grid.Mesh, f);
-      for (int g : grid.near(f, grid.boxOf(f), f + 1))
-      {
-        if (intersect(grid.Mesh, t, corners(grid.Mesh, g)))
+      const auto t = grid.Mesh.corners(f);
+      grid.forEachNear(grid.Boxes[f], f + 1, [&](int g) {
+        if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
         {
           does[f] = 1;
           does[g] = 1;
         }
-      }
+      });
     }
   });
   std::vector<int> result;
@@ -303,16 +297,18 @@ namespace
 {
 bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, double minimumAngle)
 {
-  const std::vector<int> faces = facesAbout(mesh, v);
+  std::vector<int> faces;
+  mesh.forEachFace(v, [&](int f) { faces.push_back(f); });
   int best = intersections.count(faces);
   if (best == 0)
   {
     return false;
   }
-  const double quality = std::min(minimumAngle, starQuality(mesh, v));
+  const VertexStar star(mesh, v);
+  const double quality = std::min(minimumAngle, star.quality(mesh.footing(v)));
   bool changed = false;
   const auto accept = [&]() {
-    if (starQuality(mesh, v) < quality)
+    if (star.quality(mesh.footing(v)) < quality)
     {
       return false;
     }
@@ -331,16 +327,19 @@ bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, do
   {
     if (mesh.freedom(v) == Freedom::Backbone)
     {
-      mesh.slideOne(v, size * reach, accept);
-      mesh.slideOne(v, -size * reach, accept);
+      mesh.trySlide(v, size * reach, accept);
+      mesh.trySlide(v, -size * reach, accept);
     }
     for (int k = 0; k < 8 && best > 0 && mesh.freedom(v) == Freedom::Surface; ++k)
     {
-      const Vec3& n = mesh.normal(v);
+      const Vec3 n = mesh.normal(v);
       const Vec3 e = n.unitOrthogonal();
       const Vec3 g = n.cross(e);
       const double angle = k * 0.785398163397448;
-      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+      mesh.tryOut(v,
+        mesh.footing(
+          mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g)),
+        accept);
     }
   }
   return changed;
@@ -361,8 +360,7 @@ bool partBySwap(
     double q = 10;
     for (int f : faces)
     {
-      const auto t = corners(mesh, f);
-      q = std::min(q, triangleQuality(mesh, t[0], t[1], t[2]));
+      q = std::min(q, faceQuality(mesh, f));
     }
     return q;
   };
@@ -382,6 +380,72 @@ bool partBySwap(
 }
 }
 
+namespace
+{
+using Groups = std::vector<std::vector<int>>;
+
+/// Triangles that hang together at vertices, each group ascending.
+Groups groups(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  Groups result;
+  std::vector<int> waiting = faces;
+  while (!waiting.empty())
+  {
+    std::vector<int> group = { waiting.front() };
+    waiting.erase(waiting.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (int v : mesh.corners(group[i]))
+      {
+        mesh.forEachFace(v, [&](int f) {
+          const auto found = std::lower_bound(waiting.begin(), waiting.end(), f);
+          if (found != waiting.end() && *found == f)
+          {
+            group.push_back(f);
+            waiting.erase(found);
+          }
+        });
+      }
+    }
+    std::sort(group.begin(), group.end());
+    result.push_back(std::move(group));
+  }
+  return result;
+}
+
+double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double worst = 10;
+  for (int f : faces)
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
+
+/// Places the vertices about the triangles anew, of as few rings as part any.
+bool partByEmbedding(OptimizedMesh& mesh, SelfIntersections& intersections,
+  const std::vector<int>& faces, double minimumAngle)
+{
+  constexpr int MostRings = 5;
+  for (int rings = 0; rings <= MostRings; ++rings)
+  {
+    LocalEmbedding embedding(mesh, faces, rings);
+    const int before = intersections.count(embedding.faces());
+    const double quality = std::min(minimumAngle, worstQuality(mesh, embedding.faces()));
+    embedding.embed();
+    if (intersections.count(embedding.faces()) < before &&
+      worstQuality(mesh, embedding.faces()) >= quality)
+    {
+      intersections.update(embedding.faces());
+      return true;
+    }
+    embedding.undo();
+  }
+  return false;
+}
+}
+
 int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses)
 {
   SelfIntersections intersections(mesh);
@@ -392,7 +456,7 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
     bool changed = false;
     for (int f : bad)
     {
-      const auto t = corners(mesh, f);
+      const auto t = mesh.corners(f);
       for (int v : t)
       {
         changed = partByMove(mesh, intersections, v, minimumAngle) || changed;
@@ -408,10 +472,16 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
       }
     }
     bad = intersections.faces();
+    // What is left then is a knot.
+    for (const std::vector<int>& group : changed ? Groups() : groups(mesh, bad))
+    {
+      changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
+    }
     if (!changed)
     {
       break;
     }
+    bad = intersections.faces();
   }
   return static_cast<int>(bad.size());
 }

@@ -4,6 +4,7 @@
 
 #include "LocalRepair.h"
 #include "Relaxation.h"
+#include "VertexStar.h"
 
 #include "vtkSMPTools.h"
 
@@ -171,17 +172,27 @@ SurfaceError::Measure SurfaceError::at(int v) const
 
 SurfaceError::Measure SurfaceError::about(int v) const
 {
+  const Measure unbounded = { 1e300, 1e300, -1 };
+  return this->aboutUpTo(v, unbounded);
+}
+
+SurfaceError::Measure SurfaceError::aboutUpTo(int v, const Measure& bound) const
+{
   Measure result = this->at(v);
-  for (int u : ringOf(this->Mesh, v))
+  const auto& graph = this->Mesh.graph();
+  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  Halfedge h = first;
+  do
   {
-    const Measure m = this->at(u);
+    const Measure m = this->at(graph.to_vertex_handle(h).idx());
     result.sum += m.sum;
     if (m.largest > result.largest)
     {
       result.largest = m.largest;
       result.farthest = m.farthest;
     }
-  }
+    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+  } while (h != first && result.sum < bound.sum && result.largest <= bound.largest);
   return result;
 }
 
@@ -229,8 +240,9 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   SurfaceError::Measure best = error.about(v);
   const double far = FarAway * meanEdgeLength(mesh, v);
   const bool isTip = best.largest > far * far;
-  const double quality =
-    std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle, starQuality(mesh, v));
+  const VertexStar star(mesh, v);
+  const double quality = std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle,
+    star.quality(mesh.footing(v)));
   if (quality < LeastQuality)
   {
     return false;
@@ -242,17 +254,14 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   const double most = std::max(largest, mean / leastArea);
   bool changed = false;
   const auto accept = [&]() {
-    if (starQuality(mesh, v) < quality)
-    {
-      return false;
-    }
     const auto area = areasAbout(mesh, v);
     if (area.first < least || area.second > most)
     {
       return false;
     }
-    const SurfaceError::Measure e = error.about(v);
-    if (e.sum >= (1. - LeastGain) * best.sum || e.largest > best.largest)
+    const SurfaceError::Measure bound = { (1. - LeastGain) * best.sum, best.largest, -1 };
+    const SurfaceError::Measure e = error.aboutUpTo(v, bound);
+    if (e.sum >= bound.sum || e.largest > bound.largest)
     {
       return false;
     }
@@ -260,12 +269,17 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
     changed = true;
     return true;
   };
+  const auto isSound = [&](const Footing& there) {
+    return star.exceeds(there, quality - 1e-9);
+  };
   const double reach = meanEdgeLength(mesh, v);
   if (mesh.freedom(v) == Freedom::Backbone)
   {
+    const auto acceptSound = [&]() { return isSound(mesh.footing(v)) && accept(); };
     for (const double size : { 0.2, 0.07 })
     {
-      while (mesh.slideOne(v, size * reach, accept) || mesh.slideOne(v, -size * reach, accept))
+      while (mesh.trySlide(v, size * reach, acceptSound) ||
+        mesh.trySlide(v, -size * reach, acceptSound))
       {
       }
     }
@@ -275,20 +289,26 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   {
     return false;
   }
-  const int p = best.farthest;
-  if (p >= 0)
+  const auto attempt = [&](const SurfacePlace& from, const Vec3& step) {
+    const Footing there = mesh.footing(from, step);
+    if (isSound(there))
+    {
+      mesh.tryOut(v, there, accept);
+    }
+  };
+  if (best.farthest >= 0)
   {
-    mesh.moveOne(v, mesh.atlas().placeOfPoint(p), Vec3::Zero(), accept);
+    attempt(mesh.atlas().placeOfPoint(best.farthest), Vec3::Zero());
   }
   for (const double size : { 0.2, 0.07 })
   {
-    const Vec3& n = mesh.normal(v);
+    const Vec3 n = mesh.normal(v);
     const Vec3 e = n.unitOrthogonal();
     const Vec3 g = n.cross(e);
     for (int k = 0; k < 8; ++k)
     {
       const double angle = k * 0.785398163397448;
-      mesh.moveOne(v, size * reach * (std::cos(angle) * e + std::sin(angle) * g), accept);
+      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g));
     }
   }
   return changed;
@@ -310,14 +330,14 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
     graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
     graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
   std::vector<int> all(quad.begin(), quad.end());
-  std::array<SurfacePlace, 4> before;
+  std::array<Footing, 4> before;
   for (int i = 0; i < 4; ++i)
   {
     if (mesh.freedom(quad[i]) != Freedom::Surface)
     {
       return false;
     }
-    before[i] = mesh.place(quad[i]);
+    before[i] = mesh.footing(quad[i]);
     const std::vector<int> ring = ringOf(mesh, quad[i]);
     all.insert(all.end(), ring.begin(), ring.end());
   }
@@ -364,7 +384,7 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
   mesh.forceSwap(edge);
   for (int i = 0; i < 4; ++i)
   {
-    mesh.moveOne(quad[i], before[i], Vec3::Zero(), []() { return true; });
+    mesh.put(quad[i], before[i]);
   }
   return false;
 }

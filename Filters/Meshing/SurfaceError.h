@@ -26,6 +26,8 @@ public:
   Measure at(int v) const;
   /// Of the points next to a vertex and its one-ring: all that moving the vertex can change.
   Measure about(int v) const;
+  /// The same, but looks no further once the bound's sum is reached or its largest exceeded.
+  Measure aboutUpTo(int v, const Measure& bound) const;
 
   /// The points next to a vertex, ascending.
   std::vector<int> pointsOf(int v) const

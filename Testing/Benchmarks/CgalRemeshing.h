@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What users would call instead: CGAL's isotropic_remeshing, with five iterations, at the edge
-// length that equilateral triangles of a number of points have. It does not keep that number.
+// What users would call instead: CGAL's isotropic_remeshing, with five iterations, at an edge length
+// that makes about the number of points asked for. It takes no number, so the length is searched
+// for, which is not timed.
 #ifndef stipple_CgalRemeshing_h
 #define stipple_CgalRemeshing_h
 
@@ -37,7 +38,17 @@ public:
       this->Input.add_face(v(0), v(1), v(2));
     }
     const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(this->Input));
+    // That of equilateral triangles; then as long as the number is off by more than 1 %.
     this->EdgeLength = std::sqrt(area / (2 * numberOfPoints) * 4 / std::sqrt(3.));
+    for (int attempt = 0; attempt < 5; ++attempt)
+    {
+      const double points = this->run();
+      if (std::abs(points - numberOfPoints) <= 0.01 * numberOfPoints)
+      {
+        break;
+      }
+      this->EdgeLength *= std::sqrt(points / numberOfPoints);
+    }
   }
 
   /// Remeshes a copy; returns its number of points.

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkRemeshOptimizer: quality reaches its bars, on the surface, with features kept, seams healed
 // and nothing depending on threads.
+#include "DensityField.h"
+#include "MeshCreation.h"
+#include "SelfIntersections.h"
 #include "SyntheticAtlas.h"
+#include "VertexStar.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCellArray.h"
@@ -522,8 +526,58 @@ std::string bytes(vtkPolyData* data)
 }
 }
 
+/// A whole disk of vertices turned about its middle, so that triangles lie across each other.
+void checkKnots()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 8, true);
+  synthetic::Atlas& atlas = b.finish();
+  Run run(atlas, 900);
+  run.optimizer->Update();
+  SurfaceCache cache;
+  DensityField density;
+  std::vector<Sample> samples;
+  OptimizedMesh mesh;
+  vtkPolyData* good = run.optimizer->GetOutput(0);
+  check(cache.update(atlas.charts, atlas.graphData).ok() &&
+      readSamples(good, cache.surface(), samples).ok() &&
+      mesh.build(cache, density, samples, fromPolyData(good).triangles).ok(),
+    "the mesh can be read again");
+  check(SelfIntersections(mesh).faces().empty(), "the mesh does not intersect itself");
+  std::set<int> disk = { 400 };
+  for (int ring = 0; ring < 2; ++ring)
+  {
+    for (int v : std::set<int>(disk))
+    {
+      mesh.forEachHalfedge(
+        v, [&](OptimizedMesh::Halfedge h) { disk.insert(mesh.graph().to_vertex_handle(h).idx()); });
+    }
+  }
+  std::vector<Footing> places;
+  for (int v : disk)
+  {
+    places.push_back(mesh.footing(v));
+  }
+  std::size_t next = places.size() / 2;
+  for (int v : disk)
+  {
+    mesh.put(v, places[next++ % places.size()]);
+  }
+  const std::size_t before = SelfIntersections(mesh).faces().size();
+  check(before > 20, "the knot intersects itself");
+  check(resolveSelfIntersections(mesh, 0.5, 8) == 0, "the knot is undone");
+  check(SelfIntersections(mesh).faces().empty(), "no triangles intersect");
+  double worst = 10;
+  for (int v = 0; v < mesh.numberOfVertices(); ++v)
+  {
+    worst = std::min(worst, starQuality(mesh, v));
+  }
+  check(worst > 0.3, "and no triangle is folded or thin: " + std::to_string(worst));
+}
+
 int TestRemeshOptimizer(int, char*[])
 {
+  checkKnots();
   checkSphere();
   checkFeatures();
   checkCoarseFeatures();

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalEmbedding.h"
+
+#include "EdgeSwaps.h"
+#include "LocalRepair.h"
+#include "VertexStar.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+using Halfedge = OptimizedMesh::Halfedge;
+
+constexpr int RelaxationRounds = 60;
+constexpr int ImprovementRounds = 6;
+/// Angle (radians) up to which triangles are improved.
+constexpr double GoodAngle = 0.6;
+
+void makeUnique(std::vector<int>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+template <typename Visit>
+void forEachNeighbour(const OptimizedMesh& mesh, int v, const Visit& visit)
+{
+  mesh.forEachHalfedge(v, [&](Halfedge h) { visit(mesh.graph().to_vertex_handle(h).idx()); });
+}
+}
+
+LocalEmbedding::LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& faces, int rings)
+  : Mesh(mesh)
+{
+  std::vector<int> vertices;
+  for (int f : faces)
+  {
+    const auto t = mesh.corners(f);
+    vertices.insert(vertices.end(), t.begin(), t.end());
+  }
+  makeUnique(vertices);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<int> inner = vertices;
+    for (int v : inner)
+    {
+      forEachNeighbour(mesh, v, [&](int u) { vertices.push_back(u); });
+    }
+    makeUnique(vertices);
+  }
+  for (int v : vertices)
+  {
+    if (mesh.freedom(v) == Freedom::Surface && !mesh.graph().is_boundary(OptimizedMesh::Vertex(v)))
+    {
+      this->Vertices.push_back(v);
+      this->Before.push_back(mesh.footing(v));
+      mesh.forEachFace(v, [&](int f) { this->Faces.push_back(f); });
+    }
+  }
+  makeUnique(this->Faces);
+}
+
+void LocalEmbedding::embed()
+{
+  this->placeInwards();
+  this->relax();
+  this->improve();
+}
+
+void LocalEmbedding::placeInwards()
+{
+  OptimizedMesh& mesh = this->Mesh;
+  std::vector<int> waiting = this->Vertices;
+  const auto isWaiting = [&](int v) {
+    return std::binary_search(waiting.begin(), waiting.end(), v);
+  };
+  while (!waiting.empty())
+  {
+    std::vector<int> next;
+    std::vector<Footing> places;
+    for (int v : waiting)
+    {
+      Vec3 sum = Vec3::Zero();
+      int count = 0;
+      int from = -1;
+      forEachNeighbour(mesh, v, [&](int u) {
+        if (!isWaiting(u))
+        {
+          sum += mesh.position(u);
+          ++count;
+          from = u;
+        }
+      });
+      if (count > 0)
+      {
+        next.push_back(v);
+        places.push_back(mesh.footing(mesh.place(from), sum / count - mesh.position(from)));
+      }
+    }
+    if (next.empty())
+    {
+      break; // nothing around it stays: a whole component
+    }
+    std::vector<int> rest;
+    std::set_difference(
+      waiting.begin(), waiting.end(), next.begin(), next.end(), std::back_inserter(rest));
+    for (std::size_t i = 0; i < next.size(); ++i)
+    {
+      mesh.put(next[i], places[i]);
+    }
+    waiting = std::move(rest);
+  }
+}
+
+void LocalEmbedding::relax()
+{
+  OptimizedMesh& mesh = this->Mesh;
+  for (int round = 0; round < RelaxationRounds; ++round)
+  {
+    for (int v : this->Vertices)
+    {
+      Vec3 sum = Vec3::Zero();
+      int count = 0;
+      forEachNeighbour(mesh, v, [&](int u) {
+        sum += mesh.position(u);
+        ++count;
+      });
+      mesh.put(v, mesh.footing(mesh.place(v), sum / count - mesh.position(v)));
+    }
+  }
+}
+
+void LocalEmbedding::improve()
+{
+  OptimizedMesh& mesh = this->Mesh;
+  for (int round = 0; round < ImprovementRounds; ++round)
+  {
+    std::vector<int> edges;
+    for (int v : this->Vertices)
+    {
+      mesh.forEachHalfedge(
+        v, [&](Halfedge h) { edges.push_back(mesh.graph().edge_handle(h).idx()); });
+    }
+    makeUnique(edges);
+    for (int edge : edges)
+    {
+      if (isDelaunaySwap(mesh, edge) && mesh.swap(edge))
+      {
+        this->Swapped.push_back(edge);
+      }
+    }
+    for (int v : this->Vertices)
+    {
+      if (starQuality(mesh, v) < GoodAngle)
+      {
+        improveByMove(mesh, v);
+      }
+    }
+  }
+}
+
+void LocalEmbedding::undo()
+{
+  for (; !this->Swapped.empty(); this->Swapped.pop_back())
+  {
+    this->Mesh.forceSwap(this->Swapped.back());
+  }
+  for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+  {
+    this->Mesh.put(this->Vertices[i], this->Before[i]);
+  }
+}
+}

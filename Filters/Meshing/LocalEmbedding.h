@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Knots: regions whose triangles cover the surface more than once, all of them facing the right
+// way. Moves of one vertex at a time do not undo them; placing all vertices anew does.
+#ifndef stipple_LocalEmbedding_h
+#define stipple_LocalEmbedding_h
+
+#include "OptimizedMesh.h"
+
+namespace stipple
+{
+/// The vertices of some triangles and of so many rings about them, and what is needed to take back
+/// their embedding.
+class LocalEmbedding
+{
+public:
+  LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& faces, int rings);
+
+  /// All triangles that it changes, ascending.
+  const std::vector<int>& faces() const { return this->Faces; }
+
+  /// Puts every vertex that is free on the surface to the middle of its neighbours (Tutte's
+  /// embedding, on the surface: without folds where the region is nearly flat), starting over from
+  /// the vertices around; then swaps and moves for good angles.
+  void embed();
+  /// Back to what was there before.
+  void undo();
+
+private:
+  void placeInwards();
+  void relax();
+  void improve();
+
+  OptimizedMesh& Mesh;
+  std::vector<int> Vertices; // that may move
+  std::vector<int> Faces;
+  std::vector<Footing> Before; // of Vertices
+  std::vector<int> Swapped;    // edges, in order
+};
+}
+
+#endif

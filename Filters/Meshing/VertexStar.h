@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How good triangles are, and how good those about a vertex would be with the vertex elsewhere.
+#ifndef stipple_VertexStar_h
+#define stipple_VertexStar_h
+
+#include "OptimizedMesh.h"
+
+namespace stipple
+{
+/// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
+/// lower the farther.
+STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
+double faceQuality(const OptimizedMesh& mesh, int face);
+
+/// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
+STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
+
+/// The triangles about a vertex, copied: as long as the vertices around it and its edges stay, they
+/// are asked for many places of the vertex without changing the mesh.
+class VertexStar
+{
+public:
+  VertexStar(const OptimizedMesh& mesh, int v);
+
+  /// starQuality() with the vertex there.
+  double quality(const Footing& there) const;
+  /// quality(there) > bound, without looking on once that is out of the question.
+  bool exceeds(const Footing& there, double bound) const;
+
+private:
+  struct Triangle
+  {
+    Vec3 q;
+    Vec3 r;
+    Vec3 normalQ; ///< zero on a crease, where the surface has no one normal
+    Vec3 normalR;
+    int normals; ///< of q and r, those that are not on a crease
+  };
+  std::vector<Triangle> Triangles; // (v, q, r)
+  bool HasNormal = false;          // v is not on a crease
+  mutable std::size_t First = 0;   // the triangle that failed last is likely to fail again
+};
+}
+
+#endif
