@@ -15,6 +15,43 @@ namespace
 /// The height of a triangle is at least this share of its longest edge.
 constexpr double MinimumHeight = 0.02;
 constexpr int Grain = 512;
+/// A constraint and the point that it became lie this share of the diagonal apart at most.
+constexpr double ConstraintTolerance = 1e-8;
+
+/// Tells the points that constraints became, also on backbones, where their samples are of a
+/// backbone's kind.
+class ConstraintFinder
+{
+public:
+  explicit ConstraintFinder(const SurfaceCache& atlas)
+  {
+    const AtlasSurface& surface = atlas.surface();
+    for (const ConstraintPoint& c : atlas.graph().constraints)
+    {
+      this->Places.push_back(surface.position(surface.chartBegin[c.chart] + c.chartCell, c.bary));
+    }
+    std::sort(this->Places.begin(), this->Places.end(),
+      [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+    this->Reach = this->Places.empty() ? 0. : ConstraintTolerance * surface.boundingBoxDiagonal();
+  }
+  bool isConstraint(const Vec3& p) const
+  {
+    auto at = std::lower_bound(this->Places.begin(), this->Places.end(), p.x() - this->Reach,
+      [](const Vec3& a, double x) { return a.x() < x; });
+    for (; at != this->Places.end() && at->x() <= p.x() + this->Reach; ++at)
+    {
+      if ((*at - p).norm() <= this->Reach)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  std::vector<Vec3> Places; // by x
+  double Reach = 0;
+};
 }
 
 Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& density,
@@ -40,10 +77,13 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
       fixedNode[b.points.front()] = fixedNode[b.points.back()] = 1;
     }
   }
+  const ConstraintFinder constraints(atlas);
   for (int v = 0; v < n; ++v)
   {
     const Sample& s = samples[v];
     this->placeVertex(v, { s.face, s.bary });
+    const bool constrained =
+      s.kind != SampleKind::Interior && constraints.isConstraint(this->Position[v]);
     if (s.kind == SampleKind::Constraint ||
       (s.kind == SampleKind::Corner && s.surfacePoint >= 0 && fixedNode[s.surfacePoint]))
     {
@@ -59,10 +99,16 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
       }
       if (graph.backbones[s.backbone].type != BackboneType::Seam)
       {
-        this->Free[v] = Freedom::Backbone;
+        this->Free[v] = constrained ? Freedom::None : Freedom::Backbone;
         this->BackboneOf[v] = s.backbone;
         this->ArcLength[v] = s.arcLength;
+        continue;
       }
+    }
+    if (constrained && this->Free[v] == Freedom::Surface) // on a seam, which heals
+    {
+      this->Free[v] = Freedom::None;
+      this->Original[v] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };
     }
   }
   Status status = this->connect(triangles);

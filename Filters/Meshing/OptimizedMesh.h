@@ -19,7 +19,7 @@ enum class Freedom : char
 {
   Surface,  ///< anywhere; also where a seam runs
   Backbone, ///< along its sharp or boundary backbone
-  None      ///< corners and constraints
+  None      ///< corners and constraints, also those on backbones
 };
 
 /// A place on the surface, and what is asked there most.

@@ -289,67 +289,117 @@ double meanEdgeLength(const OptimizedMesh& mesh, int v)
   return sum / count;
 }
 
+namespace
+{
+/// A run of points along a backbone, with their positions on it, ascending.
+struct BackboneRun
+{
+  std::vector<int> vertices;
+  std::vector<double> s;
+};
+
+/// Moves the points inside a run to where the density wants them, its ends staying; or all of a
+/// cycle, whose last point is its first.
+void relaxRun(
+  const OptimizedMesh& mesh, const BackboneRun& run, bool cycle, std::vector<double>& arcLength)
+{
+  const std::vector<double>& s = run.s;
+  const int n = static_cast<int>(s.size());
+  if (n < 3)
+  {
+    return;
+  }
+  // The wanted number of vertices up to every one: spacing goes with the root of the density.
+  std::vector<double> count(n, 0.);
+  for (int i = 1; i < n; ++i)
+  {
+    count[i] = count[i - 1] +
+      (s[i] - s[i - 1]) * 0.5 *
+        (std::sqrt(mesh.density(run.vertices[i - 1])) + std::sqrt(mesh.density(run.vertices[i])));
+  }
+  double shift = 0; // of a cycle as a whole: none on average
+  const auto wanted = [&](int i) {
+    const double c = count[n - 1] * i / (n - 1);
+    const auto above = std::upper_bound(count.begin() + 1, count.end() - 1, c);
+    const int k = static_cast<int>(above - count.begin());
+    const double width = count[k] - count[k - 1];
+    return s[k - 1] + (width > 0 ? (c - count[k - 1]) / width : 0.) * (s[k] - s[k - 1]);
+  };
+  if (cycle)
+  {
+    for (int i = 0; i + 1 < n; ++i)
+    {
+      shift += (s[i] - wanted(i)) / (n - 1);
+    }
+  }
+  for (int i = cycle ? 0 : 1; i + 1 < n; ++i)
+  {
+    const int v = run.vertices[i];
+    if (mesh.freedom(v) != Freedom::Backbone)
+    {
+      continue;
+    }
+    const double before = i > 0 ? s[i] - s[i - 1] : s[n - 1] - s[n - 2];
+    const double after = s[i + 1] - s[i];
+    arcLength[v] =
+      mesh.arcLength(v) + std::clamp(wanted(i) + shift - s[i], -0.4 * before, 0.4 * after);
+  }
+}
+}
+
 void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
 {
   const auto& chains = mesh.chains();
   for (std::size_t c = 0; c < chains.size(); ++c)
   {
-    const std::vector<int>& chain = chains[c];
-    const int n = static_cast<int>(chain.size());
+    const int n = static_cast<int>(chains[c].size());
     if (n < 3)
     {
       continue;
     }
-    const BackboneTrace& trace = mesh.atlas().traces()[c];
+    const double length = mesh.atlas().traces()[c].length();
     const bool closed = mesh.atlas().graph().backbones[c].closed;
-    // Positions along the backbone, ascending; those of a cycle go on past its end.
-    std::vector<double> s(n);
-    for (int i = 0; i < n; ++i)
-    {
-      s[i] = mesh.arcLength(chain[i]);
-      if (!closed)
-      {
-        s[i] = i == 0 ? 0. : i == n - 1 ? trace.length() : s[i];
-      }
-      while (closed && i > 0 && s[i] <= s[i - 1])
-      {
-        s[i] += trace.length();
-      }
-    }
-    // The wanted number of vertices up to every one: spacing goes with the root of the density.
-    std::vector<double> count(n, 0.);
-    for (int i = 1; i < n; ++i)
-    {
-      count[i] = count[i - 1] +
-        (s[i] - s[i - 1]) * 0.5 *
-          (std::sqrt(mesh.density(chain[i - 1])) + std::sqrt(mesh.density(chain[i])));
-    }
-    double shift = 0; // of a cycle as a whole: none on average
-    const auto wanted = [&](int i) {
-      const double c = count[n - 1] * i / (n - 1);
-      const auto above = std::upper_bound(count.begin() + 1, count.end() - 1, c);
-      const int k = static_cast<int>(above - count.begin());
-      const double width = count[k] - count[k - 1];
-      return s[k - 1] + (width > 0 ? (c - count[k - 1]) / width : 0.) * (s[k] - s[k - 1]);
-    };
+    BackboneRun all = { chains[c], std::vector<double>(n) };
+    const auto isFixed = [&](int i) { return mesh.freedom(all.vertices[i]) == Freedom::None; };
+    int first = 0;
     if (closed)
     {
-      for (int i = 0; i + 1 < n; ++i)
+      // A constraint holds a cycle: it begins and ends there.
+      while (first + 1 < n && !isFixed(first))
       {
-        shift += (s[i] - wanted(i)) / (n - 1);
+        ++first;
+      }
+      first = first + 1 < n ? first : 0;
+      std::rotate(all.vertices.begin(), all.vertices.begin() + first, all.vertices.end() - 1);
+      all.vertices.back() = all.vertices.front();
+    }
+    for (int i = 0; i < n; ++i)
+    {
+      all.s[i] = mesh.arcLength(all.vertices[i]);
+      if (!closed)
+      {
+        all.s[i] = i == 0 ? 0. : i == n - 1 ? length : all.s[i];
+      }
+      while (closed && i > 0 && all.s[i] <= all.s[i - 1])
+      {
+        all.s[i] += length;
       }
     }
-    for (int i = closed ? 0 : 1; i + 1 < n; ++i)
+    if (closed && !isFixed(0))
     {
-      const int v = chain[i];
-      if (mesh.freedom(v) != Freedom::Backbone)
+      relaxRun(mesh, all, true, arcLength);
+      continue;
+    }
+    for (int begin = 0, i = 1; i < n; ++i)
+    {
+      if (i + 1 == n || isFixed(i))
       {
-        continue;
+        relaxRun(mesh,
+          { { all.vertices.begin() + begin, all.vertices.begin() + i + 1 },
+            { all.s.begin() + begin, all.s.begin() + i + 1 } },
+          false, arcLength);
+        begin = i;
       }
-      const double before = i > 0 ? s[i] - s[i - 1] : s[n - 1] - s[n - 2];
-      const double after = s[i + 1] - s[i];
-      arcLength[v] =
-        mesh.arcLength(v) + std::clamp(wanted(i) + shift - s[i], -0.4 * before, 0.4 * after);
     }
   }
 }

@@ -82,6 +82,7 @@ struct vtkGeometryRemesher::Internals
   std::string StageError;     ///< the first that the stage reported
   std::string ExecutiveError; ///< the first that its executive reported
   bool Failed = false;        ///< a stage did in this execution
+  bool Trying = false;        ///< numbers of points: nobody is told
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::string EnabledArray; ///< the map that the importance made this filter add
@@ -148,7 +149,9 @@ struct vtkGeometryRemesher::Internals
     {
       const double begin = ProgressBegin[stageOf(self->Current)];
       const double end = ProgressBegin[stageOf(self->Current) + 1];
-      self->Self->UpdateProgress(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
+      self->Self->UpdateProgress(self->Trying
+          ? self->Self->GetProgress()
+          : begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
       if (self->Self->GetAbortExecute())
       {
         stage->SetAbortExecute(1);
@@ -243,17 +246,64 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   if (!updated || !s.StageError.empty())
   {
     s.InOrder[algorithm]->Modified();
-    const std::string sentence = !s.StageError.empty()
+    if (s.Trying)
+    {
+      return false;
+    }
+    std::string sentence = !s.StageError.empty()
       ? s.StageError
       : (!s.ExecutiveError.empty()
             ? s.ExecutiveError
             : "The " + std::string(AlgorithmNames[algorithm]) + " failed without saying why.");
+    if (algorithm == MESHING)
+    {
+      sentence = this->SentenceWithNumber(s.Sampler->GetNumberOfSamples(), sentence);
+    }
+    if (this->AbortExecute)
+    {
+      return false;
+    }
     s.Failed = true;
     vtkErrorMacro(<< sentence);
     return false;
   }
+  if (s.Trying)
+  {
+    return true;
+  }
   this->UpdateProgress(ProgressBegin[stage + 1]);
   return true;
+}
+
+std::string vtkGeometryRemesher::SentenceWithNumber(int points, const std::string& sentence)
+{
+  Internals& s = *this->Stages;
+  const std::string advice = "use more points.";
+  if (sentence.size() < advice.size() ||
+    sentence.compare(sentence.size() - advice.size(), advice.size(), advice) != 0)
+  {
+    return sentence;
+  }
+  std::string result = sentence;
+  s.Trying = true;
+  const int most = 2 * points + 100;
+  for (int n = points + 1; n <= most && !this->AbortExecute; n += 1 + (n - points) / 8)
+  {
+    s.MapRenderer->SetNumberOfSamples(n);
+    s.Sampler->SetNumberOfSamples(n);
+    if (this->RunStage(MAPS) && this->RunStage(CONTROL) && this->RunStage(SAMPLING) &&
+      this->RunStage(MESHING))
+    {
+      result.replace(result.size() - advice.size(), advice.size(),
+        "use more points, for instance " + std::to_string(n) + ".");
+      break;
+    }
+  }
+  s.Trying = false;
+  s.Current = MESHING;
+  s.MapRenderer->SetNumberOfSamples(points);
+  s.Sampler->SetNumberOfSamples(points);
+  return result;
 }
 
 bool vtkGeometryRemesher::RunStages()

@@ -32,7 +32,8 @@
  * again by the next update.
  *
  * @warning Fewer points than the features and the topology need are an error that names the least
- * number that works.
+ * number; a few above it may fail too, for charts whose samples have no triangulation together, and
+ * this error names a number that works.
  * @warning Input points that coincide are welded, and the arrays of one of them are used: values
  * that jump where a surface is cut, as texture coordinates do, are interpolated across the jump.
  *
@@ -46,6 +47,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for an error's sentence
 
 class vtkCDTRemesh;
 class vtkConformalAtlas;
@@ -367,6 +369,9 @@ private:
   void operator=(const vtkGeometryRemesher&) = delete;
 
   bool RunStage(int stage);
+  /// What is said when a number of points was too few for the mesher: its sentence with a number
+  /// that works.
+  std::string SentenceWithNumber(int points, const std::string& sentence);
   bool RunStages();
 
   int NumberOfPoints = 0;

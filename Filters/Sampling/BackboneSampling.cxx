@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BackboneSampling.h"
 
+#include "BackboneBand.h"
+
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +13,9 @@ namespace stipple
 {
 namespace
 {
+/// Sections across a backbone lie this part of its samples' spacing apart.
+constexpr double stepInSpacings = 0.35;
+
 /// Pieces of a backbone between fixed places (or its ends), as (begin, end) in arc length.
 std::vector<std::array<double, 2>> pieces(const SamplingDomain& domain, int b)
 {
@@ -46,6 +53,58 @@ std::size_t segmentAt(const std::vector<double>& knots, double x)
   const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
   return static_cast<std::size_t>(next - knots.begin()) - 1;
 }
+
+BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<ControlImage>& images,
+  int backbone, double scale, double fallback)
+{
+  const double length = domain.traces[backbone].length();
+  const double root = std::sqrt(scale);
+  // Keeps the integral invertible where nothing is wanted, and is worth a billionth of a sample.
+  const double least = length > 0 ? 1e-9 / length : 0.;
+  BackboneDensity result;
+  result.arcLength = { 0 };
+  result.wanted = { 0 };
+  const double longest = length / 4.;
+  const double shortest = length * 2e-5;
+  double step = longest;
+  for (double begin = 0; begin < length;)
+  {
+    step = std::min(step, length - begin);
+    double perLength = 0;
+    double alone = 0; // were there no other backbone
+    double width = 1;
+    for (;; step *= 0.5)
+    {
+      const BandSection section(domain, images, backbone, begin + 0.5 * step, scale, fallback);
+      // The samples on a boundary stand for twice what its only side wants.
+      const double sides = 2. / std::max(1, section.numberOfSides());
+      perLength = sides * section.wanted(1., false);
+      const double shared = sides * section.wanted(1., true);
+      alone = perLength;
+      if (shared < perLength)
+      {
+        perLength = std::min(perLength, sides * section.wanted(widestBand, true));
+        width = section.widthThatWants(perLength / sides);
+      }
+      if (step * perLength <= 2. * stepInSpacings || step <= shortest)
+      {
+        break;
+      }
+    }
+    begin = begin + step < length ? begin + step : length;
+    result.arcLength.push_back(begin);
+    result.wanted.push_back(result.wanted.back() + step * (perLength / root + least));
+    result.width.push_back(width);
+    result.density.push_back(alone * alone * 2. / std::sqrt(3.) / scale);
+    step = std::min(2. * step, perLength > 0 ? stepInSpacings / perLength : longest);
+    step = std::clamp(step, shortest, longest);
+  }
+  if (result.width.empty())
+  {
+    return { { 0, length }, { 0, least }, { 1 }, { 0 } };
+  }
+  return result;
+}
 }
 
 double BackboneDensity::at(double s) const
@@ -75,65 +134,46 @@ double BackboneDensity::place(double w) const
   return this->arcLength[i] + t * (this->arcLength[i + 1] - this->arcLength[i]);
 }
 
-double backboneDensityAt(const SamplingDomain& domain, const std::vector<ControlImage>& images,
-  int backbone, double arcLength)
+double BackboneDensity::densityAt(double s) const
 {
-  const BackboneTrace& trace = domain.traces[backbone];
-  const BackboneTrace::Place place = trace.locate(arcLength);
-  double sum = 0;
-  int sides = 0;
-  for (int side = 0; side < 2; ++side)
-  {
-    if (trace.hasSide(side))
-    {
-      const ControlImage& image = images[trace.chart[side]];
-      sum += image.density(image.pixelAt(trace.parameter(domain.surface, place, side)));
-      ++sides;
-    }
-  }
-  return sides > 0 ? sum / sides : 0.;
+  return this->density[segmentAt(this->arcLength, s)];
 }
 
-std::vector<BackboneDensity> backboneDensities(
-  const SamplingDomain& domain, const std::vector<ControlImage>& images)
+double BackboneDensity::meanWidth(double begin, double end) const
+{
+  const double length = this->arcLength.back();
+  if (end > length)
+  {
+    const double over = end - length;
+    return begin >= length
+      ? this->meanWidth(begin - length, over)
+      : ((length - begin) * this->meanWidth(begin, length) + over * this->meanWidth(0., over)) /
+        (end - begin);
+  }
+  double sum = 0;
+  double part = 0;
+  for (std::size_t i = segmentAt(this->arcLength, begin);
+       i + 1 < this->arcLength.size() && this->arcLength[i] < end; ++i)
+  {
+    const double inside =
+      std::min(end, this->arcLength[i + 1]) - std::max(begin, this->arcLength[i]);
+    sum += inside * this->width[i];
+    part += inside;
+  }
+  return part > 0 ? sum / part : 1.;
+}
+
+std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
+  const std::vector<ControlImage>& images, double scale, double meanDensity)
 {
   std::vector<BackboneDensity> result(domain.traces.size());
-  for (std::size_t b = 0; b < domain.traces.size(); ++b)
-  {
-    const BackboneTrace& trace = domain.traces[b];
-    BackboneDensity& density = result[b];
-    density.arcLength = { 0 };
-    density.wanted = { 0 };
-    // Keeps the integral invertible where nothing is wanted, and is worth a billionth of a sample.
-    const double least = trace.length() > 0 ? 1e-9 / trace.length() : 0.;
-    for (std::size_t i = 0; i + 1 < trace.arcLength.size(); ++i)
-    {
-      double pixels = 1;
-      for (int side = 0; side < 2; ++side)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(result.size()), 1, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType b = first; b < last; ++b)
       {
-        if (trace.hasSide(side))
-        {
-          const ControlImage& image = images[trace.chart[side]];
-          const Vec2 d = trace.parameter(domain.surface, { static_cast<int>(i), 1. }, side) -
-            trace.parameter(domain.surface, { static_cast<int>(i), 0. }, side);
-          pixels = std::max({ pixels, std::abs(d.x()) * image.width / image.extent.x(),
-            std::abs(d.y()) * image.height / image.extent.y() });
-        }
+        result[b] = densityAlong(domain, images, static_cast<int>(b), scale, meanDensity);
       }
-      const int steps = static_cast<int>(std::ceil(std::min(pixels, 1e4)));
-      const double begin = trace.arcLength[i];
-      const double step = (trace.arcLength[i + 1] - begin) / steps;
-      for (int k = 0; k < steps; ++k)
-      {
-        const double rho =
-          backboneDensityAt(domain, images, static_cast<int>(b), begin + (k + 0.5) * step);
-        density.arcLength.push_back(
-          k + 1 == steps ? trace.arcLength[i + 1] : begin + (k + 1) * step);
-        density.wanted.push_back(
-          density.wanted.back() + step * (std::sqrt(rho * std::sqrt(3.) / 2.) + least));
-      }
-    }
-  }
+    });
   return result;
 }
 
@@ -142,7 +182,7 @@ std::vector<BackboneDensity> uniformBackboneDensities(const SamplingDomain& doma
   std::vector<BackboneDensity> result;
   for (const BackboneTrace& trace : domain.traces)
   {
-    result.push_back({ { 0, trace.length() }, { 0, trace.length() } });
+    result.push_back({ { 0, trace.length() }, { 0, trace.length() }, { 1 }, { 1 } });
   }
   return result;
 }

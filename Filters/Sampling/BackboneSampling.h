@@ -12,25 +12,32 @@ namespace stipple
 /// Samples beside a curve lie in a hexagonal lattice of spacing s = sqrt(2 / (sqrt(3) rho)), rho
 /// being the samples wanted per unit of surface area; so the curve wants the integral of ds / s of
 /// them (the paper's law x -> 1 - sqrt(1 - x), in continuous terms and with the lattice's
-/// constant).
+/// constant). This is what the surface wants in the curve's band, half a row on each side, and from
+/// there it is taken: the densities beside the curve may differ from that on it. Where backbones
+/// lie in each other's bands, these are widened until they hold what all of them want.
 struct STIPPLEFILTERSSAMPLING_EXPORT BackboneDensity
 {
   std::vector<double> arcLength; ///< ascending from 0 to the backbone's length
-  std::vector<double> wanted;    ///< the integral up to there, for densities times one
+  std::vector<double> wanted;    ///< the integral up to there, over the root of the scale
+  std::vector<double> width;     ///< of the band from there on, 1 for half a row on each side
+  /// The samples wanted per unit of surface area from there on, over the scale: those that make a
+  /// lattice of the spacing that the curve would have alone.
+  std::vector<double> density;
   double total() const { return this->wanted.back(); }
   /// The integral up to s; beyond the end it continues periodically.
   double at(double s) const;
   /// Its inverse.
   double place(double wanted) const;
+  double densityAt(double s) const;
+  /// The band's mean width between two arc lengths.
+  double meanWidth(double begin, double end) const;
 };
 
-/// Densities along all backbones, read from the control images on their sides and averaged.
+/// Densities along all backbones for samples of about `scale` times the control, whose mean per
+/// unit of surface area is meanDensity.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneDensity> backboneDensities(
-  const SamplingDomain& domain, const std::vector<ControlImage>& images);
-
-/// The density at a place, averaged over the sides.
-STIPPLEFILTERSSAMPLING_EXPORT double backboneDensityAt(const SamplingDomain& domain,
-  const std::vector<ControlImage>& images, int backbone, double arcLength);
+  const SamplingDomain& domain, const std::vector<ControlImage>& images, double scale,
+  double meanDensity);
 
 /// As if every backbone wanted the same number of samples per length.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneDensity> uniformBackboneDensities(

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InteriorSampling.h"
 
+#include "BackboneBand.h"
 #include "ErrorDiffusion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <utility>
 
 namespace stipple
 {
 namespace
 {
-// (sqrt(3) / 4)^2 s^2 rho, with s^2 rho = 2 / sqrt(3): the band on each side of a segment.
-const double bandLimit = 3. / 16. * 2. / std::sqrt(3.);
 // The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
 const double discLimit = 1. / 3.14159265358979323846;
 
@@ -28,11 +28,12 @@ struct Ranked
 }
 
 InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-  const ChartGraph& graph, double scale)
+  const ChartGraph& graph, std::vector<double> bandWidths, double scale)
   : Domain(domain)
   , Chart(chart)
   , Image(image)
   , Graph(graph)
+  , BandWidths(std::move(bandWidths))
   , Scale(scale)
 {
 }
@@ -74,7 +75,10 @@ int InteriorSampler::upsampling(const ControlImage& image, double scale, const C
     aboveOne += overfull[factor];
     --factor;
   }
-  return factor;
+  const double forAll = std::ceil(std::sqrt(2. * mass.largest * toWanted));
+  return forAll <= largestForAll * factor && withinLimits(image, static_cast<int>(forAll))
+    ? static_cast<int>(forAll)
+    : factor;
 }
 
 bool InteriorSampler::withinLimits(const ControlImage& image, int factor)
@@ -107,10 +111,11 @@ void InteriorSampler::prepare(int factor)
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
   this->maskOutside();
-  for (const ChartGraph::Segment& s : this->Graph.segments)
+  for (std::size_t i = 0; i < this->Graph.segments.size(); ++i)
   {
-    this->maskSegment(
-      this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv, bandLimit);
+    const ChartGraph::Segment& s = this->Graph.segments[i];
+    this->maskSegment(this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv,
+      bandLimit * this->BandWidths[i] * this->BandWidths[i]);
   }
   for (const Vec2& p : this->Domain.chartConstraints[this->Chart])
   {
@@ -200,18 +205,29 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const Vec2 pixel(this->Image.extent.x() / r.width, this->Image.extent.y() / r.height);
   const double closest = 0.36 * pixel.squaredNorm() / 2.;
   const Vec2 e = b - a;
-  // How far to look: half as far again as the control at the segment says, as it may fade beside
-  // it.
-  double least = std::numeric_limits<double>::max();
-  for (double t : { 0., 0.5, 1. })
-  {
-    least = std::min(least, this->control(a + t * e) * this->Scale);
-  }
-  const double far = 2. * e.norm() + 8. * pixel.maxCoeff();
-  const double reach = std::max(
-    least > 0 ? std::min(1.5 * std::sqrt(limit / least), far) : far, 2. * pixel.maxCoeff());
   const double length = e.norm();
   const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
+  // How far to look: where the control fades beside the segment, what wants to be in its band lies
+  // farther away than the control on it says. Not without end: nothing may be wanted there.
+  const double far = 8. * (length + r.factor * pixel.maxCoeff());
+  const auto least = [&](double away) {
+    double value = std::numeric_limits<double>::max();
+    for (double t : { 0., 0.5, 1. })
+    {
+      for (double side : { -away, away })
+      {
+        value = std::min(value, this->control(a + t * e + side * normal));
+      }
+    }
+    return value * this->Scale;
+  };
+  const double atSegment = least(0.);
+  double reach = atSegment > 0 ? std::min(std::sqrt(limit / atSegment), far) : far;
+  while (reach < far && least(reach) * reach * reach < limit)
+  {
+    reach *= 1.4;
+  }
+  reach = std::max(std::min(1.5 * reach, far), 2. * pixel.maxCoeff());
   const Vec2 low = a.cwiseMin(b).array() - reach;
   const Vec2 high = a.cwiseMax(b).array() + reach;
   const int yBegin = std::max(0, static_cast<int>(low.y() / pixel.y()));

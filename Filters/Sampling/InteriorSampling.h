@@ -28,10 +28,12 @@ constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in
 constexpr double largestRasterSize = 512. * 1024 * 1024; ///< pixels of one chart
 /// Rasters of all charts together beyond which they are drawn twice rather than kept.
 constexpr double mostKeptPixels = 128. * 1024 * 1024;
-/// At most these shares of a chart's samples may fall to pixels that want more than half a sample,
-/// and more than a whole one. Up to one, halftoning is fine but for the pixels' lattice that begins
-/// to show; what a pixel cannot take, error diffusion hands to those beside it, and nothing is
-/// lost.
+/// No pixel wants more than half a sample, unless a few would cost more than this factor squared in
+/// pixels: a spike of the control. Then at most these shares of a chart's samples may fall to
+/// pixels that want more than half a sample, and more than a whole one. Up to one, halftoning is
+/// fine but for the pixels' lattice that begins to show; what a pixel cannot take, error diffusion
+/// hands to those beside it, and nothing is lost.
+constexpr double largestForAll = 2.;
 constexpr double crowdedShare = 0.05;
 constexpr double overfullShare = 0.005;
 
@@ -39,18 +41,19 @@ class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
 public:
   /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter
-  /// area.
+  /// area. A segment's band is as many times wider than half a row as `bandWidths` says.
   InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-    const ChartGraph& graph, double scale);
+    const ChartGraph& graph, std::vector<double> bandWidths, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
-  /// (but for crowdedShare and overfullShare), which may be beyond the limits.
+  /// (but for spikes, see largestForAll), which may be beyond the limits.
   static int upsampling(const ControlImage& image, double scale, const ControlMass& mass);
   static bool withinLimits(const ControlImage& image, int factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
-  /// segment: s sqrt(3)/2 is the height of a row of the hexagonal lattice, so that the band's mass
-  /// is just what the samples on the segment stand for. Distances are measured on the surface.
+  /// segment (times its band's width): s sqrt(3)/2 is the height of a row of the hexagonal lattice,
+  /// so that the band's mass is just what the samples on the segment stand for. Distances are
+  /// measured on the surface.
   void prepare(int factor);
   double left() const { return this->Raster.left; }
   /// Gives the raster's memory back; sample() needs another prepare().
@@ -62,7 +65,7 @@ public:
 
 private:
   void maskOutside();
-  void maskSegment(const Vec2& a, const Vec2& b, double radius);
+  void maskSegment(const Vec2& a, const Vec2& b, double limit);
   void sumLeft();
   /// What the pixels of a row want.
   void fillRow(int y, float* wanted) const;
@@ -78,6 +81,7 @@ private:
   const int Chart;
   const ControlImage& Image;
   const ChartGraph& Graph;
+  const std::vector<double> BandWidths; // by segment
   const double Scale;
   InteriorRaster Raster;
 };

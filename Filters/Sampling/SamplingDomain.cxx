@@ -236,10 +236,18 @@ Status readSamplingDomain(
     }
   }
   std::vector<char> bounded(s.numberOfCharts(), 0);
+  domain.onBackbone.assign(s.twin.size(), 0);
   for (const BackboneTrace& trace : domain.traces)
   {
     for (int side = 0; side < 2; ++side)
     {
+      for (int h : trace.halfedge[side])
+      {
+        if (h >= 0)
+        {
+          domain.onBackbone[h] = 1;
+        }
+      }
       if (trace.chart[side] >= 0 && !trace.insideChart)
       {
         bounded[trace.chart[side]] = 1;

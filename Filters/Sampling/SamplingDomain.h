@@ -23,6 +23,7 @@ struct STIPPLEFILTERSSAMPLING_EXPORT SamplingDomain
   AtlasSurface surface;
   FeatureGraph graph;
   std::vector<BackboneTrace> traces;
+  std::vector<char> onBackbone; ///< by halfedge of the surface
   /// Per face, the first fundamental form of its chart's map: length^2 = E du^2 + 2 F du dv + G
   /// dv^2.
   std::vector<std::array<float, 3>> metric;

@@ -8,8 +8,10 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <deque>
+#include <future>
 
 namespace stipple
 {
@@ -17,6 +19,8 @@ namespace
 {
 constexpr int numberOfSteps = 6; // six implicit steps make a kernel that is close to a Gaussian
 constexpr std::size_t keptSolvers = 2; // a band-pass needs two
+/// From so many points on, a factorization takes so long that it is not waited for after an abort.
+constexpr std::size_t manyPoints = 50000;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Cholesky = Eigen::SimplicialLDLT<SparseMatrix>;
@@ -107,24 +111,36 @@ struct SurfaceDiffusion::Internals
   SparseMatrix stiffness;
   std::deque<std::unique_ptr<StepSolver>> solvers;
 
-  void setRefinement(double sigma);
-  const StepSolver* findSolver(double sigma);
+  /// What is computed beside this thread, also after a run that was stopped; the future waits for
+  /// it when it is destroyed.
+  std::unique_ptr<StepSolver> pendingSolver;
+  double pendingLongest = -1; ///< of the refinement that it is for
+  std::future<bool> pending;
+
+  Status setRefinement(double sigma, const Progress& progress);
+  Status findSolver(double sigma, const Progress& progress, const StepSolver*& found);
+  Status waitForPending(const Progress& progress);
+  const StepSolver* keep(std::unique_ptr<StepSolver> solver);
   Eigen::VectorXd pixelsToPoints(const std::vector<float*>& values) const;
   void pointsToPixels(const Eigen::VectorXd& u, const std::vector<float*>& values) const;
 };
 
-void SurfaceDiffusion::Internals::setRefinement(double sigma)
+Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& progress)
 {
   // Elements as large as the kernel make it wider by some percent. Where none is larger, every
   // refinement is the surface itself.
   const double wanted = std::min(sigma, this->longestEdge);
   if (wanted == this->longest)
   {
-    return;
+    return Status::success();
   }
-  this->longest = wanted;
+  this->longest = -1;
   this->solvers.clear();
   this->refined = refine(this->surface, this->images, wanted);
+  if (!report(progress, 0.1))
+  {
+    return Status::aborted();
+  }
   this->places.assign(this->images.size(), {});
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(this->images.size()), 1, [&](vtkIdType begin, vtkIdType end) {
@@ -134,34 +150,85 @@ void SurfaceDiffusion::Internals::setRefinement(double sigma)
           placePixels(this->surface, this->refined, static_cast<int>(c), this->images[c]);
       }
     });
+  if (!report(progress, 0.2))
+  {
+    return Status::aborted();
+  }
   assemble(this->refined, this->mass, this->stiffness);
+  this->longest = wanted;
+  return Status::success();
 }
 
-/// Null if the system cannot be solved.
-const StepSolver* SurfaceDiffusion::Internals::findSolver(double sigma)
+Status SurfaceDiffusion::Internals::waitForPending(const Progress& progress)
 {
-  for (const auto& solver : this->solvers)
+  while (this->pending.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
   {
-    if (solver->sigma == sigma)
+    if (!report(progress, 0.3))
     {
-      return solver.get();
+      return Status::aborted();
     }
   }
-  auto solver = std::make_unique<StepSolver>();
-  solver->sigma = sigma;
-  solver->matrix = (0.5 * sigma * sigma / numberOfSteps) * this->stiffness;
-  solver->matrix.diagonal() += this->mass;
-  if (!solver->compute(
-        sigma * sigma * static_cast<double>(this->refined.points.size()) / this->mass.sum()))
-  {
-    return nullptr;
-  }
+  return Status::success();
+}
+
+const StepSolver* SurfaceDiffusion::Internals::keep(std::unique_ptr<StepSolver> solver)
+{
   if (this->solvers.size() >= keptSolvers)
   {
     this->solvers.pop_front();
   }
   this->solvers.push_back(std::move(solver));
   return this->solvers.back().get();
+}
+
+/// Null is found if the system cannot be solved.
+Status SurfaceDiffusion::Internals::findSolver(
+  double sigma, const Progress& progress, const StepSolver*& found)
+{
+  found = nullptr;
+  for (const auto& solver : this->solvers)
+  {
+    if (solver->sigma == sigma)
+    {
+      found = solver.get();
+      return Status::success();
+    }
+  }
+  if (this->pending.valid())
+  {
+    if (Status status = this->waitForPending(progress); !status.ok())
+    {
+      return status;
+    }
+    const bool done = this->pending.get();
+    if (done && this->pendingSolver->sigma == sigma && this->pendingLongest == this->longest)
+    {
+      found = this->keep(std::move(this->pendingSolver));
+      return Status::success();
+    }
+  }
+  auto solver = std::make_unique<StepSolver>();
+  solver->sigma = sigma;
+  solver->matrix = (0.5 * sigma * sigma / numberOfSteps) * this->stiffness;
+  solver->matrix.diagonal() += this->mass;
+  const double pointsInKernel =
+    sigma * sigma * static_cast<double>(this->refined.points.size()) / this->mass.sum();
+  if (this->refined.points.size() < manyPoints)
+  {
+    found = solver->compute(pointsInKernel) ? this->keep(std::move(solver)) : nullptr;
+    return Status::success();
+  }
+  // Eigen's factorization cannot be interrupted, but it can be left alone.
+  this->pendingSolver = std::move(solver);
+  this->pendingLongest = this->longest;
+  this->pending = std::async(std::launch::async,
+    [work = this->pendingSolver.get(), pointsInKernel] { return work->compute(pointsInKernel); });
+  if (Status status = this->waitForPending(progress); !status.ok())
+  {
+    return status;
+  }
+  found = this->pending.get() ? this->keep(std::move(this->pendingSolver)) : nullptr;
+  return Status::success();
 }
 
 /// Every point takes the mean of the pixels around it, by area and nearness; a point that no pixel
@@ -250,7 +317,10 @@ Status SurfaceDiffusion::smooth(
   const std::vector<float*>& values, double sigma, const Progress& progress)
 {
   Internals& d = *this->Data;
-  d.setRefinement(sigma);
+  if (Status status = d.setRefinement(sigma, progress); !status.ok())
+  {
+    return status;
+  }
   if (!report(progress, 0.3))
   {
     return Status::aborted();
@@ -258,7 +328,11 @@ Status SurfaceDiffusion::smooth(
   const Status failure =
     Status::error("The heat equation on this surface could not be solved: lower Gradation or "
                   "BandPass.");
-  const StepSolver* solver = d.findSolver(sigma);
+  const StepSolver* solver = nullptr;
+  if (Status status = d.findSolver(sigma, progress, solver); !status.ok())
+  {
+    return status;
+  }
   if (!solver)
   {
     return failure;

@@ -75,6 +75,34 @@ struct Prediction
   }
 };
 
+/// What the bands take away from the charts at scale 1, where they do not share it.
+double bandMass(const SamplingDomain& domain, const std::vector<BackboneDensity>& densities)
+{
+  double sum = 0;
+  for (std::size_t b = 0; b < densities.size(); ++b)
+  {
+    const BackboneTrace& trace = domain.traces[b];
+    const int sides = (trace.chart[0] >= 0 ? 1 : 0) + (trace.chart[1] >= 0 ? 1 : 0);
+    sum += 0.5 * sides * densities[b].total();
+  }
+  return sum;
+}
+
+/// The widths of the bands along a chart's segments.
+std::vector<double> bandWidths(const SamplingDomain& domain,
+  const std::vector<BackboneDensity>& densities, const BackbonePlaces& places,
+  const ChartGraph& graph)
+{
+  std::vector<double> widths;
+  widths.reserve(graph.segments.size());
+  for (const ChartGraph::Segment& s : graph.segments)
+  {
+    const auto [begin, end] = domain.interval(places, s.backbone, s.interval);
+    widths.push_back(densities[s.backbone].meanWidth(begin, end));
+  }
+  return widths;
+}
+
 int sum(const std::vector<int>& values)
 {
   return std::accumulate(values.begin(), values.end(), 0);
@@ -135,19 +163,20 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
       "wanted, for instance by MinimumDensity.");
   }
 
-  const std::vector<BackboneDensity> densities = backboneDensities(domain, images);
-  double bandMass = 0;
-  for (std::size_t b = 0; b < densities.size(); ++b)
-  {
-    // A band of sqrt(3)/4 s on each side: the integral of sqrt(3)/4 s rho ds is half that of ds /
-    // s.
-    const BackboneTrace& trace = domain.traces[b];
-    const int sides = (trace.chart[0] >= 0 ? 1 : 0) + (trace.chart[1] >= 0 ? 1 : 0);
-    bandMass += 0.5 * sides * densities[b].total();
-  }
-  Prediction prediction = { domain, densities, total, bandMass, sum(this->Least.leastInterior),
-    0. };
   const double most = 64. * std::max(1, numberOfSamples) / total;
+  const double area = domain.surface.area();
+  const double meanDensity = area > 0 ? total / area : 0.;
+  std::vector<BackboneDensity> densities;
+  Prediction prediction = { domain, densities, total, 0., sum(this->Least.leastInterior), 0. };
+  // What a backbone wants is not quite in proportion to the scale's root: its band reaches farther
+  // at a smaller one. It is found for a scale nearby.
+  double densityScale = 0;
+  const auto measureBackbones = [&](double scale) {
+    densityScale = scale;
+    densities = backboneDensities(domain, images, scale, meanDensity);
+    prediction.bandMass = bandMass(domain, densities);
+  };
+  measureBackbones(std::max(1, numberOfSamples) / total);
 
   // The scale is such that backbones and interiors, each at the same density, hold N samples
   // together. What the bands really leave is known once they are drawn; two corrections bring the
@@ -162,6 +191,11 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   for (int round = 0; round < 3; ++round)
   {
     scale = largestScale(prediction, numberOfSamples, most);
+    if (scale > 0 && std::abs(std::log(scale / densityScale)) > 0.1)
+    {
+      measureBackbones(scale);
+      scale = largestScale(prediction, numberOfSamples, most);
+    }
     bool fits = false;
     double backboneScale = scale;
     for (int attempt = 0; attempt < 12 && !fits && scale > 0; ++attempt, backboneScale *= 0.8)
@@ -186,7 +220,8 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     samplers.clear();
     for (std::size_t c = 0; c < charts; ++c)
     {
-      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
+      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c],
+        bandWidths(domain, densities, valid.places, valid.graphs[c]), scale);
       factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c]);
       if (!InteriorSampler::withinLimits(images[c], factor[c]))
       {
@@ -255,7 +290,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   for (const Sample& s : result.samples)
   {
     result.density.push_back(s.kind == SampleKind::Backbone
-        ? scale * backboneDensityAt(domain, images, s.backbone, s.arcLength)
+        ? scale * densities[s.backbone].densityAt(s.arcLength)
         : densityAt(domain.surface.faceChart[s.face], domain.surface.parameter(s.face, s.bary)));
   }
   for (std::size_t c = 0; c < charts; ++c)

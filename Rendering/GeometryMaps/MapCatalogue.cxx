@@ -130,11 +130,9 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
     this->findNormals(c, result);
     return Status::success();
   }
-  const MapKind derived = name == "MinimumCurvature" ? MapKind::MinimumCurvature
-    : name == "MaximumCurvature"                     ? MapKind::MaximumCurvature
-    : name == "TotalCurvature"                       ? MapKind::TotalCurvature
-                                                     : MapKind::Linear;
-  if (derived == MapKind::Linear)
+  const bool total = name == "TotalCurvature";
+  const int sign = name == "MinimumCurvature" ? -1 : (name == "MaximumCurvature" ? 1 : 0);
+  if (!total && sign == 0)
   {
     return this->findArray(name, c, result);
   }
@@ -154,12 +152,19 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
         " as a point array of one component on chart " + std::to_string(c) + ".");
     }
   }
-  result.kind = derived;
-  result.values.reserve(2 * mean.values.size());
+  // The principal curvatures are those of the points, H -+ R, and linear in between. From H and K
+  // of a pixel, H^2 - K would cancel where the surface is like a sphere.
+  result.kind = total ? MapKind::TotalCurvature : MapKind::Linear;
+  result.values.reserve((total ? 2 : 1) * mean.values.size());
   for (std::size_t p = 0; p < mean.values.size(); ++p)
   {
-    result.values.push_back(mean.values[p]);
-    result.values.push_back(gaussian.values[p]);
+    const double h = mean.values[p];
+    const double r = std::sqrt(std::max(h * h - gaussian.values[p], 0.));
+    result.values.push_back(h + sign * r);
+    if (total)
+    {
+      result.values.push_back(r);
+    }
   }
   return Status::success();
 }

@@ -475,8 +475,9 @@ public:
           this->paintLinear(request, output);
           this->normalize(request.components, output);
           break;
-        default:
-          this->paintCurvature(request, output);
+        case MapKind::TotalCurvature:
+          this->paintTotalCurvature(request, output);
+          break;
       }
     }
   }
@@ -610,37 +611,17 @@ private:
     }
   }
 
-  void paintCurvature(const MapRequest& request, float* output) const
-  {
-    switch (request.kind)
-    {
-      case MapKind::MinimumCurvature:
-        this->paintFromCurvatures(
-          request, output, [](double mean, double squared) { return mean - std::sqrt(squared); });
-        break;
-      case MapKind::MaximumCurvature:
-        this->paintFromCurvatures(
-          request, output, [](double mean, double squared) { return mean + std::sqrt(squared); });
-        break;
-      default: // k1^2 + k2^2
-        this->paintFromCurvatures(request, output,
-          [](double mean, double squared) { return 2. * (mean * mean + squared); });
-    }
-  }
-
-  /// f(H, max(H^2 - K, 0)) at every pixel.
-  template <typename F>
-  void paintFromCurvatures(const MapRequest& request, float* output, F f) const
+  void paintTotalCurvature(const MapRequest& request, float* output) const
   {
     for (const Run& run : this->Runs)
     {
       const auto h = this->corners(request, run.face, 0);
-      const auto g = this->corners(request, run.face, 1);
+      const auto r = this->corners(request, run.face, 1);
       for (int i = run.begin; i < run.end; ++i)
       {
         const double mean = h[0] + this->B1[i] * h[1] + this->B2[i] * h[2];
-        const double gaussian = g[0] + this->B1[i] * g[1] + this->B2[i] * g[2];
-        output[i] = static_cast<float>(f(mean, std::max(mean * mean - gaussian, 0.)));
+        const double half = r[0] + this->B1[i] * r[1] + this->B2[i] * r[2];
+        output[i] = static_cast<float>(2. * (mean * mean + half * half));
       }
     }
   }

@@ -38,12 +38,12 @@ struct MapChart
 /// How a map comes from the values.
 enum class MapKind
 {
-  Constant,         ///< one tuple a triangle
-  Linear,           ///< one tuple a point, interpolated
-  UnitVector,       ///< as Linear, then normalised
-  MinimumCurvature, ///< values are the pairs (H, K) a point: H - sqrt(max(H^2 - K, 0))
-  MaximumCurvature, ///< H + sqrt(max(H^2 - K, 0))
-  TotalCurvature    ///< sum of the squares of both
+  Constant,   ///< one tuple a triangle
+  Linear,     ///< one tuple a point, interpolated
+  UnitVector, ///< as Linear, then normalised
+  /// Values are pairs (H, R) a point, R half the difference of the principal curvatures; both are
+  /// interpolated, and 2 (H^2 + R^2) is the sum of the principal curvatures' squares.
+  TotalCurvature
 };
 
 /// One map to make.
@@ -51,16 +51,13 @@ struct MapRequest
 {
   MapKind kind = MapKind::Linear;
   int components = 1;             ///< of the map, 1 to 4
-  const double* values = nullptr; ///< tuples by triangle or by point; pairs for the derived
-                                  ///< curvatures
+  const double* values = nullptr; ///< tuples by triangle or by point; pairs for TotalCurvature
   float* output = nullptr;        ///< width x height tuples, row by row from the lower left
 
-  bool isDerivedCurvature() const
+  int valueComponents() const
   {
-    return this->kind == MapKind::MinimumCurvature || this->kind == MapKind::MaximumCurvature ||
-      this->kind == MapKind::TotalCurvature;
+    return this->kind == MapKind::TotalCurvature ? 2 : this->components;
   }
-  int valueComponents() const { return this->isDerivedCurvature() ? 2 : this->components; }
 };
 
 /// The device coordinate of a chart point, the float that both back ends start from.

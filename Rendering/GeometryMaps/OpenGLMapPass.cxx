@@ -218,15 +218,10 @@ std::string channelName(char store, int channel)
 std::string expression(const MapRequest& request, int first)
 {
   const char store = request.kind == MapKind::Constant ? 't' : 'p';
-  if (request.isDerivedCurvature())
+  if (request.kind == MapKind::TotalCurvature)
   {
-    const std::string mean = channelName(store, first);
-    const std::string arguments = "(" + mean + ", " + channelName(store, first + 1) + ")";
-    return "vec4(" +
-      (request.kind == MapKind::TotalCurvature ? "squares" + arguments
-                                               : mean +
-            (request.kind == MapKind::MinimumCurvature ? " - " : " + ") + "root" + arguments) +
-      ")";
+    return "vec4(squares(" + channelName(store, first) + ", " + channelName(store, first + 1) +
+      "))";
   }
   std::string list;
   for (int k = 0; k < 4; ++k)

@@ -18,7 +18,7 @@
  * - AreaDistortion: A3D / A2D, constant over a triangle (from the cell array AreaDistortion)
  * - FaceIndex (int): the triangle of the chart that the pixel's centre lies in; never -1
  * - GaussianCurvature K, MeanCurvature H: from the point arrays of these names
- * - MinimumCurvature, MaximumCurvature: H -+ sqrt(max(H^2 - K, 0)), pixel by pixel
+ * - MinimumCurvature, MaximumCurvature: H -+ sqrt(max(H^2 - K, 0)) of the points, interpolated
  * - TotalCurvature: the sum of the squares of these two
  * - Position (3 components), Normal (3 components, unit; the charts' point normals if they have
  * some, else the surface's angle-weighted ones)

@@ -229,3 +229,41 @@ TEST(SurfaceDiffusion, StopsWhenAskedTo)
   }
   EXPECT_TRUE(p.diffusion.smooth(pointers, 0.1, [](double f) { return f < 0.5; }).isAbort());
 }
+
+TEST(SurfaceDiffusion, AFactorizationIsLeftAloneWhenItIsStopped)
+{
+  Pixels p;
+  p.builder.addGrid(420, 420, [](int i, int j) { return Vec3(i / 420., j / 420., 0); });
+  p.take(64);
+  const auto step = [](const Vec3& x) { return x.x() < 0.5 ? 1. : 0.; };
+  p.fill(step);
+  // Asked again and again while it runs, not only when it is done.
+  int asked = 0;
+  double reached = 0;
+  const Status stopped = p.diffusion.smooth({ p.values[0].data() }, 0.1, [&](double fraction) {
+    reached = fraction;
+    asked += fraction >= 0.3 ? 1 : 0;
+    return asked < 3;
+  });
+  EXPECT_TRUE(stopped.isAbort());
+  EXPECT_LT(reached, 0.6) << "before the first step";
+  // What was begun serves the next run, and another sigma is not confused with it.
+  p.smooth(0.1);
+  const std::vector<std::vector<float>> after = p.values;
+  Pixels fresh;
+  fresh.builder.addGrid(420, 420, [](int i, int j) { return Vec3(i / 420., j / 420., 0); });
+  fresh.take(64);
+  fresh.fill(step);
+  fresh.smooth(0.1);
+  EXPECT_EQ(after, fresh.values);
+  fresh.fill(step);
+  asked = 0;
+  EXPECT_TRUE(fresh.diffusion
+                .smooth({ fresh.values[0].data() }, 0.05,
+                  [&](double fraction) { return fraction < 0.3 || ++asked < 3; })
+                .isAbort());
+  fresh.smooth(0.2);
+  p.fill(step);
+  p.smooth(0.2);
+  EXPECT_EQ(p.values, fresh.values);
+}

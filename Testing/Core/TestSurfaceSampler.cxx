@@ -476,3 +476,42 @@ TEST(SurfaceSampler, BackboneWithoutANodeIsRefused)
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message().find("Backbone 2 has no node"), std::string::npos) << status.message();
 }
+
+TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
+{
+  Fixture f;
+  flatSquare(f.builder, 8);
+  f.take();
+  // A steep importance, as of a large gamma, and one with a spike.
+  for (const double spike : { 0., 1e4 })
+  {
+    const ControlMaps maps(f.surface(), 200, [&](const Vec3& p) {
+      return std::exp(-6. * p.norm()) + ((p - Vec3(0.5, 0.5, 0)).norm() < 0.012 ? spike : 0.);
+    });
+    const ControlImage& image = maps.images[0];
+    const ControlMass mass = controlMass(image);
+    for (double samples : { 500., 5000., 50000. })
+    {
+      const double scale = samples / mass.total;
+      const int factor = InteriorSampler::upsampling(image, scale, mass);
+      double crowded = 0;
+      double largest = 0;
+      for (int i = 0; i < image.numberOfPixels(); ++i)
+      {
+        const double wanted = image.control[i] * scale * image.pixelArea();
+        const double inRaster = wanted / (static_cast<double>(factor) * factor);
+        largest = std::max(largest, inRaster);
+        crowded += inRaster > 0.5 ? wanted : 0.;
+      }
+      EXPECT_GE(factor, 1);
+      EXPECT_TRUE(spike > 0 || InteriorSampler::withinLimits(image, factor));
+      EXPECT_LE(crowded, (spike > 0 ? crowdedShare : 0.) * samples) << samples << " of " << spike;
+      const double least = std::sqrt(2. * mass.largest * scale * image.pixelArea());
+      EXPECT_LT(factor, least + 1.) << "no more pixels than that takes";
+      if (samples < 1000. && InteriorSampler::withinLimits(image, factor))
+      {
+        expectSound(f.sample(maps, static_cast<int>(samples)), f, static_cast<int>(samples));
+      }
+    }
+  }
+}

@@ -106,10 +106,9 @@ inline void compareMaps(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow*
     {
       vtkDataArray* u = a->GetPointData()->GetArray(name.c_str());
       vtkDataArray* v = b->GetPointData()->GetArray(name.c_str());
-      // Not linear: H^2 - K cancels where the surface is like a sphere, and the root makes more of
-      // what is left; so does the normalisation, where the normals of a fold's two sides cancel.
-      const bool cancels = name == "MinimumCurvature" || name == "MaximumCurvature" ||
-        (options.folded && name == "Normal");
+      // The normalisation makes more of what is left where the normals of a fold's two sides
+      // cancel.
+      const bool cancels = options.folded && name == "Normal";
       double largest = 0.;
       double worst = 0.;
       for (vtkIdType p = 0; p < n; ++p)

@@ -36,14 +36,9 @@ vec4 interpolate(ivec3 corners, vec3 b, int k)
     b.z * (fetch(pointValues, corners.z + k) - v);
 }
 
-float root(float mean, float gaussian)
+float squares(float mean, float halfDifference)
 {
-  return sqrt(max(mean * mean - gaussian, 0.0));
-}
-
-float squares(float mean, float gaussian)
-{
-  return 2.0 * (mean * mean + max(mean * mean - gaussian, 0.0));
+  return 2.0 * (mean * mean + halfDifference * halfDifference);
 }
 
 vec4 unit(vec4 v)
