@@ -74,9 +74,8 @@ void LocalEmbedding::placeInwards()
 {
   OptimizedMesh& mesh = this->Mesh;
   std::vector<int> waiting = this->Vertices;
-  const auto isWaiting = [&](int v) {
-    return std::binary_search(waiting.begin(), waiting.end(), v);
-  };
+  const auto isWaiting = [&](
+                           int v) { return std::binary_search(waiting.begin(), waiting.end(), v); };
   while (!waiting.empty())
   {
     std::vector<int> next;
@@ -174,8 +173,7 @@ void LocalEmbedding::undo()
   }
 }
 
-std::vector<std::vector<int>> groupsOf(
-  const OptimizedMesh& mesh, const std::vector<int>& faces)
+std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces)
 {
   std::vector<std::vector<int>> result;
   std::vector<int> waiting = faces;

@@ -21,15 +21,16 @@ using Swaps = OptimizerOptions::Swaps;
 using Moves = OptimizerOptions::Moves;
 
 /// Lloyd's step goes `overRelaxation` times as far, and keeps the share `momentum` of the step
-/// before. What is too much for rest stirs the vertices out of poor arrangements, so it comes first.
+/// before. What is too much for rest stirs the vertices out of poor arrangements, so it comes
+/// first.
 struct Pace
 {
   double overRelaxation;
   double momentum;
 };
 
-/// Found by trial: better meshes in 45 rounds than with one pace (1.5, 0.7) in 60. Where the density
-/// changes from vertex to vertex, steps die down later, and need more of the time for it.
+/// Found by trial: better meshes in 45 rounds than with one pace (1.5, 0.7) in 60. Where the
+/// density changes from vertex to vertex, steps die down later, and need more of the time for it.
 Pace paceAt(double progress, bool uniform)
 {
   constexpr Pace Stirring = { 1.7, 0.85 };

@@ -337,8 +337,7 @@ bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, do
       const Vec3 g = n.cross(e);
       const double angle = k * 0.785398163397448;
       mesh.tryOut(v,
-        mesh.footing(
-          mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g)),
+        mesh.footing(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g)),
         accept);
     }
   }
@@ -442,7 +441,8 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
     }
     bad = intersections.faces();
     // What is left then is a knot.
-    for (const std::vector<int>& group : changed ? std::vector<std::vector<int>>() : groupsOf(mesh, bad))
+    for (const std::vector<int>& group :
+      changed ? std::vector<std::vector<int>>() : groupsOf(mesh, bad))
     {
       changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
     }

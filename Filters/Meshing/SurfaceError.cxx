@@ -241,8 +241,8 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   const double far = FarAway * meanEdgeLength(mesh, v);
   const bool isTip = best.largest > far * far;
   const VertexStar star(mesh, v);
-  const double quality = std::min(isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle,
-    star.quality(mesh.footing(v)));
+  const double quality = std::min(
+    isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle, star.quality(mesh.footing(v)));
   if (quality < LeastQuality)
   {
     return false;
@@ -269,17 +269,15 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
     changed = true;
     return true;
   };
-  const auto isSound = [&](const Footing& there) {
-    return star.exceeds(there, quality - 1e-9);
-  };
+  const auto isSound = [&](const Footing& there) { return star.exceeds(there, quality - 1e-9); };
   const double reach = meanEdgeLength(mesh, v);
   if (mesh.freedom(v) == Freedom::Backbone)
   {
     const auto acceptSound = [&]() { return isSound(mesh.footing(v)) && accept(); };
     for (const double size : { 0.2, 0.07 })
     {
-      while (mesh.trySlide(v, size * reach, acceptSound) ||
-        mesh.trySlide(v, -size * reach, acceptSound))
+      while (
+        mesh.trySlide(v, size * reach, acceptSound) || mesh.trySlide(v, -size * reach, acceptSound))
       {
       }
     }

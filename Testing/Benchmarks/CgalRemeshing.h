@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What users would call instead: CGAL's isotropic_remeshing, with five iterations, at an edge length
-// that makes about the number of points asked for. It takes no number, so the length is searched
-// for, which is not timed.
+// What users would call instead: CGAL's isotropic_remeshing, with five iterations, at an edge
+// length that makes about the number of points asked for. It takes no number, so the length is
+// searched for, which is not timed.
 #ifndef stipple_CgalRemeshing_h
 #define stipple_CgalRemeshing_h
 
