@@ -418,6 +418,13 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
 {
   SelfIntersections intersections(mesh);
   std::vector<int> bad = intersections.faces();
+  // Where much of a mesh passes through itself, sheets are closer together than edges are long, or
+  // the surface does so too: then there is nothing to part, and trying takes long.
+  const std::size_t most = 100 + static_cast<std::size_t>(mesh.numberOfFaces()) / 50;
+  if (bad.size() > most)
+  {
+    return static_cast<int>(bad.size());
+  }
   const auto& graph = mesh.graph();
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
