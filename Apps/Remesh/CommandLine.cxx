@@ -199,7 +199,7 @@ const std::vector<Group>& groups()
           choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
         { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
           choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
-        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 45)",
+        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 42)",
           integer(&Options::iterations, 0, 10000) },
         { "--pattern", "KIND",
           "triangles, quads (regular in every chart) or semiregular\n(triangles split 1 to 4; N is "

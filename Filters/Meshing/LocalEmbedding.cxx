@@ -6,6 +6,8 @@
 #include "LocalRepair.h"
 #include "VertexStar.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 
 namespace stipple
@@ -221,10 +223,18 @@ double sumOfFolds(const OptimizedMesh& mesh, const std::vector<int>& faces)
 int unfold(OptimizedMesh& mesh)
 {
   constexpr int MostRings = 4;
+  const int n = mesh.numberOfFaces();
+  std::vector<char> isFolded(n);
+  vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
+    for (int f = static_cast<int>(begin); f < end; ++f)
+    {
+      isFolded[f] = faceQuality(mesh, f) < LeastAngle ? 1 : 0;
+    }
+  });
   std::vector<int> folded;
-  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  for (int f = 0; f < n; ++f)
   {
-    if (faceQuality(mesh, f) < LeastAngle)
+    if (isFolded[f])
     {
       folded.push_back(f);
     }

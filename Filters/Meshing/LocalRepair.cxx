@@ -17,6 +17,9 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
+/// By how much (radians) a place may be better than the tangent plane has it.
+constexpr double PromisedAngle = 0.05;
+
 bool improveBySwap(OptimizedMesh& mesh, int f)
 {
   const auto& graph = mesh.graph();
@@ -90,7 +93,17 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   {
     return false;
   }
-  const auto attempt = [&](const SurfacePlace& from, const Vec3& step) {
+  const auto attempt = [&](const SurfacePlace& from, const Vec3& step, bool isNear = false) {
+    // Walks take most of the time: where the tangent plane promises far less, there is none.
+    if (isNear && best > PromisedAngle)
+    {
+      Footing promised = mesh.footing(v);
+      promised.position += step;
+      if (!star.exceeds(promised, best - PromisedAngle))
+      {
+        return;
+      }
+    }
     const Footing there = mesh.footing(from, step);
     if (isBetter(there))
     {
@@ -119,7 +132,7 @@ bool improveByMove(OptimizedMesh& mesh, int v)
     for (int k = 0; k < 8; ++k)
     {
       const double angle = k * 0.785398163397448;
-      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g));
+      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g), true);
     }
   }
   return best > start;

@@ -25,7 +25,7 @@ struct OptimizerOptions
   };
   Swaps swaps = Swaps::Regularity;
   Moves moves = Moves::Lloyd;
-  int iterations = 45; ///< >= 0; 0 changes nothing
+  int iterations = 42; ///< >= 0; 0 changes nothing
   /// Share of the vertices, 0 to 1, about which moves at the end bring the mesh nearer to the
   /// surface: those with the farthest points of the surface.
   double errorReduction = 0.0065;

@@ -35,10 +35,11 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
   const double d0 = n.dot(*normal[0]);
   const double d1 = n.dot(*normal[1]);
   const double d2 = n.dot(*normal[2]);
-  const double agreement = normals > 0 && area > 0 ? (d0 + d1 + d2) / (normals * area) : 1.; // as
-                                                                                             // OptimizedMesh
-                                                                                             // has
-                                                                                             // it
+  const double agreement =
+    normals > 0 && area > 0 ? (d0 + d1 + d2) / (normals * area) : 1.; // as
+                                                                      // OptimizedMesh
+                                                                      // has
+                                                                      // it
   if (agreement < OptimizedMesh::minimumAgreement())
   {
     return { agreement - 1., 0., 0. };

@@ -91,7 +91,7 @@ public:
 
   ///@{
   /**
-   * Rounds of swaps and moves, 0 to 10,000; 0 leaves the mesh as it is. The default is 45.
+   * Rounds of swaps and moves, 0 to 10,000; 0 leaves the mesh as it is. The default is 42.
    */
   vtkSetClampMacro(NumberOfIterations, int, 0, 10000);
   vtkGetMacro(NumberOfIterations, int);
@@ -175,7 +175,7 @@ private:
 
   int Connectivity = REGULARITY;
   int Smoothing = LLOYD;
-  int NumberOfIterations = 45;
+  int NumberOfIterations = 42;
   double ErrorReduction = 0.65;
   bool FollowDensity = true;
   bool Ribs = false;

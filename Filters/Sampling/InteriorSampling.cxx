@@ -27,6 +27,20 @@ struct Ranked
 };
 }
 
+namespace
+{
+/// The pixels of a row of n that the middles of the pixels of a row of `enlarged` are in.
+std::vector<int> nearestPixels(int n, int enlarged)
+{
+  std::vector<int> nearest(static_cast<std::size_t>(enlarged));
+  for (int i = 0; i < enlarged; ++i)
+  {
+    nearest[i] = std::min(n - 1, static_cast<int>((i + 0.5) * n / enlarged));
+  }
+  return nearest;
+}
+}
+
 InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
   const ChartGraph& graph, std::vector<double> bandWidths, double scale)
   : Domain(domain)
@@ -38,7 +52,7 @@ InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const 
 {
 }
 
-int InteriorSampler::upsampling(const ControlImage& image, double scale, const ControlMass& mass)
+double InteriorSampler::upsampling(const ControlImage& image, double scale, const ControlMass& mass)
 {
   const double toWanted = scale * image.pixelArea();
   if (2. * mass.largest * toWanted <= 1.)
@@ -75,16 +89,16 @@ int InteriorSampler::upsampling(const ControlImage& image, double scale, const C
     aboveOne += overfull[factor];
     --factor;
   }
-  const double forAll = std::ceil(std::sqrt(2. * mass.largest * toWanted));
-  return forAll <= largestForAll * factor && withinLimits(image, static_cast<int>(forAll))
-    ? static_cast<int>(forAll)
-    : factor;
+  const double forAll = 0.25 * std::ceil(4. * std::sqrt(2. * mass.largest * toWanted));
+  return forAll <= largestForAll * factor && withinLimits(image, forAll)
+    ? forAll
+    : static_cast<double>(factor);
 }
 
-bool InteriorSampler::withinLimits(const ControlImage& image, int factor)
+bool InteriorSampler::withinLimits(const ControlImage& image, double factor)
 {
   return factor <= largestUpsampling &&
-    static_cast<double>(image.numberOfPixels()) * factor * factor <= largestRasterSize;
+    image.numberOfPixels() * factor * factor <= largestRasterSize;
 }
 
 Vec2 InteriorSampler::centre(int pixel) const
@@ -101,15 +115,17 @@ double InteriorSampler::control(const Vec2& uv) const
   return c > 0 ? c : 0.;
 }
 
-void InteriorSampler::prepare(int factor)
+void InteriorSampler::prepare(double factor)
 {
   InteriorRaster& r = this->Raster;
-  r.factor = factor;
-  r.width = this->Image.width * factor;
-  r.height = this->Image.height * factor;
+  r.width = static_cast<int>(std::ceil(this->Image.width * factor));
+  r.height = static_cast<int>(std::ceil(this->Image.height * factor));
+  r.column = nearestPixels(this->Image.width, r.width);
+  r.row = nearestPixels(this->Image.height, r.height);
+  this->EnlargedRow = -1;
   r.open.assign(static_cast<std::size_t>(r.width) * r.height, 1);
   r.toWanted = static_cast<float>(
-    this->Scale * this->Image.pixelArea() / (static_cast<double>(factor) * factor));
+    this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
   for (std::size_t i = 0; i < this->Graph.segments.size(); ++i)
   {
@@ -129,28 +145,27 @@ void InteriorSampler::release()
   std::vector<unsigned char>().swap(this->Raster.open);
 }
 
-void InteriorSampler::fillRow(int y, float* wanted) const
+void InteriorSampler::fillRow(int y, std::vector<float>& wanted)
 {
   const InteriorRaster& r = this->Raster;
-  const float* in =
-    this->Image.control + static_cast<std::size_t>(y / r.factor) * this->Image.width;
-  const unsigned char* open = r.open.data() + static_cast<std::size_t>(y) * r.width;
-  if (r.factor == 1)
+  // Rows of an enlarged image come several times.
+  if (this->EnlargedRow != r.row[y])
   {
+    this->EnlargedRow = r.row[y];
+    this->Enlarged.resize(static_cast<std::size_t>(r.width));
+    const float* in = this->Image.control + static_cast<std::size_t>(r.row[y]) * this->Image.width;
     for (int x = 0; x < r.width; ++x)
     {
-      const float v = in[x] > 0 ? in[x] * r.toWanted : 0.f;
-      wanted[x] = open[x] ? v : 0.f;
+      this->Enlarged[x] = std::max(0.f, in[r.column[x]]) * r.toWanted;
     }
-    return;
   }
-  for (int x = 0; x < this->Image.width; ++x)
+  const unsigned char* open = r.open.data() + static_cast<std::size_t>(y) * r.width;
+  const float* enlarged = this->Enlarged.data();
+  float* out = wanted.data();
+  for (int x = 0; x < r.width; ++x)
   {
-    const float v = in[x] > 0 ? in[x] * r.toWanted : 0.f;
-    for (int k = 0; k < r.factor; ++k, ++open, ++wanted)
-    {
-      *wanted = *open ? v : 0.f;
-    }
+    const float v = enlarged[x];
+    out[x] = open[x] ? v : 0.f;
   }
 }
 
@@ -209,7 +224,10 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
   // How far to look: where the control fades beside the segment, what wants to be in its band lies
   // farther away than the control on it says. Not without end: nothing may be wanted there.
-  const double far = 8. * (length + r.factor * pixel.maxCoeff());
+  const double far = 8. *
+    (length +
+      std::max(
+        this->Image.extent.x() / this->Image.width, this->Image.extent.y() / this->Image.height));
   const auto least = [&](double away) {
     double value = std::numeric_limits<double>::max();
     for (double t : { 0., 0.5, 1. })
@@ -234,7 +252,6 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
   const int yEnd = std::min(r.height, static_cast<int>(high.y() / pixel.y()) + 1);
   const int first = surface.chartBegin[this->Chart];
   const int faces = surface.chartBegin[this->Chart + 1] - first;
-  const int factor = r.factor;
   const double toLimit = this->Scale / limit;
   // The first fundamental form of the last pixel's face, and the squared length of the segment in
   // it.
@@ -262,14 +279,14 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
     const int xBegin = std::max(0, static_cast<int>(xLow / pixel.x()));
     const int xEnd = std::min(r.width, static_cast<int>(xHigh / pixel.x()) + 1);
     unsigned char* row = r.open.data() + static_cast<std::size_t>(y) * r.width;
-    const int imageRow = (y / factor) * this->Image.width;
+    const int imageRow = r.row[y] * this->Image.width;
     for (int x = xBegin; x < xEnd; ++x)
     {
       if (!row[x])
       {
         continue;
       }
-      const int i = imageRow + (factor == 1 ? x : x / factor);
+      const int i = imageRow + r.column[x];
       const double area = this->Image.areaDistortion[i];
       const int face = this->Image.faceIndex ? this->Image.faceIndex[i] : -1;
       if (face != lastFace || face < 0)
@@ -310,7 +327,7 @@ void InteriorSampler::sumLeft()
   std::vector<float> row(static_cast<std::size_t>(r.width));
   for (int y = 0; y < r.height; ++y)
   {
-    this->fillRow(y, row.data());
+    this->fillRow(y, row);
     std::array<float, 4> sum = { { 0, 0, 0, 0 } };
     int x = 0;
     for (; x + 4 <= r.width; x += 4)
@@ -344,7 +361,7 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
     std::vector<int> trial;
     std::vector<float> row(static_cast<std::size_t>(this->Raster.width));
     const WantedRow wanted = [&](int y) {
-      this->fillRow(y, row.data());
+      this->fillRow(y, row);
       return row.data();
     };
     for (int pass = 0; pass < 4; ++pass)
@@ -400,7 +417,7 @@ NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
   return grid;
 }
 
-void InteriorSampler::add(std::vector<Vec2>& places, int count) const
+void InteriorSampler::add(std::vector<Vec2>& places, int count)
 {
   // Candidates are taken each time the running sum of what is wanted passes a step, so that they
   // are as dense as the samples: six a sample, or a hundred for each sample to add if that is less.
@@ -413,7 +430,7 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count) const
   std::vector<float> row(static_cast<std::size_t>(r.width));
   for (int y = 0; y < r.height && r.left > 0; ++y)
   {
-    this->fillRow(y, row.data());
+    this->fillRow(y, row);
     constexpr int run = 16; // added up side by side; only few runs pass a step
     for (int begin = 0; begin < r.width; begin += run)
     {
@@ -499,7 +516,7 @@ bool InteriorSampler::clearOfGraph(const Vec2& p) const
   return true;
 }
 
-void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count) const
+void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count)
 {
   // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a
   // sliver. Look for the widest gaps on ever finer lattices, in the box of the polygon.

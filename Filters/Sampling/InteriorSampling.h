@@ -15,9 +15,10 @@ namespace stipple
 /// backbones and outside the boundary's polygon.
 struct InteriorRaster
 {
-  int factor = 1; ///< pixels of this raster a pixel of the control image, in each direction
   int width = 0;
   int height = 0;
+  std::vector<int> column;         ///< of the control image, by column of the raster
+  std::vector<int> row;            ///< and by row
   std::vector<unsigned char> open; ///< 0 where no sample may be
   float toWanted = 0;              ///< control to samples a pixel
   double left = 0;                 ///< sum of what is wanted
@@ -46,15 +47,15 @@ public:
     const ChartGraph& graph, std::vector<double> bandWidths, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
-  /// (but for spikes, see largestForAll), which may be beyond the limits.
-  static int upsampling(const ControlImage& image, double scale, const ControlMass& mass);
-  static bool withinLimits(const ControlImage& image, int factor);
+  /// (but for spikes, see largestForAll), in quarters; it may be beyond the limits.
+  static double upsampling(const ControlImage& image, double scale, const ControlMass& mass);
+  static bool withinLimits(const ControlImage& image, double factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
   /// segment (times its band's width): s sqrt(3)/2 is the height of a row of the hexagonal lattice,
   /// so that the band's mass is just what the samples on the segment stand for. Distances are
   /// measured on the surface.
-  void prepare(int factor);
+  void prepare(double factor);
   double left() const { return this->Raster.left; }
   /// Gives the raster's memory back; sample() needs another prepare().
   void release();
@@ -68,11 +69,11 @@ private:
   void maskSegment(const Vec2& a, const Vec2& b, double limit);
   void sumLeft();
   /// What the pixels of a row want.
-  void fillRow(int y, float* wanted) const;
+  void fillRow(int y, std::vector<float>& wanted);
   Vec2 centre(int pixel) const;
   double control(const Vec2& uv) const;
-  void add(std::vector<Vec2>& places, int count) const;
-  void addInGaps(std::vector<Vec2>& places, int count) const;
+  void add(std::vector<Vec2>& places, int count);
+  void addInGaps(std::vector<Vec2>& places, int count);
   void remove(std::vector<Vec2>& places, int count) const;
   NeighbourGrid gridOf(const std::vector<Vec2>& places) const;
   bool clearOfGraph(const Vec2& p) const;
@@ -84,6 +85,8 @@ private:
   const std::vector<double> BandWidths; // by segment
   const double Scale;
   InteriorRaster Raster;
+  std::vector<float> Enlarged; // what the raster's pixels want in a row of the image
+  int EnlargedRow = -1;
 };
 
 /// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its

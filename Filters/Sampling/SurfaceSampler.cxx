@@ -29,7 +29,7 @@ void forEachChart(std::size_t charts, F f)
 
 /// Charts in runs of some million pixels, so that an abort is seen soon between two runs.
 template <typename F>
-Status forEachChart(const std::vector<ControlImage>& images, const std::vector<int>& factor,
+Status forEachChart(const std::vector<ControlImage>& images, const std::vector<double>& factor,
   const Progress& progress, double from, double to, F f)
 {
   const std::size_t n = images.size();
@@ -39,7 +39,7 @@ Status forEachChart(const std::vector<ControlImage>& images, const std::vector<i
     double pixels = 0;
     do
     {
-      pixels += static_cast<double>(images[end].numberOfPixels()) * factor[end] * factor[end];
+      pixels += images[end].numberOfPixels() * factor[end] * factor[end];
       ++end;
     } while (end < n && pixels < 16e6);
     forEachChart(end - begin, [&](std::size_t i) { f(begin + i); });
@@ -184,7 +184,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   ValidPlaces valid;
   std::vector<InteriorSampler> samplers;
   std::vector<double> left(charts, 0.);
-  std::vector<int> factor(charts, 1);
+  std::vector<double> factor(charts, 1.);
   double scale = 0;
   int interior = 0;
   bool keep = true;
@@ -229,13 +229,15 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
           std::to_string(images[c].width) + " x " + std::to_string(images[c].height) +
           " pixels) is too small for its share of " + std::to_string(numberOfSamples) +
           " samples: set MapSize to at least " +
-          std::to_string(factor[c] * std::max(images[c].width, images[c].height)) + ".");
+          std::to_string(
+            static_cast<int>(std::ceil(factor[c] * std::max(images[c].width, images[c].height)))) +
+          ".");
       }
     }
     double pixels = 0;
     for (std::size_t c = 0; c < charts; ++c)
     {
-      pixels += static_cast<double>(images[c].numberOfPixels()) * factor[c] * factor[c];
+      pixels += images[c].numberOfPixels() * factor[c] * factor[c];
     }
     keep = pixels <= mostKeptPixels;
     const double from = 0.1 + 0.2 * round;

@@ -493,21 +493,21 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
     for (double samples : { 500., 5000., 50000. })
     {
       const double scale = samples / mass.total;
-      const int factor = InteriorSampler::upsampling(image, scale, mass);
+      const double factor = InteriorSampler::upsampling(image, scale, mass);
       double crowded = 0;
       double largest = 0;
       for (int i = 0; i < image.numberOfPixels(); ++i)
       {
         const double wanted = image.control[i] * scale * image.pixelArea();
-        const double inRaster = wanted / (static_cast<double>(factor) * factor);
+        const double inRaster = wanted / (factor * factor);
         largest = std::max(largest, inRaster);
         crowded += inRaster > 0.5 ? wanted : 0.;
       }
-      EXPECT_GE(factor, 1);
+      EXPECT_GE(factor, 1.);
       EXPECT_TRUE(spike > 0 || InteriorSampler::withinLimits(image, factor));
       EXPECT_LE(crowded, (spike > 0 ? crowdedShare : 0.) * samples) << samples << " of " << spike;
       const double least = std::sqrt(2. * mass.largest * scale * image.pixelArea());
-      EXPECT_LT(factor, least + 1.) << "no more pixels than that takes";
+      EXPECT_LT(factor, least + (spike > 0 ? 1. : 0.25)) << "no more pixels than that takes";
       if (samples < 1000. && InteriorSampler::withinLimits(image, factor))
       {
         expectSound(f.sample(maps, static_cast<int>(samples)), f, static_cast<int>(samples));
