@@ -420,7 +420,7 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
   std::vector<int> bad = intersections.faces();
   // Where much of a mesh passes through itself, sheets are closer together than edges are long, or
   // the surface does so too: then there is nothing to part, and trying takes long.
-  const std::size_t most = 100 + static_cast<std::size_t>(mesh.numberOfFaces()) / 50;
+  const std::size_t most = 250 + static_cast<std::size_t>(mesh.numberOfFaces()) / 50;
   if (bad.size() > most)
   {
     return static_cast<int>(bad.size());
@@ -448,10 +448,12 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
     }
     bad = intersections.faces();
     // What is left then is a knot.
-    for (const std::vector<int>& group :
-      changed ? std::vector<std::vector<int>>() : groupsOf(mesh, bad))
+    if (pass > 0 || !changed)
     {
-      changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
+      for (const std::vector<int>& group : groupsOf(mesh, bad))
+      {
+        changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
+      }
     }
     if (!changed)
     {

@@ -34,7 +34,7 @@ private:
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
 /// intersect and no triangle gets worse than minimumAngle (radians) unless it was; what is left is
-/// embedded anew. A mesh that passes through itself in more than a hundred and 2 % of its triangles
+/// embedded anew. A mesh that passes through itself in more than 250 and 2 % of its triangles
 /// is left as it is. Returns the number of triangles that still intersect others.
 STIPPLEFILTERSMESHING_EXPORT int resolveSelfIntersections(
   OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses);
