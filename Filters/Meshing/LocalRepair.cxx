@@ -126,7 +126,7 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   }
   for (double size = 0.2; size > 0.01; size *= 0.5)
   {
-    const Vec3 n = mesh.normal(v);
+    const Vec3& n = mesh.normal(v);
     const Vec3 e = n.unitOrthogonal();
     const Vec3 g = n.cross(e);
     for (int k = 0; k < 8; ++k)

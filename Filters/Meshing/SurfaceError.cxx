@@ -300,7 +300,7 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
   }
   for (const double size : { 0.2, 0.07 })
   {
-    const Vec3 n = mesh.normal(v);
+    const Vec3& n = mesh.normal(v);
     const Vec3 e = n.unitOrthogonal();
     const Vec3 g = n.cross(e);
     for (int k = 0; k < 8; ++k)
