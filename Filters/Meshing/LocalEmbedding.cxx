@@ -9,6 +9,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -220,6 +221,21 @@ double sumOfFolds(const OptimizedMesh& mesh, const std::vector<int>& faces)
 }
 }
 
+double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double longest = 0;
+  for (int f : faces)
+  {
+    const auto t = mesh.corners(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      longest =
+        std::max(longest, (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).squaredNorm());
+    }
+  }
+  return std::sqrt(longest);
+}
+
 int unfold(OptimizedMesh& mesh)
 {
   constexpr int MostRings = 4;
@@ -242,12 +258,14 @@ int unfold(OptimizedMesh& mesh)
   int unfolded = 0;
   for (const std::vector<int>& group : groupsOf(mesh, folded))
   {
-    for (int rings = 1; rings <= MostRings; ++rings)
+    for (int rings = 0; rings <= MostRings; ++rings)
     {
       LocalEmbedding embedding(mesh, group, rings);
       const double before = sumOfFolds(mesh, embedding.faces());
+      const double longest = longestEdge(mesh, embedding.faces());
       embedding.embed();
-      if (sumOfFolds(mesh, embedding.faces()) < 0.5 * before)
+      if (sumOfFolds(mesh, embedding.faces()) < before - 0.5 &&
+        longestEdge(mesh, embedding.faces()) <= embeddingGrowth * longest)
       {
         ++unfolded;
         break;

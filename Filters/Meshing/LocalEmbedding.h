@@ -41,6 +41,11 @@ private:
 /// Triangles that hang together at vertices, each group ascending.
 std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces);
 
+double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces);
+/// By how much an embedding may lengthen the longest edge: vertices must not be drawn off a part of
+/// the surface, which a few large triangles then cut off.
+constexpr double embeddingGrowth = 1.2;
+
 /// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
 /// Returns the number of groups of triangles where that helped.
 int unfold(OptimizedMesh& mesh);

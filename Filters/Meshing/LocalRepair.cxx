@@ -17,6 +17,9 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
+/// Vertices of worse triangles (radians) may have got to the wrong side of a crease.
+constexpr double SliverAngle = 0.003;
+
 /// By how much (radians) a place may be better than the tangent plane has it.
 constexpr double PromisedAngle = 0.05;
 
@@ -119,9 +122,13 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
   for (int u : ring)
   {
-    if (best < 0 && mesh.freedom(u) == Freedom::Surface)
+    if (best < SliverAngle && mesh.freedom(u) == Freedom::Surface)
     {
-      attempt(mesh.place(u), centre - mesh.position(u));
+      const Footing there = mesh.footing(mesh.place(u), centre - mesh.position(u));
+      if ((there.position - centre).norm() < reach && isBetter(there))
+      {
+        mesh.put(v, there);
+      }
     }
   }
   for (double size = 0.2; size > 0.01; size *= 0.5)

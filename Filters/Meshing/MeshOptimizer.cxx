@@ -153,6 +153,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     regularitySwaps(mesh, RegularityAngle, 2);
   }
   repairTriangles(mesh, SmallAngle, swaps, moves, 5);
+  if (moves && swaps && unfold(mesh) > 0)
+  {
+    repairTriangles(mesh, SmallAngle, swaps, moves, 5);
+  }
   if (moves && options.swaps == Swaps::Regularity)
   {
     for (const double angle : ValenceAngles)

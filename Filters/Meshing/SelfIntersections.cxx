@@ -401,8 +401,10 @@ bool partByEmbedding(OptimizedMesh& mesh, SelfIntersections& intersections,
     LocalEmbedding embedding(mesh, faces, rings);
     const int before = intersections.count(embedding.faces());
     const double quality = std::min(minimumAngle, worstQuality(mesh, embedding.faces()));
+    const double longest = longestEdge(mesh, embedding.faces());
     embedding.embed();
-    if (intersections.count(embedding.faces()) < before &&
+    if (longestEdge(mesh, embedding.faces()) <= embeddingGrowth * longest &&
+      intersections.count(embedding.faces()) < before &&
       worstQuality(mesh, embedding.faces()) >= quality)
     {
       intersections.update(embedding.faces());
