@@ -68,15 +68,9 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 
 std::vector<int> ringOf(const OptimizedMesh& mesh, int v)
 {
-  const auto& graph = mesh.graph();
   std::vector<int> ring;
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    ring.push_back(graph.to_vertex_handle(h).idx());
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
+  mesh.forEachHalfedge(
+    v, [&](Halfedge h) { ring.push_back(mesh.graph().to_vertex_handle(h).idx()); });
   return ring;
 }
 }
@@ -218,20 +212,13 @@ std::pair<double, double> areasAbout(const OptimizedMesh& mesh, int v)
 {
   double smallest = 1e300;
   double largest = 0;
-  const auto& graph = mesh.graph();
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
-    if (!graph.is_boundary(h))
-    {
-      const double area = triangleArea(mesh.position(v), mesh.position(graph.to_vertex_handle(h)),
-        mesh.position(graph.to_vertex_handle(graph.next_halfedge_handle(h))));
-      smallest = std::min(smallest, area);
-      largest = std::max(largest, area);
-    }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
+  mesh.forEachFace(v, [&](int f) {
+    auto t = mesh.corners(f);
+    std::rotate(t.begin(), std::find(t.begin(), t.end(), v), t.end());
+    const double area = triangleArea(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    smallest = std::min(smallest, area);
+    largest = std::max(largest, area);
+  });
   return { smallest, largest };
 }
 
@@ -392,17 +379,13 @@ std::vector<int> edgesAbout(const OptimizedMesh& mesh, int v)
 {
   const auto& graph = mesh.graph();
   std::vector<int> edges;
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
+  mesh.forEachHalfedge(v, [&](Halfedge h) {
     edges.push_back(graph.edge_handle(h).idx());
     if (!graph.is_boundary(h))
     {
       edges.push_back(graph.edge_handle(graph.next_halfedge_handle(h)).idx());
     }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
+  });
   return edges;
 }
 }

@@ -4,7 +4,7 @@
 // with balanced areas and smooth seams where they are asked for.
 #include "AtlasSurface.h"
 #include "ChartGraph.h"
-#include "MeshFile.h"
+#include "TestModels.h"
 
 #include "vtkConformalAtlas.h"
 #include "vtkDoubleArray.h"
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <set>
@@ -27,15 +26,6 @@ using namespace stipple;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> readModel(const std::string& name)
-{
-  const char* folder = std::getenv("MODELS");
-  vtkSmartPointer<vtkPolyData> mesh;
-  const Status status = readMesh(std::string(folder ? folder : ".") + "/" + name + ".off", mesh);
-  EXPECT_TRUE(status.ok()) << status.message();
-  return mesh;
-}
-
 double areaOf(vtkPolyData* mesh)
 {
   double sum = 0;

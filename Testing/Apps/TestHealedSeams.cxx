@@ -4,8 +4,8 @@
 // statistically what it is elsewhere.
 #include "AtlasSurface.h"
 #include "FeatureGraph.h"
-#include "MeshFile.h"
 #include "PolyDataConversion.h"
+#include "TestModels.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -46,15 +46,6 @@ struct Model
 std::ostream& operator<<(std::ostream& os, const Model& model)
 {
   return os << model.name;
-}
-
-vtkSmartPointer<vtkPolyData> readModel(const std::string& name)
-{
-  const char* folder = std::getenv("MODELS");
-  vtkSmartPointer<vtkPolyData> mesh;
-  const Status status = readMesh(std::string(folder ? folder : ".") + "/" + name + ".off", mesh);
-  EXPECT_TRUE(status.ok()) << status.message();
-  return mesh;
 }
 
 /// Lines in space, and how far a point is from them.
