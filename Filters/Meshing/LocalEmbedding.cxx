@@ -21,11 +21,28 @@ constexpr int RelaxationRounds = 60;
 constexpr int ImprovementRounds = 6;
 /// Angle (radians) up to which triangles are improved.
 constexpr double GoodAngle = 0.6;
+/// By how much an embedding may lengthen the longest edge.
+constexpr double MostGrowth = 1.2;
 
 void makeUnique(std::vector<int>& ids)
 {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double longest = 0;
+  for (int f : faces)
+  {
+    const auto t = mesh.corners(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      longest =
+        std::max(longest, (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).squaredNorm());
+    }
+  }
+  return std::sqrt(longest);
 }
 
 template <typename Visit>
@@ -66,11 +83,13 @@ LocalEmbedding::LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& face
   makeUnique(this->Faces);
 }
 
-void LocalEmbedding::embed()
+bool LocalEmbedding::embed()
 {
+  const double longest = longestEdge(this->Mesh, this->Faces);
   this->placeInwards();
   this->relax();
   this->improve();
+  return longestEdge(this->Mesh, this->Faces) <= MostGrowth * longest;
 }
 
 void LocalEmbedding::placeInwards()
@@ -221,21 +240,6 @@ double sumOfFolds(const OptimizedMesh& mesh, const std::vector<int>& faces)
 }
 }
 
-double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
-{
-  double longest = 0;
-  for (int f : faces)
-  {
-    const auto t = mesh.corners(f);
-    for (int k = 0; k < 3; ++k)
-    {
-      longest =
-        std::max(longest, (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).squaredNorm());
-    }
-  }
-  return std::sqrt(longest);
-}
-
 int unfold(OptimizedMesh& mesh)
 {
   constexpr int MostRings = 4;
@@ -258,20 +262,11 @@ int unfold(OptimizedMesh& mesh)
   int unfolded = 0;
   for (const std::vector<int>& group : groupsOf(mesh, folded))
   {
-    for (int rings = 0; rings <= MostRings; ++rings)
-    {
-      LocalEmbedding embedding(mesh, group, rings);
-      const double before = sumOfFolds(mesh, embedding.faces());
-      const double longest = longestEdge(mesh, embedding.faces());
-      embedding.embed();
-      if (sumOfFolds(mesh, embedding.faces()) < before - 0.5 &&
-        longestEdge(mesh, embedding.faces()) <= embeddingGrowth * longest)
-      {
-        ++unfolded;
-        break;
-      }
-      embedding.undo();
-    }
+    const std::vector<int> changed = embedAbout(
+      mesh, group, MostRings,
+      [&](const std::vector<int>& faces) { return sumOfFolds(mesh, faces); },
+      [](double after, double before) { return after < before - 0.5; });
+    unfolded += changed.empty() ? 0 : 1;
   }
   return unfolded;
 }

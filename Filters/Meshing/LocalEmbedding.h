@@ -21,8 +21,10 @@ public:
 
   /// Puts every vertex that is free on the surface to the middle of its neighbours (Tutte's
   /// embedding, on the surface: without folds where the region is nearly flat), starting over from
-  /// the vertices around; then swaps and moves for good angles.
-  void embed();
+  /// the vertices around; then swaps and moves for good angles. False if the longest edge became
+  /// much longer: vertices were drawn off a part of the surface, which a few large triangles then
+  /// cut off.
+  [[nodiscard]] bool embed();
   /// Back to what was there before.
   void undo();
 
@@ -41,10 +43,25 @@ private:
 /// Triangles that hang together at vertices, each group ascending.
 std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces);
 
-double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces);
-/// By how much an embedding may lengthen the longest edge: vertices must not be drawn off a part of
-/// the surface, which a few large triangles then cut off.
-constexpr double embeddingGrowth = 1.2;
+/// Embeds the vertices about triangles, of as few rings as make isBetter(after, before) true of
+/// what measure(faces) says of the triangles changed. Returns these; none if no number of rings
+/// helps.
+template <typename Measure, typename IsBetter>
+std::vector<int> embedAbout(OptimizedMesh& mesh, const std::vector<int>& faces, int mostRings,
+  const Measure& measure, const IsBetter& isBetter)
+{
+  for (int rings = 0; rings <= mostRings; ++rings)
+  {
+    LocalEmbedding embedding(mesh, faces, rings);
+    const auto before = measure(embedding.faces());
+    if (embedding.embed() && isBetter(measure(embedding.faces()), before))
+    {
+      return embedding.faces();
+    }
+    embedding.undo();
+  }
+  return {};
+}
 
 /// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
 /// Returns the number of groups of triangles where that helped.

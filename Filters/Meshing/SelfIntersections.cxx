@@ -295,6 +295,16 @@ std::vector<int> SelfIntersections::faces() const
 
 namespace
 {
+double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
+{
+  double worst = 10;
+  for (int f : faces)
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
+
 bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, double minimumAngle)
 {
   std::vector<int> faces;
@@ -355,21 +365,13 @@ bool partBySwap(
   const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
   const std::vector<int> faces = { graph.face_handle(h).idx(),
     graph.face_handle(graph.opposite_halfedge_handle(h)).idx() };
-  const auto worst = [&]() {
-    double q = 10;
-    for (int f : faces)
-    {
-      q = std::min(q, faceQuality(mesh, f));
-    }
-    return q;
-  };
   const int before = intersections.count(faces);
-  const double quality = std::min(minimumAngle, worst());
+  const double quality = std::min(minimumAngle, worstQuality(mesh, faces));
   if (before == 0 || !mesh.swap(edge))
   {
     return false;
   }
-  if (worst() >= quality && intersections.count(faces) < before)
+  if (worstQuality(mesh, faces) >= quality && intersections.count(faces) < before)
   {
     intersections.update(faces);
     return true;
@@ -377,42 +379,28 @@ bool partBySwap(
   mesh.forceSwap(edge);
   return false;
 }
-}
-
-namespace
-{
-double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
-{
-  double worst = 10;
-  for (int f : faces)
-  {
-    worst = std::min(worst, faceQuality(mesh, f));
-  }
-  return worst;
-}
 
 /// Places the vertices about the triangles anew, of as few rings as part any.
 bool partByEmbedding(OptimizedMesh& mesh, SelfIntersections& intersections,
   const std::vector<int>& faces, double minimumAngle)
 {
   constexpr int MostRings = 5;
-  for (int rings = 0; rings <= MostRings; ++rings)
+  struct State
   {
-    LocalEmbedding embedding(mesh, faces, rings);
-    const int before = intersections.count(embedding.faces());
-    const double quality = std::min(minimumAngle, worstQuality(mesh, embedding.faces()));
-    const double longest = longestEdge(mesh, embedding.faces());
-    embedding.embed();
-    if (longestEdge(mesh, embedding.faces()) <= embeddingGrowth * longest &&
-      intersections.count(embedding.faces()) < before &&
-      worstQuality(mesh, embedding.faces()) >= quality)
-    {
-      intersections.update(embedding.faces());
-      return true;
-    }
-    embedding.undo();
-  }
-  return false;
+    int intersecting;
+    double quality;
+  };
+  const std::vector<int> changed = embedAbout(
+    mesh, faces, MostRings,
+    [&](const std::vector<int>& now) {
+      return State{ intersections.count(now), worstQuality(mesh, now) };
+    },
+    [&](const State& after, const State& before) {
+      return after.intersecting < before.intersecting &&
+        after.quality >= std::min(minimumAngle, before.quality);
+    });
+  intersections.update(changed);
+  return !changed.empty();
 }
 }
 
