@@ -16,17 +16,6 @@
 
 namespace stipple
 {
-namespace
-{
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-  const Vec3 ab = b - a;
-  const double length = ab.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(ab) / length, 0., 1.) : 0.;
-  return (a + t * ab - p).norm();
-}
-}
-
 SurfacePicker::SurfacePicker(vtkPolyData* input)
   : Input(vtkSmartPointer<vtkPolyData>::New())
 {

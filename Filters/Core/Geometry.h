@@ -7,6 +7,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stipple
 {
 using Vec2 = Eigen::Vector2d;
@@ -28,6 +31,24 @@ inline double orient2(const Vec2& a, const Vec2& b, const Vec2& c)
 inline double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return 0.5 * (b - a).cross(c - a).norm();
+}
+
+/// The nearest place to p on the segment (a, b), in the plane or in space.
+template <int N>
+Eigen::Matrix<double, N, 1> nearestOnSegment(const Eigen::Matrix<double, N, 1>& p,
+  const Eigen::Matrix<double, N, 1>& a, const Eigen::Matrix<double, N, 1>& b)
+{
+  const Eigen::Matrix<double, N, 1> ab = b - a;
+  const double squared = ab.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(ab) / squared, 0., 1.) : 0.;
+  return a + t * ab;
+}
+
+template <int N>
+double distanceToSegment(const Eigen::Matrix<double, N, 1>& p, const Eigen::Matrix<double, N, 1>& a,
+  const Eigen::Matrix<double, N, 1>& b)
+{
+  return (nearestOnSegment(p, a, b) - p).norm();
 }
 
 /// Cotangent of the angle at a in triangle (a, b, c), clamped to +-limit so that slivers stay

@@ -58,14 +58,6 @@ Lattice centredLattice(const Vec2& extent, double spacing)
   return lattice;
 }
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b)
-{
-  const Vec2 ab = b - a;
-  const double square = ab.squaredNorm();
-  const double t = square > 0 ? std::clamp(ab.dot(p - a) / square, 0., 1.) : 0.;
-  return (a + t * ab - p).norm();
-}
-
 using Segment = std::array<Vec2, 2>;
 
 /// By node, whether it is farther than `clearance` from the rectangle's sides and all segments.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Painting.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -11,15 +10,6 @@ namespace stipple
 {
 namespace
 {
-/// The nearest place to p on the segment (a, b).
-Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-  const Vec3 e = b - a;
-  const double squared = e.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(e) / squared, 0., 1.) : 0.;
-  return a + t * e;
-}
-
 /// The nearest place to p on the triangle (a, b, c): its foot in the plane if that is inside, else
 /// on an edge.
 Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)

@@ -58,11 +58,9 @@ struct Lines
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [a, b] : this->segments)
     {
-      const Vec3 u = b - a;
-      const double t = u.squaredNorm() > 0 ? (p - a).dot(u) / u.squaredNorm() : 0.;
-      least = std::min(least, (a + std::clamp(t, 0., 1.) * u - p).squaredNorm());
+      least = std::min(least, distanceToSegment(p, a, b));
     }
-    return std::sqrt(least);
+    return least;
   }
   double length() const
   {

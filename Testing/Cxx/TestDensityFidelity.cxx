@@ -6,6 +6,7 @@
 // --models FOLDER: where the models are. --measure: print the figures of smaller windows too, and
 // judge none.
 #include "ChartGraph.h"
+#include "Geometry.h"
 #include "ImageRegression.h"
 #include "ModelFile.h"
 #include "SampleSet.h"
@@ -44,14 +45,6 @@ void check(bool condition, const std::string& what)
     std::cerr << "FAILED: " << what << "\n";
     ++failures;
   }
-}
-
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-  const Vec3 e = b - a;
-  const double squared = e.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(e) / squared, 0., 1.) : 0.;
-  return (a + t * e - p).norm();
 }
 
 /// A run of the remesher, ready to be measured.
