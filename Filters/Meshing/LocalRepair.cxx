@@ -65,14 +65,17 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   };
   double reach = 0;
   int count = 0;
-  Vec3 centre = Vec3::Zero();
+  Vec3 centre = Vec3::Zero(); // each neighbour weighs as much as it has triangles here
   std::vector<int> ring;
   mesh.forEachFace(v, [&](int f) {
     for (int u : mesh.corners(f))
     {
       if (u != v)
       {
-        ring.push_back(u);
+        if (std::find(ring.begin(), ring.end(), u) == ring.end())
+        {
+          ring.push_back(u);
+        }
         centre += mesh.position(u);
         reach += (mesh.position(u) - mesh.position(v)).norm();
         ++count;
