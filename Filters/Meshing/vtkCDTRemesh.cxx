@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCDTRemesh.h"
 
+#include "FilterInputs.h"
 #include "MeshCreation.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkCDTRemesh);
@@ -36,38 +36,24 @@ int vtkCDTRemesh::FillInputPortInformation(int port, vtkInformation* info)
 int vtkCDTRemesh::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* sampleData = vtkPolyData::GetData(inputVector[0]);
-  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
-  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
+  const stipple::FilterInputs inputs(inputVector);
   vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
-  if (!sampleData || !charts || sampleData->GetNumberOfPoints() == 0)
+  if (inputs.isEmpty())
   {
     return 1;
   }
   stipple::SurfaceCache& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   std::vector<stipple::Triangle> triangles;
-  stipple::Status status = atlas.update(charts, featureGraph);
+  stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = stipple::readSamples(sampleData, atlas.surface(), samples);
-  }
-  if (status.ok())
-  {
-    status = stipple::createMesh(atlas, samples, triangles, [this](double fraction) {
-      this->UpdateProgress(fraction);
-      return this->GetAbortExecute() == 0;
-    });
-  }
-  if (status.isAbort())
-  {
-    return 1;
+    status = stipple::createMesh(atlas, samples, triangles, stipple::progressOf(this));
   }
   if (!status.ok())
   {
-    vtkErrorMacro(<< status.message());
-    return 0;
+    return stipple::endAfter(status, this);
   }
   const auto mesh = stipple::meshToPolyData(atlas, samples, triangles);
   const auto lines = stipple::featureLines(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadRemesh.h"
 
+#include "FilterInputs.h"
 #include "MeshCreation.h"
 #include "QuadPattern.h"
 
@@ -10,7 +11,6 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkQuadRemesh);
@@ -57,36 +57,22 @@ void setPolygons(const stipple::QuadMesh& mesh, vtkPolyData* data)
 int vtkQuadRemesh::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* sampleData = vtkPolyData::GetData(inputVector[0]);
-  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
-  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
-  if (!sampleData || !charts || sampleData->GetNumberOfPoints() == 0)
+  const stipple::FilterInputs inputs(inputVector);
+  if (inputs.isEmpty())
   {
     return 1;
   }
   stipple::SurfaceCache& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   stipple::QuadMesh mesh;
-  stipple::Status status = atlas.update(charts, featureGraph);
+  stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = stipple::readSamples(sampleData, atlas.surface(), samples);
-  }
-  if (status.ok())
-  {
-    status = stipple::meshWithQuads(atlas, samples, mesh, [this](double fraction) {
-      this->UpdateProgress(fraction);
-      return this->GetAbortExecute() == 0;
-    });
-  }
-  if (status.isAbort())
-  {
-    return 1;
+    status = stipple::meshWithQuads(atlas, samples, mesh, stipple::progressOf(this));
   }
   if (!status.ok())
   {
-    vtkErrorMacro(<< status.message());
-    return 0;
+    return stipple::endAfter(status, this);
   }
   // Cell arrays come from one triangle of every polygon.
   std::vector<stipple::Triangle> triangles;

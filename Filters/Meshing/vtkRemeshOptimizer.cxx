@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRemeshOptimizer.h"
 
+#include "FilterInputs.h"
 #include "LeastSquaresPlacement.h"
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
@@ -44,13 +45,11 @@ int vtkRemeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 int vtkRemeshOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* meshInput = vtkPolyData::GetData(inputVector[0]);
-  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
-  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
+  const stipple::FilterInputs inputs(inputVector);
   auto* control = vtkPartitionedDataSetCollection::GetData(inputVector[3]);
   vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
-  if (!meshInput || !charts || meshInput->GetNumberOfPoints() == 0)
+  if (inputs.isEmpty())
   {
     return 1;
   }
@@ -58,18 +57,14 @@ int vtkRemeshOptimizer::RequestData(
   stipple::DensityField& density = this->Implementation->Density;
   std::vector<stipple::Sample> samples;
   stipple::OptimizedMesh mesh;
-  stipple::Status status = atlas.update(charts, featureGraph);
+  stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
     status = density.read(this->FollowDensity ? control : nullptr, atlas.surface());
   }
   if (status.ok())
   {
-    status = stipple::readSamples(meshInput, atlas.surface(), samples);
-  }
-  if (status.ok())
-  {
-    status = mesh.build(atlas, density, samples, stipple::fromPolyData(meshInput).triangles);
+    status = mesh.build(atlas, density, samples, stipple::fromPolyData(inputs.samples()).triangles);
   }
   if (status.ok())
   {
@@ -80,19 +75,14 @@ int vtkRemeshOptimizer::RequestData(
     options.iterations = this->NumberOfIterations;
     options.ribs = this->Ribs;
     options.errorReduction = 0.01 * this->ErrorReduction;
-    status = stipple::optimizeMesh(mesh, options, [this](double fraction) {
-      this->UpdateProgress(0.05 + 0.9 * fraction);
-      return this->GetAbortExecute() == 0;
-    });
-  }
-  if (status.isAbort())
-  {
-    return 1;
+    status =
+      stipple::optimizeMesh(mesh, options, [progress = stipple::progressOf(this)](double fraction) {
+        return progress(0.05 + 0.9 * fraction);
+      });
   }
   if (!status.ok())
   {
-    vtkErrorMacro(<< status.message());
-    return 0;
+    return stipple::endAfter(status, this);
   }
   const bool moved =
     this->Smoothing != vtkRemeshOptimizer::SMOOTHING_NONE && this->NumberOfIterations > 0;

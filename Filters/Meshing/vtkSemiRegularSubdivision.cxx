@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSemiRegularSubdivision.h"
 
+#include "FilterInputs.h"
 #include "MeshCreation.h"
 #include "PolyDataConversion.h"
 #include "SemiRegularSubdivision.h"
@@ -13,7 +14,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -74,38 +74,24 @@ void addHierarchy(const stipple::SubdividedMesh& mesh, vtkPolyData* data)
 int vtkSemiRegularSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* meshInput = vtkPolyData::GetData(inputVector[0]);
-  auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1]);
-  vtkPolyData* featureGraph = vtkPolyData::GetData(inputVector[2]);
-  if (!meshInput || !charts || meshInput->GetNumberOfPoints() == 0)
+  const stipple::FilterInputs inputs(inputVector);
+  if (inputs.isEmpty())
   {
     return 1;
   }
   stipple::SurfaceCache& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   stipple::SubdividedMesh mesh;
-  stipple::Status status = atlas.update(charts, featureGraph);
+  stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = stipple::readSamples(meshInput, atlas.surface(), samples);
-  }
-  if (status.ok())
-  {
-    status =
-      stipple::subdivideSemiRegularly(atlas, samples, stipple::fromPolyData(meshInput).triangles,
-        this->NumberOfSubdivisions, this->NumberOfIterations, mesh, [this](double fraction) {
-          this->UpdateProgress(fraction);
-          return this->GetAbortExecute() == 0;
-        });
-  }
-  if (status.isAbort())
-  {
-    return 1;
+    status = stipple::subdivideSemiRegularly(atlas, samples,
+      stipple::fromPolyData(inputs.samples()).triangles, this->NumberOfSubdivisions,
+      this->NumberOfIterations, mesh, stipple::progressOf(this));
   }
   if (!status.ok())
   {
-    vtkErrorMacro(<< status.message());
-    return 0;
+    return stipple::endAfter(status, this);
   }
   const auto result = stipple::meshToPolyData(atlas, mesh.samples, mesh.triangles);
   addHierarchy(mesh, result);
