@@ -72,6 +72,15 @@ int bisect(ChartRegions& regions, int region, int first)
   return regions.divide(region, side);
 }
 
+/// Bisects a region until it is a disk; the new regions need not be.
+void bisectToDisk(ChartRegions& regions, int region)
+{
+  while (!regions.mesh(region).isDisk())
+  {
+    bisect(regions, region, -1);
+  }
+}
+
 /// Bisects regions until all are disks.
 Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
 {
@@ -81,10 +90,7 @@ Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
     {
       return Status::aborted();
     }
-    while (!regions.mesh(r).isDisk())
-    {
-      bisect(regions, r, -1);
-    }
+    bisectToDisk(regions, r);
   }
   return Status::success();
 }
@@ -411,19 +417,13 @@ private:
   /// Splits a region at a triangle, into disks with smooth seams of their own.
   void split(int r, int densest)
   {
-    const int first = this->Regions.size();
-    bisect(this->Regions, r, densest);
+    const int first = bisect(this->Regions, r, densest);
+    bisectToDisk(this->Regions, r);
     std::vector<int> parts = { r };
     for (int q = first; q < this->Regions.size(); ++q)
     {
+      bisectToDisk(this->Regions, q);
       parts.push_back(q);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      while (!this->Regions.mesh(parts[i]).isDisk())
-      {
-        parts.push_back(bisect(this->Regions, parts[i], -1));
-      }
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
