@@ -364,12 +364,12 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
 /// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
 /// the line that has it on the first side; empty if it can't be computed.
 std::vector<double> acrossSeam(
-  const TriangleSurface& surface, const SeamUnion& both, double areaFraction)
+  const TriangleSurface& surface, const SeamUnion& both, std::optional<double> areaFraction)
 {
   FarSides sides(surface, both);
-  if (areaFraction >= 0)
+  if (areaFraction)
   {
-    sides.leaveOutFar(areaFraction);
+    sides.leaveOutFar(*areaFraction);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given);
   // Slivers can cost the cotangent Laplacian its definiteness.
@@ -418,9 +418,9 @@ bool placeSeam(
   std::vector<char> side;
   if (!value.empty())
   {
-    const double level = placement.areaFraction < 0
-      ? 0.5
-      : levelOfArea(surface, both.mesh, value, placement.areaFraction);
+    const double level = placement.areaFraction
+      ? levelOfArea(surface, both.mesh, value, *placement.areaFraction)
+      : 0.5;
     for (double& v : value)
     {
       v -= level;
@@ -570,7 +570,7 @@ Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Prog
   SeamPlacement how;
   if (placement == BoundaryPlacement::Middle)
   {
-    how.areaFraction = -1;
+    how.areaFraction.reset();
   }
   else if (regions.size() > 2) // one seam alone is placed by cutting it
   {

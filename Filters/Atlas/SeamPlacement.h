@@ -7,6 +7,8 @@
 #include "ChartRegions.h"
 #include "Progress.h"
 
+#include <optional>
+
 namespace stipple
 {
 /// Where the seam between two charts runs.
@@ -20,8 +22,8 @@ enum class BoundaryPlacement
 struct SeamPlacement
 {
   /// Which isoline of the conformal map becomes the seam: the one that has this fraction of the
-  /// area on the first region's side; or negative, the one halfway.
-  double areaFraction = 0.5;
+  /// area on the first region's side; without one, the isoline halfway.
+  std::optional<double> areaFraction = 0.5;
   /// Cut triangles along the isoline, else move the seam to the edges next to it.
   bool exact = true;
 };
