@@ -497,6 +497,33 @@ const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& ar
     [&](const SeamArc& a, const SeamArc& b) { return length(surface, a) < length(surface, b); });
 }
 
+/// Calls visit(a, b) for all pairs of neighbours, a < b, as they are when it is a's turn.
+template <typename Visit>
+Status forEachPair(const ChartRegions& regions, const Progress& progress, const Visit& visit)
+{
+  for (int a = 0; a < regions.size(); ++a)
+  {
+    if (!report(progress, static_cast<double>(a) / regions.size()))
+    {
+      return Status::aborted();
+    }
+    for (int b : regions.neighbours(a))
+    {
+      if (a < b)
+      {
+        visit(a, b);
+      }
+    }
+  }
+  return Status::success();
+}
+
+/// The progress of one of some sweeps.
+Progress ofSweep(const Progress& progress, int sweep, int sweeps)
+{
+  return [=](double f) { return report(progress, (sweep + f) / sweeps); };
+}
+
 /// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
 Status balanceAreas(ChartRegions& regions, const Progress& progress)
 {
@@ -504,33 +531,22 @@ Status balanceAreas(ChartRegions& regions, const Progress& progress)
   constexpr double alike = 1.15; // ratio of two neighbours' areas
   SeamPlacement how;
   how.exact = false;
+  Status status = Status::success();
   bool balanced = false;
-  for (int sweep = 0; sweep < mostSweeps && !balanced; ++sweep)
+  for (int sweep = 0; sweep < mostSweeps && !balanced && status.ok(); ++sweep)
   {
     balanced = true;
-    for (int a = 0; a < regions.size(); ++a)
-    {
-      if (!report(progress, (sweep + static_cast<double>(a) / regions.size()) / mostSweeps))
+    status = forEachPair(regions, ofSweep(progress, sweep, mostSweeps), [&](int a, int b) {
+      const double ratio = regions.area(a) / regions.area(b);
+      const std::vector<SeamArc> arcs = regions.arcs(a, b);
+      if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
       {
-        return Status::aborted();
+        placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
+        balanced = false;
       }
-      for (int b : regions.neighbours(a))
-      {
-        if (b < a)
-        {
-          continue;
-        }
-        const double ratio = regions.area(a) / regions.area(b);
-        const std::vector<SeamArc> arcs = regions.arcs(a, b);
-        if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
-        {
-          placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
-          balanced = false;
-        }
-      }
-    }
+    });
   }
-  return Status::success();
+  return status;
 }
 
 /// Cuts triangles along the seams. Moving one drags the ends of others along, and makes regions
@@ -539,25 +555,13 @@ Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Pro
 {
   constexpr int mostSweeps = 3;
   constexpr double jagged = 0.1; // share of input edges from which on a seam is cut again
-  for (int sweep = 0; sweep < mostSweeps; ++sweep)
+  Status status = Status::success();
+  for (int sweep = 0; sweep < mostSweeps && status.ok(); ++sweep)
   {
-    for (int a = 0; a < regions.size(); ++a)
-    {
-      if (!report(progress, (sweep + static_cast<double>(a) / regions.size()) / mostSweeps))
-      {
-        return Status::aborted();
-      }
-      for (int b : regions.neighbours(a))
-      {
-        if (b < a)
-        {
-          continue;
-        }
-        placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged);
-      }
-    }
+    status = forEachPair(regions, ofSweep(progress, sweep, mostSweeps),
+      [&](int a, int b) { placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged); });
   }
-  return Status::success();
+  return status;
 }
 }
 
