@@ -35,31 +35,26 @@ Foot footOn(const OptimizedMesh& mesh, int v, const Vec3& p)
   const auto& graph = mesh.graph();
   Foot best;
   double least = 1e300;
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
-  do
-  {
+  mesh.forEachHalfedge(v, [&](Halfedge h) {
     const int q = graph.to_vertex_handle(h).idx();
     const int r = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
     const Vec3& a = mesh.position(v);
-    const Vec3 n = (mesh.position(q) - a).cross(mesh.position(r) - a);
+    const Vec3& b = mesh.position(q);
+    const Vec3& c = mesh.position(r);
+    const Vec3 n = (b - a).cross(c - a);
     const double square = n.squaredNorm();
-    if (!graph.is_boundary(h) && square > 0)
+    if (graph.is_boundary(h) || square <= 0)
     {
-      const Vec3 ap = p - a;
-      const double s = ap.cross(mesh.position(r) - a).dot(n) / square;
-      const double t = (mesh.position(q) - a).cross(ap).dot(n) / square;
-      const Vec3 bary = clampedBarycentric(Vec3(1. - s - t, s, t));
-      const double distance =
-        (bary[0] * a + bary[1] * mesh.position(q) + bary[2] * mesh.position(r) - p).squaredNorm();
-      if (distance < least)
-      {
-        least = distance;
-        best = { { { v, q, r } }, bary, n / std::sqrt(square) };
-      }
+      return;
     }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-  } while (h != first);
+    const Vec3 bary = clampedBarycentric(barycentricInSpace(p, a, b, c));
+    const double distance = (bary[0] * a + bary[1] * b + bary[2] * c - p).squaredNorm();
+    if (distance < least)
+    {
+      least = distance;
+      best = { { { v, q, r } }, bary, n / std::sqrt(square) };
+    }
+  });
   return best;
 }
 
