@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the input's points and cells carry survives a remesh: scalars, vectors and texture
 // coordinates within the error of linear interpolation, labels as they are.
+#include "Check.h"
+
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -23,16 +25,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    ++failures;
-    std::cerr << "FAILED: " << what << "\n";
-  }
-}
+using testing::check;
 
 using Point = std::array<double, 3>;
 
@@ -241,5 +234,5 @@ int TestAttributes(int, char*[])
       checkCells(name, remesher->GetOutput(), edge);
     }
   }
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkCDTRemesh: exactly the samples as vertices, the surface's topology and orientation, backbones
 // as edges, attributes.
+#include "Check.h"
 #include "SyntheticAtlas.h"
 
 #include "vtkCDTRemesh.h"
@@ -9,25 +10,15 @@
 #include "vtkSMPTools.h"
 
 #include <cstring>
-#include <iostream>
 #include <set>
 
 namespace
 {
-int failures = 0;
+using testing::check;
 
 std::pair<int, int> ordered(int a, int b)
 {
   return { std::min(a, b), std::max(a, b) };
-}
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    ++failures;
-    std::cerr << "FAILED: " << what << "\n";
-  }
 }
 
 vtkSmartPointer<vtkCDTRemesh> makeFilter(
@@ -225,5 +216,5 @@ int TestCDTRemesh(int, char*[])
   wrong->SetInputData(0, atlas.graphData);
   wrong->Update();
   check(wrong->GetOutput(0)->GetNumberOfPoints() == 0, "points that are no samples are refused");
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The atlas as a filter: charts, features and constraints it is given, errors, progress and abort;
 // and a picture of the paper's Figure 4, the seam that slips away against the one that does not.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "Shapes.h"
 
@@ -29,23 +30,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 #include <string>
 #include <vector>
 
 namespace
 {
-int Failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++Failures;
-  }
-}
+using testing::check;
 
 vtkPolyData* graphOf(vtkConformalAtlas* atlas)
 {
@@ -295,5 +285,5 @@ int TestConformalAtlas(int argc, char* argv[])
   testConstraints();
   testProgressAndAbort();
   testPicture(argc, argv);
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

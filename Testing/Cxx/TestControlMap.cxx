@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Control maps: each option means what it says, only what is asked for is needed, bad input is one
 // sentence.
+#include "Check.h"
+
 #include "vtkCommand.h"
 #include "vtkControlMap.h"
 #include "vtkDoubleArray.h"
@@ -19,22 +21,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 constexpr int Size = 64;
 
@@ -346,5 +338,5 @@ int TestControlMap(int, char*[])
   testChartsAreAskedFor();
   testFlat();
   testBadInput();
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

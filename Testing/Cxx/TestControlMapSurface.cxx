@@ -3,6 +3,7 @@
 // What vtkControlMap does on the surface rather than in the charts: gradation, band-pass, painting
 // and projected pictures, none of which may show a seam. The surface is the unit square in the
 // plane z = 0, cut into 2 x 2 charts of unlike resolution.
+#include "Check.h"
 #include "SyntheticAtlas.h"
 
 #include "vtkCommand.h"
@@ -23,16 +24,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 constexpr int GridSize = 40;
 
@@ -347,5 +339,5 @@ int TestControlMapSurface(int, char*[])
   testGammaKeepsWhatItCan();
   testProjection();
   testFaceIndexOfOtherCharts();
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

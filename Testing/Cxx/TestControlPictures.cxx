@@ -5,6 +5,7 @@
 // renew it, look at the new one and run this test with STIPPLE_WRITE_BASELINES set.)
 //
 // --models FOLDER: where the models are.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "ModelFile.h"
 
@@ -24,16 +25,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 using Setting = std::function<void(vtkGeometryRemesher*)>;
 
@@ -179,7 +171,7 @@ int TestControlPictures(int argc, char* argv[])
   if (std::getenv("STIPPLE_WRITE_BASELINES"))
   {
     check(testing::comparePicture(picture, name, argc, argv), "write the picture");
-    return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+    return testing::exitStatus();
   }
   const std::string folder = testing::argument(argc, argv, "-D", ".");
   vtkNew<vtkPNGReader> reader;
@@ -200,5 +192,5 @@ int TestControlPictures(int argc, char* argv[])
       picture, testing::argument(argc, argv, "-T", ".") + ("/" + name + ".png"));
     check(false, "the picture has changed");
   }
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

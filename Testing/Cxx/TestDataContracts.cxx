@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What Documentation/Design.md promises of the data between the stages, checked on the output of
 // every stage: names, types, number of components and meaning.
+#include "Check.h"
+
 #include "vtkCDTRemesh.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
@@ -37,16 +39,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 vtkDataArray* array(
   vtkFieldData* data, const char* name, int type, int components, vtkIdType tuples)
@@ -401,5 +394,5 @@ int TestDataContracts(int, char*[])
     }
   }
   check(constrained == 1, "one constraint, one vertex");
-  return failures == 0 ? 0 : 1;
+  return testing::exitStatus();
 }

@@ -6,6 +6,7 @@
 // --models FOLDER: where the models are. --measure: print the figures of smaller windows too, and
 // judge none.
 #include "ChartGraph.h"
+#include "Check.h"
 #include "Geometry.h"
 #include "ImageRegression.h"
 #include "ModelFile.h"
@@ -25,7 +26,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <map>
 #include <random>
 #include <string>
@@ -36,16 +36,7 @@ namespace
 {
 using namespace stipple;
 
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 /// A run of the remesher, ready to be measured.
 struct Sampling
@@ -359,5 +350,5 @@ int TestDensityFidelity(int argc, char* argv[])
       }
     }
   }
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sampler in its pipeline: exact counts, the contract's arrays, halftones, execution on demand,
 // errors.
+#include "Check.h"
 #include "SyntheticAtlas.h"
 
 #include "vtkCommand.h"
@@ -21,21 +22,11 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <iostream>
 #include <string>
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 /// Counts the executions of a filter.
 struct Executions
@@ -285,5 +276,5 @@ int TestErrorDiffusionSampler(int, char*[])
   testOnDemand();
   testOtherArrayTypes();
   testAbort();
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

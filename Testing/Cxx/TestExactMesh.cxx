@@ -5,6 +5,7 @@
 // and for every number from the least one on.
 //
 // --models FOLDER: where the models are. --draws N, --span N: more of both, to look for what fails.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "ModelFile.h"
 #include "PolyDataConversion.h"
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <random>
 #include <string>
@@ -30,18 +30,9 @@
 
 namespace
 {
-int failures = 0;
-int refused = 0; // numbers that were refused with another one
+using testing::check;
 
-bool check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-  return condition;
-}
+int refused = 0; // numbers that were refused with another one
 
 class Remesher
 {
@@ -263,5 +254,5 @@ int TestExactMesh(int argc, char* argv[])
   const int span = std::stoi(testing::argument(argc, argv, "--span", "20"));
   testSmallNumbers(folder, { "fandisk", "armadillo", "blade" }, span, { 1, 5 });
   testSmallNumbers(folder, { "elephant" }, span, { 4 });
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

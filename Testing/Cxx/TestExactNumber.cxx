@@ -4,6 +4,7 @@
 // importance, gamma, features and constraints, and from 100 to 500,000 on real models.
 //
 // --models FOLDER: where the models are.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "ModelFile.h"
 #include "SmallShapes.h"
@@ -29,17 +30,7 @@
 
 namespace
 {
-int failures = 0;
-
-bool check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-  return condition;
-}
+using testing::check;
 
 /// From the surface to the samples.
 class Pipeline
@@ -193,5 +184,5 @@ int TestExactNumber(int argc, char* argv[])
 {
   testRandomDraws(1000);
   testModels(testing::argument(argc, argv, "--models", ""));
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

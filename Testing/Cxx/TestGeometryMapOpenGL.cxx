@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenGL's maps are the CPU's: the same faces, and the same values where the faces are the same.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "MapComparison.h"
 #include "SyntheticCharts.h"
@@ -17,16 +18,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 /// Compares all maps of one size.
 void compare(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow* window, int size,
@@ -89,7 +81,7 @@ int TestGeometryMapOpenGL(int argc, char* argv[])
     window->Render();
     compareAll(window, window->GetClassName());
     testSharedWindow(window);
-    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return testing::exitStatus();
   }
   vtkNew<vtkHeadlessRenderWindow> window;
   window->SetPlatform(
@@ -98,5 +90,5 @@ int TestGeometryMapOpenGL(int argc, char* argv[])
   compareAll(window, platform);
   testSharedWindow(window);
   compare(synthetic::makeAtlas(), nullptr, 200, "a window of its own");
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

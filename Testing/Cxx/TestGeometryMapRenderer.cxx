@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The maps keep the contract: the pixel grid, what each map means, that they integrate; they are
 // lazy, do not depend on the number of threads, and bad input is one clear sentence.
+#include "Check.h"
 #include "ImageRegression.h"
 #include "MapPicture.h"
 #include "SyntheticCharts.h"
@@ -17,16 +18,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 vtkImageData* imageOf(vtkGeometryMapRenderer* maps, unsigned int chart)
 {
@@ -147,7 +139,7 @@ void testMeaning(vtkPartitionedDataSetCollection* atlas)
       data->GetArray("Normal")->GetTuple(p, normal.data());
       worstNormal = std::max(worstNormal, std::abs(normal.norm() - 1.));
       check(normal.z() > 0.3, "normals point to the side that counterclockwise triangles show");
-      if (failures > 5)
+      if (testing::failures > 5)
       {
         return;
       }
@@ -323,5 +315,5 @@ int TestGeometryMapRenderer(int argc, char* argv[])
   testThreads(atlas);
   testErrors();
   testPicture(atlas, argc, argv);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

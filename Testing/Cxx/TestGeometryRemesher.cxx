@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole pipeline as one filter: what it hands out, what executes again, errors, progress and
 // abort.
+#include "Check.h"
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
 
@@ -30,22 +31,12 @@
 
 #include <array>
 #include <cstdlib>
-#include <iostream>
 #include <string>
 #include <vector>
 
 namespace
 {
-int Failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++Failures;
-  }
-}
+using testing::check;
 
 /// Counts how often each stage executes.
 class Executions
@@ -340,5 +331,5 @@ int TestGeometryRemesher(int, char*[])
   testErrors();
   testEmptyInput();
   testProgressAndAbort();
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

@@ -3,6 +3,7 @@
 // Halftones of constant levels are blue noise, with no dead zone at any border: the picture
 // HalftoneSpectrum shows whole halftones of 150 x 150 pixels, their borders included, and below
 // each its radially averaged power spectrum, for the levels 1/64, 1/32, 1/16, 1/8, 1/4 and 1/2.
+#include "Check.h"
 #include "DiffusionCoefficients.h"
 #include "ErrorDiffusion.h"
 #include "ImageRegression.h"
@@ -17,16 +18,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 using Complex = std::complex<double>;
 
@@ -202,5 +194,5 @@ int TestHalftoneSpectrum(int argc, char* argv[])
     plot(picture, 160 * i, levels[i]);
   }
   check(testing::comparePicture(picture, "HalftoneSpectrum", argc, argv), "the picture");
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

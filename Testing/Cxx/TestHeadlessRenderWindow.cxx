@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A window without a display really draws, resizes, lives beside another one, and says so if it
 // cannot.
+#include "Check.h"
 #include "ImageRegression.h"
 
 #include "vtkActor.h"
@@ -16,16 +17,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 vtkSmartPointer<vtkRenderer> makeScene(int resolution)
 {
@@ -176,5 +168,5 @@ int TestHeadlessRenderWindow(int argc, char* argv[])
   {
     testFailure(vtkHeadlessRenderWindow::OSMESA);
   }
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

@@ -5,6 +5,7 @@
 // the new pictures, and run this test once with STIPPLE_WRITE_BASELINES set.)
 //
 // --models FOLDER: where the models are; --platform OSMESA, EGL or GLX: what draws.
+#include "Check.h"
 #include "Curvature.h"
 #include "ImageRegression.h"
 #include "MapComparison.h"
@@ -18,16 +19,7 @@
 
 namespace
 {
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
+using testing::check;
 
 double areaOf(vtkPolyData* chart)
 {
@@ -223,5 +215,5 @@ int TestMapsOfModels(int argc, char* argv[])
       testBaseline(mesh, model, argc, argv);
     }
   }
-  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+  return testing::exitStatus();
 }

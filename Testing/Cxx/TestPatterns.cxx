@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkQuadRemesh and vtkSemiRegularSubdivision: what their arrays say, on surfaces made by hand.
+#include "Check.h"
 #include "SyntheticAtlas.h"
 
 #include "vtkCDTRemesh.h"
@@ -9,22 +10,12 @@
 #include "vtkRemeshOptimizer.h"
 #include "vtkSemiRegularSubdivision.h"
 
-#include <iostream>
 #include <set>
 
 namespace
 {
 using namespace stipple;
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    ++failures;
-    std::cerr << "FAILED: " << what << "\n";
-  }
-}
+using testing::check;
 
 template <typename Filter>
 void connect(Filter* filter, synthetic::Atlas& atlas, vtkPolyData* input)
@@ -161,5 +152,5 @@ int TestPatterns(int, char*[])
 {
   checkSubdivision();
   checkQuads();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }

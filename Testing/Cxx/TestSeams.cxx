@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seams vanish (paper 4.3, Figure 10): edge lengths, shapes and valences within an edge of the
 // seams of many charts are those of the rest of the mesh.
+#include "Check.h"
 #include "Geometry.h"
 #include "PolyDataConversion.h"
 
@@ -22,16 +23,7 @@
 namespace
 {
 using namespace stipple;
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    ++failures;
-    std::cerr << "FAILED: " << what << "\n";
-  }
-}
+using testing::check;
 
 /// A closed surface with bumps, without features.
 vtkSmartPointer<vtkPolyData> potato()
@@ -161,5 +153,5 @@ int TestSeams(int, char*[])
     quality.compare(name + "Q");
     degree.compare(name + "valence");
   }
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return testing::exitStatus();
 }
