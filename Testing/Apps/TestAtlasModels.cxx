@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The atlas of real models: disks without flips that weld to the input, few, bounded in density,
 // with balanced areas and smooth seams where they are asked for.
+#include "../Core/SeamTurns.h"
 #include "AtlasSurface.h"
 #include "ChartGraph.h"
 #include "TestModels.h"
@@ -17,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <set>
@@ -226,31 +226,7 @@ Seams seams(vtkPolyData* input, int numberOfCharts, int placement)
   FeatureGraph graph;
   EXPECT_TRUE(
     readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), graph).ok());
-  int turns = 0;
-  for (const Backbone& b : graph.backbones)
-  {
-    std::vector<Vec3> line;
-    double next = 0;
-    for (int s = 0; b.type == BackboneType::Seam && s < b.numberOfSegments(); ++s)
-    {
-      const Vec3& p = surface.points[b.points[s]];
-      const Vec3& q = surface.points[b.segmentEnd(s)];
-      const double length = (q - p).norm();
-      for (; next < length; next += step)
-      {
-        line.push_back(p + (q - p) * (next / length));
-      }
-      next -= length;
-    }
-    for (std::size_t i = 1; i + 1 < line.size(); ++i)
-    {
-      const Vec3 u = (line[i] - line[i - 1]).normalized();
-      const Vec3 v = (line[i + 1] - line[i]).normalized();
-      result.meanTurn += std::acos(std::clamp(u.dot(v), -1., 1.)) * 57.29577951308232;
-      ++turns;
-    }
-  }
-  result.meanTurn /= turns;
+  result.meanTurn = testing::meanTurnOfSeams(graph, surface.points, step);
   return result;
 }
 }

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace shapes
 {
@@ -287,6 +288,13 @@ TriangleSurface saddle(int n)
   }
   s.connect();
   return s;
+}
+
+stipple::CutSurface cutSurface(const TriangleSurface& surface)
+{
+  std::vector<int> source(surface.triangles.size());
+  std::iota(source.begin(), source.end(), 0);
+  return { surface, source };
 }
 
 vtkSmartPointer<vtkPolyData> toPolyData(const TriangleSurface& surface)

@@ -4,7 +4,7 @@
 #ifndef stipple_Shapes_h
 #define stipple_Shapes_h
 
-#include "TriangleSurface.h"
+#include "CutSurface.h"
 
 #include "vtkSmartPointer.h"
 
@@ -28,6 +28,9 @@ stipple::TriangleSurface hornedSphere(int refinements);
 stipple::TriangleSurface perforatedSlab(int nx, int ny, int m);
 /// The saddle z = x y over [-1, 1]^2 on an n x n grid.
 stipple::TriangleSurface saddle(int n);
+
+/// To be cut into charts; every triangle comes from the cell of its number.
+stipple::CutSurface cutSurface(const stipple::TriangleSurface& surface);
 
 vtkSmartPointer<vtkPolyData> toPolyData(const stipple::TriangleSurface& surface);
 }

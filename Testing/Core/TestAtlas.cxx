@@ -19,13 +19,6 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-CutSurface cutSurface(const TriangleSurface& surface)
-{
-  std::vector<int> source(surface.triangles.size());
-  std::iota(source.begin(), source.end(), 0);
-  return { surface, source };
-}
-
 double totalCurvature(const Curvature& c)
 {
   return std::inner_product(c.gaussian.begin(), c.gaussian.end(), c.mixedArea.begin(), 0.);
@@ -110,7 +103,7 @@ TEST(Curvature, SliverStaysFinite)
 
 TEST(FeatureGraph, CubeHasTwelveEdgesAndEightCorners)
 {
-  CutSurface s = cutSurface(shapes::cube(5));
+  CutSurface s = shapes::cutSurface(shapes::cube(5));
   detectFeatures(s, {});
   const FeatureGraph graph = buildFeatureGraph(s, 60);
   EXPECT_EQ(graph.backbones.size(), 12u);
@@ -125,7 +118,7 @@ TEST(FeatureGraph, CubeHasTwelveEdgesAndEightCorners)
 
 TEST(FeatureGraph, CylinderHasTwoClosedLoopsAndNoCorner)
 {
-  CutSurface s = cutSurface(shapes::cylinder(1, 2, 40, 10));
+  CutSurface s = shapes::cutSurface(shapes::cylinder(1, 2, 40, 10));
   detectFeatures(s, {});
   const FeatureGraph graph = buildFeatureGraph(s, 60);
   ASSERT_EQ(graph.backbones.size(), 2u);
@@ -139,7 +132,7 @@ TEST(FeatureGraph, CylinderHasTwoClosedLoopsAndNoCorner)
 
 TEST(FeatureGraph, ConeHasOneTipAndOneClosedLoop)
 {
-  CutSurface s = cutSurface(shapes::cone(1, 2, 48, 12));
+  CutSurface s = shapes::cutSurface(shapes::cone(1, 2, 48, 12));
   detectFeatures(s, {});
   const FeatureGraph graph = buildFeatureGraph(s, 60);
   ASSERT_EQ(graph.backbones.size(), 1U);
@@ -155,13 +148,13 @@ TEST(FeatureGraph, ConeHasOneTipAndOneClosedLoop)
 
 TEST(FeatureGraph, SmoothSurfacesHaveNoTips)
 {
-  EXPECT_TRUE(findTips(cutSurface(shapes::sphere(1, 3)), {}).empty());
-  EXPECT_TRUE(findTips(cutSurface(shapes::torus(3, 1, 60, 20)), {}).empty());
+  EXPECT_TRUE(findTips(shapes::cutSurface(shapes::sphere(1, 3)), {}).empty());
+  EXPECT_TRUE(findTips(shapes::cutSurface(shapes::torus(3, 1, 60, 20)), {}).empty());
 }
 
 TEST(FeatureGraph, SaddleHasOneBoundaryWithFourCorners)
 {
-  CutSurface s = cutSurface(shapes::saddle(10));
+  CutSurface s = shapes::cutSurface(shapes::saddle(10));
   detectFeatures(s, {});
   const FeatureGraph graph = buildFeatureGraph(s, 60);
   EXPECT_EQ(count(graph, BackboneType::Boundary), 4);
@@ -171,7 +164,7 @@ TEST(FeatureGraph, SaddleHasOneBoundaryWithFourCorners)
 
 TEST(FeatureGraph, AngleOf180FindsNothing)
 {
-  CutSurface s = cutSurface(shapes::cube(3));
+  CutSurface s = shapes::cutSurface(shapes::cube(3));
   FeatureDetectionOptions options;
   options.angle = 180;
   detectFeatures(s, options);
@@ -180,7 +173,7 @@ TEST(FeatureGraph, AngleOf180FindsNothing)
 
 TEST(CutSurface, SplitEdgeKeepsTheSurface)
 {
-  CutSurface s = cutSurface(shapes::cube(2));
+  CutSurface s = shapes::cutSurface(shapes::cube(2));
   const double area = s.area();
   detectFeatures(s, {});
   const auto before = std::count(s.sharp.begin(), s.sharp.end(), 1);
@@ -199,7 +192,7 @@ TEST(CutSurface, SplitEdgeKeepsTheSurface)
 
 TEST(ChartRegions, NoChordRemains)
 {
-  CutSurface s = cutSurface(shapes::saddle(6));
+  CutSurface s = shapes::cutSurface(shapes::saddle(6));
   ChartRegions regions(s);
   const std::size_t before = regions.faces(0).size();
   regions.splitChords(0);
@@ -227,7 +220,7 @@ TEST_P(Partition, GivesFlatDisksOfBoundedDensity)
   const TriangleSurface& shape = GetParam().second;
   for (int least : { 1, 5 })
   {
-    CutSurface s = cutSurface(shape);
+    CutSurface s = shapes::cutSurface(shape);
     ChartPartitionOptions options;
     options.numberOfCharts = least;
     options.maximumDensityRatio = 20;
@@ -274,7 +267,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Partition,
 
 TEST(Partition, CanBeStopped)
 {
-  CutSurface s = cutSurface(shapes::sphere(1, 3));
+  CutSurface s = shapes::cutSurface(shapes::sphere(1, 3));
   std::vector<FlatChart> charts;
   EXPECT_TRUE(partitionSurface(s, {}, charts, [](double) { return false; }).isAbort());
 }

@@ -13,20 +13,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 using namespace stipple;
 
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-
-CutSurface cutSurface(const TriangleSurface& surface)
-{
-  std::vector<int> source(surface.triangles.size());
-  std::iota(source.begin(), source.end(), 0);
-  return { surface, source };
-}
 
 vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vec3>& line)
 {
@@ -63,7 +55,7 @@ bool isVertex(const CutSurface& s, const Vec3& x)
 
 TEST(FeatureCurves, StraightLineOnTheCube)
 {
-  CutSurface s = cutSurface(shapes::cube(4));
+  CutSurface s = shapes::cutSurface(shapes::cube(4));
   const double area = s.area();
   const double z = s.points.front().z(); // a face of the cube
   std::vector<Vec3> line = { { 0.111, 0.222, z }, { 0.777, 0.555, z }, { 0.1, 0.85, z } };
@@ -83,7 +75,7 @@ TEST(FeatureCurves, StraightLineOnTheCube)
 
 TEST(FeatureCurves, ClosedCircleOnTheSphere)
 {
-  CutSurface s = cutSurface(shapes::sphere(1, 4));
+  CutSurface s = shapes::cutSurface(shapes::sphere(1, 4));
   std::vector<Vec3> circle;
   const int n = 24;
   const double z = 0.37;
@@ -102,7 +94,7 @@ TEST(FeatureCurves, ClosedCircleOnTheSphere)
 
 TEST(FeatureCurves, CurvesCross)
 {
-  CutSurface s = cutSurface(shapes::saddle(7));
+  CutSurface s = shapes::cutSurface(shapes::saddle(7));
   for (const auto& [from, to] : { std::pair(Vec3(-.9, -.91, 0), Vec3(.93, .88, 0)),
          std::pair(Vec3(-.88, .9, 0), Vec3(.9, -.86, 0)) })
   {
@@ -137,7 +129,7 @@ TEST(FeatureCurves, OneThatCannotBeFollowedIsAnError)
     spheres.triangles.push_back({ t[0] + n, t[1] + n, t[2] + n });
   }
   spheres.connect();
-  CutSurface s = cutSurface(spheres);
+  CutSurface s = shapes::cutSurface(spheres);
   const Status status = insertFeatureCurves(s, polyline({ { 0, 0, 1 }, { 5, 0, 1 } }), {});
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message().find("closer"), std::string::npos) << status.message();
@@ -146,7 +138,7 @@ TEST(FeatureCurves, OneThatCannotBeFollowedIsAnError)
 
 TEST(FeatureCurves, CanBeStopped)
 {
-  CutSurface s = cutSurface(shapes::sphere(1, 3));
+  CutSurface s = shapes::cutSurface(shapes::sphere(1, 3));
   EXPECT_TRUE(insertFeatureCurves(s, polyline({ { 0, 0, 1 }, { 0, 1, 0 } }), [](double) {
     return false;
   }).isAbort());

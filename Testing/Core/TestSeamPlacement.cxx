@@ -3,24 +3,15 @@
 // Seams between charts: balanced areas, smooth lines, and the surface kept.
 #include "ChartPartition.h"
 #include "FeatureGraphBuilder.h"
+#include "SeamTurns.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
 
 using namespace stipple;
 
 namespace
 {
-CutSurface cutSurface(const TriangleSurface& surface)
-{
-  std::vector<int> source(surface.triangles.size());
-  std::iota(source.begin(), source.end(), 0);
-  return { surface, source };
-}
-
 struct Partition
 {
   CutSurface surface;
@@ -29,7 +20,7 @@ struct Partition
 
 Partition partition(const TriangleSurface& shape, int numberOfCharts, BoundaryPlacement placement)
 {
-  Partition result = { cutSurface(shape), {} };
+  Partition result = { shapes::cutSurface(shape), {} };
   ChartPartitionOptions options;
   options.numberOfCharts = numberOfCharts;
   options.maximumDensityRatio = 1e9;
@@ -63,40 +54,10 @@ double areaRatio(const Partition& partition)
   return most / least;
 }
 
-/// Mean turn in degrees of the seams, resampled at a step.
 double meanTurn(const Partition& partition, double step)
 {
-  double sum = 0;
-  int turns = 0;
-  for (const Backbone& b : buildFeatureGraph(partition.surface, 180).backbones)
-  {
-    if (b.type != BackboneType::Seam)
-    {
-      continue;
-    }
-    std::vector<Vec3> line;
-    double next = 0;
-    for (int s = 0; s < b.numberOfSegments(); ++s)
-    {
-      const Vec3& p = partition.surface.points[b.points[s]];
-      const Vec3& q = partition.surface.points[b.segmentEnd(s)];
-      const double length = (q - p).norm();
-      for (; next < length; next += step)
-      {
-        line.push_back(p + (q - p) * (next / length));
-      }
-      next -= length;
-    }
-    for (std::size_t i = 1; i + 1 < line.size(); ++i)
-    {
-      const Vec3 u = (line[i] - line[i - 1]).normalized();
-      const Vec3 v = (line[i + 1] - line[i]).normalized();
-      sum += std::acos(std::clamp(u.dot(v), -1., 1.)) * 57.29577951308232;
-      ++turns;
-    }
-  }
-  EXPECT_GT(turns, 10);
-  return sum / turns;
+  return testing::meanTurnOfSeams(
+    buildFeatureGraph(partition.surface, 180), partition.surface.points, step);
 }
 
 double meanEdge(const TriangleSurface& surface)
@@ -136,7 +97,7 @@ TEST(Seams, TheMiddleSlipsAwayFromAHornAndTheAreaMedianDoesNot)
 
 TEST(Seams, KeepTheirShareOfTheArea)
 {
-  CutSurface s = cutSurface(shapes::sphere(1, 4));
+  CutSurface s = shapes::cutSurface(shapes::sphere(1, 4));
   const double level = 0.3;
   for (int h = 0; h < 3 * s.numberOfFaces(); ++h)
   {
@@ -164,7 +125,7 @@ TEST(Seams, KeepTheirShareOfTheArea)
 
 TEST(Seams, FewTrianglesAreLeftAlone)
 {
-  CutSurface s = cutSurface(shapes::cube(3));
+  CutSurface s = shapes::cutSurface(shapes::cube(3));
   for (int h = 0; h < 3 * s.numberOfFaces(); ++h)
   {
     if ((h / 3 < s.numberOfFaces() / 2) != (s.twin[h] / 3 < s.numberOfFaces() / 2))
@@ -181,7 +142,7 @@ TEST(Seams, FewTrianglesAreLeftAlone)
 
 TEST(Seams, PlacingCanBeStopped)
 {
-  CutSurface s = cutSurface(shapes::sphere(1, 3));
+  CutSurface s = shapes::cutSurface(shapes::sphere(1, 3));
   ChartRegions regions(s);
   EXPECT_TRUE(
     placeSeams(regions, BoundaryPlacement::AreaMedian, [](double) { return false; }).isAbort());
@@ -191,7 +152,7 @@ TEST(Partition, OfHighGenusHasFewCharts)
 {
   const TriangleSurface slab = shapes::perforatedSlab(5, 4, 6);
   ASSERT_EQ(slab.topology().euler, 2 - 2 * 20);
-  CutSurface s = cutSurface(slab);
+  CutSurface s = shapes::cutSurface(slab);
   std::vector<FlatChart> charts;
   ChartPartitionOptions options;
   ASSERT_TRUE(partitionSurface(s, options, charts, {}).ok());
