@@ -54,16 +54,18 @@ struct ControlMaps
       this->images.push_back(image);
     }
   }
+  /// Where a pixel of a chart lies on the surface.
+  Vec3 position(const AtlasSurface& s, int c, int pixel) const
+  {
+    const ControlImage& image = this->images[c];
+    int f = 0;
+    Vec3 bary;
+    locate(s, c, image.centre(pixel), s.chartBegin[c] + image.faceIndex[pixel], f, bary);
+    return s.position(f, bary);
+  }
   ControlMaps(const ControlMaps&) = delete;
   void operator=(const ControlMaps&) = delete;
 };
-
-inline double segmentDistance(const Vec2& a, const Vec2& b, const Vec2& p)
-{
-  const double squared = (b - a).squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(b - a) / squared, 0., 1.) : 0.;
-  return (a + t * (b - a) - p).norm();
-}
 
 /// By brute force: segments of a chart meet only at shared ends, features and interior samples lie
 /// strictly inside the boundary's polygon, off all segments and apart; no two intervals join the
@@ -91,14 +93,14 @@ inline void expectTriangulable(const SurfaceSamples& result, const SamplingDomai
     {
       for (const Vec2& p : inside)
       {
-        ASSERT_GT(segmentDistance(uv(s.first), uv(s.second), p), 1e-9) << "chart " << c;
+        ASSERT_GT(distanceToSegment(p, uv(s.first), uv(s.second)), 1e-9) << "chart " << c;
       }
       for (std::size_t v = 0; v < g.vertices.size(); ++v)
       {
         const int i = static_cast<int>(v);
         if (i != s.first && i != s.second && !(s.onBoundary && onBoundary.count(i)))
         {
-          ASSERT_GT(segmentDistance(uv(s.first), uv(s.second), uv(i)), 1e-12) << "chart " << c;
+          ASSERT_GT(distanceToSegment(uv(i), uv(s.first), uv(s.second)), 1e-12) << "chart " << c;
         }
       }
       for (const ChartGraph::Segment& o : g.segments)

@@ -31,12 +31,7 @@ struct Canvas
   }
   Vec3 position(std::size_t c, int pixel) const
   {
-    const ControlImage& image = this->maps->images[c];
-    int face = 0;
-    Vec3 bary;
-    locate(this->surface(), static_cast<int>(c), image.centre(pixel),
-      this->surface().chartBegin[c] + image.faceIndex[pixel], face, bary);
-    return this->surface().position(face, bary);
+    return this->maps->position(this->surface(), static_cast<int>(c), pixel);
   }
   /// What an importance v becomes at a pixel.
   double at(std::size_t c, int pixel, double v = 1.) const

@@ -32,12 +32,7 @@ struct Pixels
   }
   Vec3 position(std::size_t c, int pixel) const
   {
-    const ControlImage& image = this->maps->images[c];
-    int face = 0;
-    Vec3 bary;
-    locate(this->surface(), static_cast<int>(c), image.centre(pixel),
-      this->surface().chartBegin[c] + image.faceIndex[pixel], face, bary);
-    return this->surface().position(face, bary);
+    return this->maps->position(this->surface(), static_cast<int>(c), pixel);
   }
   void fill(const std::function<double(const Vec3&)>& f)
   {
