@@ -51,6 +51,20 @@ int labelAt(const Point& p)
   return p[2] > 0.2 ? 17 : -4;
 }
 
+/// Mean height of a cell's points, by which its label goes.
+double heightOfCell(vtkPolyData* mesh, vtkIdType c)
+{
+  vtkIdType n = 0;
+  const vtkIdType* ids = nullptr;
+  mesh->GetCellPoints(c, n, ids);
+  double z = 0;
+  for (vtkIdType k = 0; k < n; ++k)
+  {
+    z += mesh->GetPoint(ids[k])[2] / static_cast<double>(n);
+  }
+  return z;
+}
+
 vtkSmartPointer<vtkPolyData> makeInput()
 {
   vtkNew<vtkSphereSource> sphere;
@@ -87,15 +101,7 @@ vtkSmartPointer<vtkPolyData> makeInput()
   word->SetName("Word");
   for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
   {
-    vtkIdType n = 0;
-    const vtkIdType* ids = nullptr;
-    input->GetCellPoints(c, n, ids);
-    double z = 0;
-    for (vtkIdType k = 0; k < n; ++k)
-    {
-      z += input->GetPoint(ids[k])[2] / static_cast<double>(n);
-    }
-    const int value = labelAt({ { 0., 0., z } });
+    const int value = labelAt({ { 0., 0., heightOfCell(input, c) } });
     material->InsertNextValue(value);
     word->InsertNextValue(value > 0 ? "above" : "below");
   }
@@ -194,14 +200,7 @@ void checkCells(const std::string& name, vtkPolyData* mesh, double edge)
   int wrong = 0;
   for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
   {
-    vtkIdType n = 0;
-    const vtkIdType* ids = nullptr;
-    mesh->GetCellPoints(c, n, ids);
-    double z = 0;
-    for (vtkIdType k = 0; k < n; ++k)
-    {
-      z += mesh->GetPoint(ids[k])[2] / static_cast<double>(n);
-    }
+    const double z = heightOfCell(mesh, c);
     const int value = static_cast<int>(material->GetTuple1(c));
     wrong +=
       std::abs(z - 0.2) > edge ? value != labelAt({ { 0., 0., z } }) : value != 17 && value != -4;

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "ImageRegression.h"
 #include "MapPicture.h"
+#include "PolyDataConversion.h"
 #include "SyntheticCharts.h"
 
 #include "vtkCommand.h"
@@ -23,24 +24,6 @@ using testing::check;
 vtkImageData* imageOf(vtkGeometryMapRenderer* maps, unsigned int chart)
 {
   return vtkImageData::SafeDownCast(maps->GetOutput()->GetPartition(chart, 0));
-}
-
-double surfaceArea(vtkPolyData* chart)
-{
-  double area = 0.;
-  for (vtkIdType f = 0; f < chart->GetNumberOfCells(); ++f)
-  {
-    vtkIdType n = 0;
-    const vtkIdType* p = nullptr;
-    chart->GetPolys()->GetCellAtId(f, n, p);
-    stipple::Vec3 x[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      chart->GetPoint(p[k], x[k].data());
-    }
-    area += stipple::triangleArea(x[0], x[1], x[2]);
-  }
-  return area;
 }
 
 void testMeaning(vtkPartitionedDataSetCollection* atlas)
@@ -144,7 +127,7 @@ void testMeaning(vtkPartitionedDataSetCollection* atlas)
         return;
       }
     }
-    const double area = surfaceArea(chart);
+    const double area = stipple::fromPolyData(chart).area();
     std::cout << "chart " << c << ": area " << area << ", the map's " << sum << "\n";
     check(std::abs(sum - area) < 0.005 * area, "AreaDistortion integrates to the surface's area");
     check(worstUV < 1e-4, "the parameter's map is the pixels' centres");

@@ -21,27 +21,6 @@ namespace
 {
 using testing::check;
 
-double areaOf(vtkPolyData* chart)
-{
-  double area = 0.;
-  for (vtkIdType f = 0; f < chart->GetNumberOfCells(); ++f)
-  {
-    vtkIdType n = 0;
-    const vtkIdType* ids = nullptr;
-    chart->GetPolys()->GetCellAtId(f, n, ids);
-    double p[3][3];
-    for (int k = 0; k < 3; ++k)
-    {
-      chart->GetPoint(ids[k], p[k]);
-    }
-    const double u[3] = { p[1][0] - p[0][0], p[1][1] - p[0][1], p[1][2] - p[0][2] };
-    const double v[3] = { p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2] };
-    area += 0.5 *
-      std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-  }
-  return area;
-}
-
 void testIntegral(vtkPartitionedDataSetCollection* charts, const std::string& model)
 {
   vtkNew<vtkGeometryMapRenderer> maps;
@@ -60,7 +39,9 @@ void testIntegral(vtkPartitionedDataSetCollection* charts, const std::string& mo
       sum += array->GetComponent(i, 0);
     }
     sum *= image->GetSpacing()[0] * image->GetSpacing()[1];
-    const double area = areaOf(vtkPolyData::SafeDownCast(charts->GetPartitionAsDataObject(c, 0)));
+    const double area =
+      stipple::fromPolyData(vtkPolyData::SafeDownCast(charts->GetPartitionAsDataObject(c, 0)))
+        .area();
     worst = std::max(worst, std::abs(sum / area - 1.));
   }
   std::cout << model << ": the area map's integral is off by at most " << 100. * worst << " %\n";
