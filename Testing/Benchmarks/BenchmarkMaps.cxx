@@ -8,8 +8,6 @@
 #include "vtkDataArraySelection.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkHeadlessRenderWindow.h"
-#include "vtkImageData.h"
-#include "vtkPartitionedDataSetCollection.h"
 
 #include <benchmark/benchmark.h>
 
@@ -22,17 +20,6 @@ struct Backend
   int backend;
   int platform; ///< of a headless window, for OpenGL
 };
-
-double pixelsOf(vtkPartitionedDataSetCollection* images)
-{
-  double pixels = 0;
-  for (unsigned int c = 0; c < images->GetNumberOfPartitionedDataSets(); ++c)
-  {
-    pixels += static_cast<double>(
-      vtkImageData::SafeDownCast(images->GetPartitionAsDataObject(c, 0))->GetNumberOfPoints());
-  }
-  return pixels;
-}
 
 /// Draws the maps of a model again and again; range(0) is the number of threads.
 void maps(benchmark::State& state, const char* model, int size,
@@ -91,7 +78,7 @@ void maps(benchmark::State& state, const char* model, int size,
     }
   });
   state.SetLabel(renderer->GetBackendName());
-  state.counters["megapixels"] = 1e-6 * pixelsOf(renderer->GetOutput());
+  state.counters["megapixels"] = 1e-6 * benchmarks::pixelsOf(renderer->GetOutput());
   state.counters["maps"] = static_cast<double>(names.size());
 }
 

@@ -9,8 +9,6 @@
 #include "vtkControlMap.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkGeometryRemesher.h"
-#include "vtkImageData.h"
-#include "vtkPartitionedDataSetCollection.h"
 
 #include <benchmark/benchmark.h>
 
@@ -34,17 +32,6 @@ void errorDiffusion(benchmark::State& state)
     benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(errorDiffusion)->Arg(256)->Arg(64)->Arg(16)->Arg(4)->Unit(benchmark::kMillisecond);
-
-double pixelsOf(vtkPartitionedDataSetCollection* images)
-{
-  double pixels = 0;
-  for (unsigned int c = 0; c < images->GetNumberOfPartitionedDataSets(); ++c)
-  {
-    pixels += static_cast<double>(
-      vtkImageData::SafeDownCast(images->GetPartitionAsDataObject(c, 0))->GetNumberOfPoints());
-  }
-  return pixels;
-}
 
 using Change = std::function<void(vtkControlMap*, int)>;
 
@@ -72,7 +59,8 @@ void change(benchmark::State& state, int importance, double gradation, const Cha
       remesher->GetSampler()->Update();
     }
   });
-  state.counters["megapixels"] = 1e-6 * pixelsOf(remesher->GetSampler()->GetHalftones());
+  state.counters["megapixels"] =
+    1e-6 * benchmarks::pixelsOf(remesher->GetSampler()->GetHalftones());
   state.counters["samples"] =
     static_cast<double>(remesher->GetSampler()->GetOutput()->GetNumberOfPoints());
 }
