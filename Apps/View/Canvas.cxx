@@ -69,8 +69,34 @@ vtkSmartPointer<vtkImageData> drawBox(
 }
 }
 
+template <typename... Values>
+bool Canvas::notes(const Values&... values)
+{
+  if (this->Notes)
+  {
+    // As boost::hash_combine does it.
+    ((this->Look ^=
+       std::hash<Values>{}(values) + 0x9e3779b9 + (this->Look << 6) + (this->Look >> 2)),
+      ...);
+  }
+  return this->Notes;
+}
+
+std::size_t Canvas::lookOf(const std::function<void(Canvas&)>& paint)
+{
+  this->Notes = true;
+  this->Look = 0;
+  paint(*this);
+  this->Notes = false;
+  return this->Look;
+}
+
 void Canvas::fill(const Rect& box, const Shade& shade)
 {
+  if (this->notes(box.x, box.y, box.w, box.h, packed(shade)))
+  {
+    return;
+  }
   this->Painter->GetPen()->SetLineType(vtkPen::NO_PEN);
   this->Painter->GetBrush()->SetColor(shade.r, shade.g, shade.b, shade.a);
   const float x = std::round(box.x);
@@ -80,6 +106,10 @@ void Canvas::fill(const Rect& box, const Shade& shade)
 
 void Canvas::box(const Rect& box, const Shade& fill, const Shade& border, float radius, float width)
 {
+  if (this->notes(box.x, box.y, box.w, box.h, packed(fill), packed(border), radius, width))
+  {
+    return;
+  }
   using Key = std::tuple<int, int, std::uint32_t, std::uint32_t, float, float>;
   static Cache<Key, vtkSmartPointer<vtkImageData>> cache;
   const float x = std::round(box.x);
@@ -117,6 +147,14 @@ void Canvas::rule(float x0, float y0, float x1, float y1, const Shade& shade)
 void Canvas::polyline(
   const std::vector<std::pair<float, float>>& points, const Shade& shade, float width)
 {
+  for (const auto& [x, y] : points)
+  {
+    this->notes(x, y);
+  }
+  if (this->notes(packed(shade), width))
+  {
+    return;
+  }
   // Each piece fades out over a pixel on both sides.
   this->Painter->GetPen()->SetLineType(vtkPen::NO_PEN);
   this->Painter->GetBrush()->SetColor(shade.r, shade.g, shade.b, shade.a);
@@ -148,6 +186,10 @@ void Canvas::polyline(
 
 void Canvas::image(const Rect& box, vtkImageData* image)
 {
+  if (this->notes(box.x, box.y, box.w, box.h, image, image->GetMTime()))
+  {
+    return;
+  }
   this->Painter->DrawImage(vtkRectf(box.x, box.y, box.w, box.h), image);
 }
 
@@ -168,7 +210,9 @@ void Canvas::useText(const TextLook& look)
 
 void Canvas::text(float x, float y, const std::string& words, const TextLook& look)
 {
-  if (words.empty())
+  if (words.empty() ||
+    this->notes(
+      x, y, words, look.size, packed(look.shade), static_cast<int>(look.align), look.bold))
   {
     return;
   }

@@ -5,6 +5,8 @@
 #ifndef stipple_Canvas_h
 #define stipple_Canvas_h
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +29,7 @@ struct Rect
   {
     return px >= this->x && px < this->right() && py >= this->y && py < this->top();
   }
+  /// Smaller by d on each side; larger where d is negative.
   Rect inset(float d) const
   {
     return { this->x + d, this->y + d, this->w - 2 * d, this->h - 2 * d };
@@ -74,14 +77,20 @@ struct TextLook
 class Canvas
 {
 public:
-  /// `scale` multiplies sizes of letters and widths of lines, not places.
-  Canvas(vtkContext2D* painter, float scale)
+  /// `scale` multiplies sizes of letters and widths of lines, not places. `empty`: nothing is left
+  /// of what was painted before.
+  Canvas(vtkContext2D* painter, float scale, bool empty = true)
     : Painter(painter)
     , Scale(scale)
+    , Empty(empty)
   {
   }
 
   float scale() const { return this->Scale; }
+  bool empty() const { return this->Empty; }
+
+  /// A number for what `paint` would paint, without painting it: the same for the same.
+  std::size_t lookOf(const std::function<void(Canvas&)>& paint);
 
   /// Edges are moved to whole pixels.
   void fill(const Rect& box, const Shade& shade);
@@ -105,9 +114,15 @@ public:
 
 private:
   void useText(const TextLook& look);
+  /// True if it is only asked for the look of what is painted, to which these values are added.
+  template <typename... Values>
+  bool notes(const Values&... values);
 
   vtkContext2D* Painter;
   float Scale;
+  bool Empty;
+  bool Notes = false;
+  std::size_t Look = 0;
 };
 }
 

@@ -277,7 +277,7 @@ void Panel::paint(Canvas& canvas, bool upper)
   const float left = this->Box.x + 14 * s;
   const float right = this->Box.right() - 14 * s;
   const float middle = this->Box.y + 0.45F * this->Box.h;
-  if (upper)
+  if (upper && canvas.empty())
   {
     canvas.fill(this->Box, shades::Ground);
     canvas.rule(this->Box.x + 1, this->Box.y, this->Box.x + 1, this->Box.top(), shades::Line);
@@ -289,7 +289,7 @@ void Panel::paint(Canvas& canvas, bool upper)
   }
   for (const auto& heading : this->Headings)
   {
-    if ((heading.first.y > middle) == upper)
+    if (canvas.empty() && (heading.first.y > middle) == upper)
     {
       canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
         { 11, shades::Quiet, Align::Left, true });
@@ -297,8 +297,17 @@ void Panel::paint(Canvas& canvas, bool upper)
   }
   for (const auto& control : this->Owned)
   {
-    if ((control->box().y > middle) == upper)
+    if ((control->box().y > middle) != upper)
     {
+      continue;
+    }
+    const std::size_t look =
+      canvas.lookOf([&control](Canvas& listening) { control->paint(listening); });
+    std::size_t& painted = this->Looks[control.get()];
+    if (canvas.empty() || painted != look)
+    {
+      painted = look;
+      canvas.fill(control->box().inset(-1), shades::Ground);
       control->paint(canvas);
     }
   }

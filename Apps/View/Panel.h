@@ -9,6 +9,8 @@
 #include "NumberField.h"
 #include "Slider.h"
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,8 +25,8 @@ public:
 
   void setBox(const Rect& box, float scale);
   void show(const Session& session, const ViewState& view, bool canUndo, bool canRedo);
-  /// In two halves: VTK's painter keeps 50 words, and makes each anew in every frame if there are
-  /// more.
+  /// What looks as before is left, unless the canvas is empty. In two halves: VTK's painter keeps
+  /// 50 words, and makes each anew in every frame if there are more.
   void paint(Canvas& canvas, bool upper);
   std::vector<Control*> controls();
   NumberField& points() { return *this->Number; }
@@ -51,6 +53,7 @@ private:
   std::vector<std::string> Arrays;
   Rect Box;
   std::vector<std::unique_ptr<Control>> Owned;
+  std::map<const Control*, std::size_t> Looks; ///< as painted last
   std::vector<Row> Rows;
   std::vector<std::pair<Rect, std::string>> Headings;
 

@@ -50,7 +50,7 @@ constexpr double MeanShare = 0.24;     ///< of the mean distance between samples
 constexpr double LocalShare = 0.30;    ///< ... but no more than so much of the distance there
 constexpr double LargestShare = 0.008; ///< ... and of the model's size
 constexpr double RoomyTexel = 0.12;    ///< samples a texel, at most, nearly everywhere
-constexpr int FinestTexture = 4;       ///< texels along a pixel of the halftone, at most
+constexpr int FinestTexture = 3;       ///< texels along a pixel of the halftone, at most
 
 /// At each pixel of the screen: how far is it to the sample whose number is in the texel there? A
 /// dot smaller than a pixel is a pixel, but paler: as much ink.

@@ -136,7 +136,7 @@ void Viewer::connect()
     }
   });
   observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
-    static_cast<Viewer*>(self)->Window.touch(ViewerWindow::All);
+    static_cast<Viewer*>(self)->Window.renew();
   });
   this->Window.addPainter(
     ViewerWindow::Before, [this](Canvas& canvas) { this->paintView(canvas, true); });

@@ -67,7 +67,13 @@ void ViewerWindow::place()
       item->SetPlace(part, this->Places.scale);
     }
   }
+  this->renew();
+}
+
+void ViewerWindow::renew()
+{
   this->touch(All);
+  this->Kept = 0;
 }
 
 void ViewerWindow::addPainter(Part part, const vtkControlItem::Painter& painter)
@@ -84,7 +90,7 @@ void ViewerWindow::addPainter(Part part, const vtkControlItem::Painter& painter)
 void ViewerWindow::showOverlay(bool on)
 {
   this->OverlayOn = on;
-  this->touch(All);
+  this->renew();
 }
 
 bool ViewerWindow::resize()
@@ -116,6 +122,9 @@ void ViewerWindow::draw(bool calm)
       this->Renderers[i]->ResetCameraClippingRange();
     }
   }
+  // The panel paints what has changed in it, over the rest.
+  this->renderer(PanelPart)->SetErase((this->Kept & PanelPart) == 0);
+  this->Kept = this->OverlayOn ? 0 : this->Kept | (parts & PanelPart);
   this->Dirty = 0;
   this->Window->Render();
 }

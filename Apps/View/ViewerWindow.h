@@ -50,6 +50,8 @@ public:
   bool resize();
   /// Parts to draw next time.
   void touch(int parts) { this->Dirty |= parts; }
+  /// All, and nothing of what the window shows is kept.
+  void renew();
   bool dirty() const { return this->Dirty != 0; }
   /// Also smooths the lines of views, if calm; that costs time.
   void draw(bool calm);
@@ -66,6 +68,7 @@ private:
   std::array<std::vector<vtkControlItem*>, NumberOfParts> Items;
   Layout Places;
   int Dirty = All;
+  int Kept = 0; ///< parts that are painted over what they show
   int Rough = 0;
   bool OverlayOn = false;
 };

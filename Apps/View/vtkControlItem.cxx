@@ -35,7 +35,7 @@ bool vtkControlItem::Paint(vtkContext2D* painter)
   toPart->Translate(-this->Part.x, -this->Part.y);
   painter->PushMatrix();
   painter->AppendTransform(toPart);
-  stipple::Canvas canvas(painter, this->Scale);
+  stipple::Canvas canvas(painter, this->Scale, this->Scene->GetRenderer()->GetErase() != 0);
   this->Function(canvas);
   painter->PopMatrix();
   return true;

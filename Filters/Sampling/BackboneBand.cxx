@@ -10,7 +10,7 @@ namespace stipple
 {
 namespace
 {
-constexpr double stepInRows = 0.2; ///< of half a row
+constexpr double stepInRows = 0.3; ///< of half a row
 constexpr int mostSteps = 40;      ///< on a side
 constexpr int mostFaces = 300;     ///< that a walk crosses on a side
 

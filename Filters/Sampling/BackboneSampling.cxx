@@ -14,7 +14,7 @@ namespace stipple
 namespace
 {
 /// Sections across a backbone lie this part of its samples' spacing apart.
-constexpr double stepInSpacings = 0.35;
+constexpr double stepInSpacings = 0.5;
 
 /// Pieces of a backbone between fixed places (or its ends), as (begin, end) in arc length.
 std::vector<std::array<double, 2>> pieces(const SamplingDomain& domain, int b)
@@ -139,28 +139,9 @@ double BackboneDensity::densityAt(double s) const
   return this->density[segmentAt(this->arcLength, s)];
 }
 
-double BackboneDensity::meanWidth(double begin, double end) const
+double BackboneDensity::widthAt(double s) const
 {
-  const double length = this->arcLength.back();
-  if (end > length)
-  {
-    const double over = end - length;
-    return begin >= length
-      ? this->meanWidth(begin - length, over)
-      : ((length - begin) * this->meanWidth(begin, length) + over * this->meanWidth(0., over)) /
-        (end - begin);
-  }
-  double sum = 0;
-  double part = 0;
-  for (std::size_t i = segmentAt(this->arcLength, begin);
-       i + 1 < this->arcLength.size() && this->arcLength[i] < end; ++i)
-  {
-    const double inside =
-      std::min(end, this->arcLength[i + 1]) - std::max(begin, this->arcLength[i]);
-    sum += inside * this->width[i];
-    part += inside;
-  }
-  return part > 0 ? sum / part : 1.;
+  return this->width[segmentAt(this->arcLength, s)];
 }
 
 std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,

@@ -29,8 +29,7 @@ struct STIPPLEFILTERSSAMPLING_EXPORT BackboneDensity
   /// Its inverse.
   double place(double wanted) const;
   double densityAt(double s) const;
-  /// The band's mean width between two arc lengths.
-  double meanWidth(double begin, double end) const;
+  double widthAt(double s) const;
 };
 
 /// Densities along all backbones for samples of about `scale` times the control, whose mean per

@@ -15,9 +15,6 @@ namespace stipple
 {
 namespace
 {
-// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
-const double discLimit = 1. / 3.14159265358979323846;
-
 struct Ranked
 {
   double key;
@@ -42,12 +39,11 @@ std::vector<int> nearestPixels(int n, int enlarged)
 }
 
 InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-  const ChartGraph& graph, std::vector<double> bandWidths, double scale)
+  const ChartGraph& graph, double scale)
   : Domain(domain)
   , Chart(chart)
   , Image(image)
   , Graph(graph)
-  , BandWidths(std::move(bandWidths))
   , Scale(scale)
 {
 }
@@ -115,7 +111,8 @@ double InteriorSampler::control(const Vec2& uv) const
   return c > 0 ? c : 0.;
 }
 
-void InteriorSampler::prepare(double factor)
+void InteriorSampler::prepare(
+  double factor, const BandMask& bands, const std::vector<BackboneDensity>& densities)
 {
   InteriorRaster& r = this->Raster;
   r.width = static_cast<int>(std::ceil(this->Image.width * factor));
@@ -127,16 +124,7 @@ void InteriorSampler::prepare(double factor)
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
-  for (std::size_t i = 0; i < this->Graph.segments.size(); ++i)
-  {
-    const ChartGraph::Segment& s = this->Graph.segments[i];
-    this->maskSegment(this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv,
-      bandLimit * this->BandWidths[i] * this->BandWidths[i]);
-  }
-  for (const Vec2& p : this->Domain.chartConstraints[this->Chart])
-  {
-    this->maskSegment(p, p, discLimit);
-  }
+  bands.close(this->Image, densities, this->Scale, r);
   this->sumLeft();
 }
 
@@ -208,113 +196,6 @@ void InteriorSampler::maskOutside()
       if (begin < end)
       {
         std::fill_n(r.open.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0);
-      }
-    }
-  }
-}
-
-void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b, double limit)
-{
-  InteriorRaster& r = this->Raster;
-  const AtlasSurface& surface = this->Domain.surface;
-  const Vec2 pixel(this->Image.extent.x() / r.width, this->Image.extent.y() / r.height);
-  const double closest = 0.36 * pixel.squaredNorm() / 2.;
-  const Vec2 e = b - a;
-  const double length = e.norm();
-  const Vec2 normal = length > 0 ? Vec2(-e.y() / length, e.x() / length) : Vec2::Zero();
-  // How far to look: where the control fades beside the segment, what wants to be in its band lies
-  // farther away than the control on it says. Not without end: nothing may be wanted there.
-  const double far = 8. *
-    (length +
-      std::max(
-        this->Image.extent.x() / this->Image.width, this->Image.extent.y() / this->Image.height));
-  const auto least = [&](double away) {
-    double value = std::numeric_limits<double>::max();
-    for (double t : { 0., 0.5, 1. })
-    {
-      for (double side : { -away, away })
-      {
-        value = std::min(value, this->control(a + t * e + side * normal));
-      }
-    }
-    return value * this->Scale;
-  };
-  const double atSegment = least(0.);
-  double reach = atSegment > 0 ? std::min(std::sqrt(limit / atSegment), far) : far;
-  while (reach < far && least(reach) * reach * reach < limit)
-  {
-    reach *= 1.4;
-  }
-  reach = std::max(std::min(1.5 * reach, far), 2. * pixel.maxCoeff());
-  const Vec2 low = a.cwiseMin(b).array() - reach;
-  const Vec2 high = a.cwiseMax(b).array() + reach;
-  const int yBegin = std::max(0, static_cast<int>(low.y() / pixel.y()));
-  const int yEnd = std::min(r.height, static_cast<int>(high.y() / pixel.y()) + 1);
-  const int first = surface.chartBegin[this->Chart];
-  const int faces = surface.chartBegin[this->Chart + 1] - first;
-  const double toLimit = this->Scale / limit;
-  // The first fundamental form of the last pixel's face, and the squared length of the segment in
-  // it.
-  int lastFace = -2;
-  double E = 1;
-  double F = 0;
-  double G = 1;
-  double perSquaredLength = 0;
-  for (int y = yBegin; y < yEnd; ++y)
-  {
-    const double py = (y + 0.5) * pixel.y() - a.y();
-    double xLow = low.x();
-    double xHigh = high.x();
-    if (std::abs(normal.x()) > 1e-3)
-    {
-      const double middle = a.x() - normal.y() * py / normal.x();
-      const double half = reach / std::abs(normal.x());
-      xLow = std::max(xLow, middle - half);
-      xHigh = std::min(xHigh, middle + half);
-    }
-    if (xLow > this->Image.extent.x() || xHigh < 0)
-    {
-      continue;
-    }
-    const int xBegin = std::max(0, static_cast<int>(xLow / pixel.x()));
-    const int xEnd = std::min(r.width, static_cast<int>(xHigh / pixel.x()) + 1);
-    unsigned char* row = r.open.data() + static_cast<std::size_t>(y) * r.width;
-    const int imageRow = r.row[y] * this->Image.width;
-    for (int x = xBegin; x < xEnd; ++x)
-    {
-      if (!row[x])
-      {
-        continue;
-      }
-      const int i = imageRow + r.column[x];
-      const double area = this->Image.areaDistortion[i];
-      const int face = this->Image.faceIndex ? this->Image.faceIndex[i] : -1;
-      if (face != lastFace || face < 0)
-      {
-        lastFace = face;
-        E = G = area;
-        F = 0;
-        if (face >= 0 && face < faces)
-        {
-          const std::array<float, 3>& m = this->Domain.metric[first + face];
-          E = m[0];
-          F = m[1];
-          G = m[2];
-        }
-        const double squared = E * e.x() * e.x() + 2. * F * e.x() * e.y() + G * e.y() * e.y();
-        perSquaredLength = squared > 0 ? 1. / squared : 0.;
-      }
-      const double px = (x + 0.5) * pixel.x() - a.x();
-      const double along =
-        (E * px * e.x() + F * (px * e.y() + py * e.x()) + G * py * e.y()) * perSquaredLength;
-      const double t = along < 0. ? 0. : (along > 1. ? 1. : along);
-      const double dx = px - t * e.x();
-      const double dy = py - t * e.y();
-      // squared distance x density < limit, with density = control x scale / area distortion
-      const double squared = E * dx * dx + 2. * F * dx * dy + G * dy * dy;
-      if (squared * this->Image.control[i] * toLimit < area || dx * dx + dy * dy < closest)
-      {
-        row[x] = 0;
       }
     }
   }

@@ -4,6 +4,7 @@
 #ifndef stipple_InteriorSampling_h
 #define stipple_InteriorSampling_h
 
+#include "BandMask.h"
 #include "ControlImage.h"
 #include "DiffusionCoefficients.h"
 #include "NeighbourGrid.h"
@@ -11,19 +12,6 @@
 
 namespace stipple
 {
-/// A chart's wanted samples, pixel by pixel: those of the control image, enlarged, but none along
-/// backbones and outside the boundary's polygon.
-struct InteriorRaster
-{
-  int width = 0;
-  int height = 0;
-  std::vector<int> column;         ///< of the control image, by column of the raster
-  std::vector<int> row;            ///< and by row
-  std::vector<unsigned char> open; ///< 0 where no sample may be
-  float toWanted = 0;              ///< control to samples a pixel
-  double left = 0;                 ///< sum of what is wanted
-};
-
 /// Limits of upsampling a control image that is too coarse for its samples.
 constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in each direction
 constexpr double largestRasterSize = 512. * 1024 * 1024; ///< pixels of one chart
@@ -42,9 +30,9 @@ class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
 public:
   /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter
-  /// area. A segment's band is as many times wider than half a row as `bandWidths` says.
+  /// area.
   InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-    const ChartGraph& graph, std::vector<double> bandWidths, double scale);
+    const ChartGraph& graph, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
   /// (but for spikes, see largestForAll), in quarters; it may be beyond the limits.
@@ -52,10 +40,9 @@ public:
   static bool withinLimits(const ControlImage& image, double factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
-  /// segment (times its band's width): s sqrt(3)/2 is the height of a row of the hexagonal lattice,
-  /// so that the band's mass is just what the samples on the segment stand for. Distances are
-  /// measured on the surface.
-  void prepare(double factor);
+  /// backbone (times its band's width): s sqrt(3)/2 is the height of a row of the hexagonal
+  /// lattice, so that the band's mass is just what the samples on the backbone stand for.
+  void prepare(double factor, const BandMask& bands, const std::vector<BackboneDensity>& densities);
   double left() const { return this->Raster.left; }
   /// Gives the raster's memory back; sample() needs another prepare().
   void release();
@@ -66,7 +53,6 @@ public:
 
 private:
   void maskOutside();
-  void maskSegment(const Vec2& a, const Vec2& b, double limit);
   void sumLeft();
   /// What the pixels of a row want.
   void fillRow(int y, std::vector<float>& wanted);
@@ -82,7 +68,6 @@ private:
   const int Chart;
   const ControlImage& Image;
   const ChartGraph& Graph;
-  const std::vector<double> BandWidths; // by segment
   const double Scale;
   InteriorRaster Raster;
   std::vector<float> Enlarged; // what the raster's pixels want in a row of the image

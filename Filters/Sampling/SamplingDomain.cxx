@@ -10,7 +10,7 @@ namespace stipple
 {
 namespace
 {
-std::array<float, 3> firstFundamentalForm(const AtlasSurface& s, int face)
+FirstFundamentalForm firstFundamentalForm(const AtlasSurface& s, int face)
 {
   const Vec2 a = s.cornerUV(face, 1) - s.cornerUV(face, 0);
   const Vec2 b = s.cornerUV(face, 2) - s.cornerUV(face, 0);
@@ -19,12 +19,12 @@ std::array<float, 3> firstFundamentalForm(const AtlasSurface& s, int face)
   const double det = cross2(a, b);
   if (det == 0)
   {
-    return { { 0, 0, 0 } };
+    return { 0, 0, 0 };
   }
   const Vec3 du = (p * b.y() - q * a.y()) / det;
   const Vec3 dv = (q * a.x() - p * b.x()) / det;
-  return { { static_cast<float>(du.dot(du)), static_cast<float>(du.dot(dv)),
-    static_cast<float>(dv.dot(dv)) } };
+  return { static_cast<float>(du.dot(du)), static_cast<float>(du.dot(dv)),
+    static_cast<float>(dv.dot(dv)) };
 }
 
 /// A segment of a backbone by the surface point that it begins at, if the backbone changes there

@@ -18,15 +18,28 @@ namespace stipple
 /// Arc lengths of the samples inside every backbone, ascending.
 using BackbonePlaces = std::vector<std::vector<double>>;
 
+/// Squared length on the surface of a step (du, dv): E du^2 + 2 F du dv + G dv^2.
+struct FirstFundamentalForm
+{
+  float E = 1;
+  float F = 0;
+  float G = 1;
+
+  double dot(const Vec2& a, const Vec2& b) const
+  {
+    return this->E * a.x() * b.x() + this->F * (a.x() * b.y() + a.y() * b.x()) +
+      this->G * a.y() * b.y();
+  }
+  double squared(const Vec2& d) const { return this->dot(d, d); }
+};
+
 struct STIPPLEFILTERSSAMPLING_EXPORT SamplingDomain
 {
   AtlasSurface surface;
   FeatureGraph graph;
   std::vector<BackboneTrace> traces;
-  std::vector<char> onBackbone; ///< by halfedge of the surface
-  /// Per face, the first fundamental form of its chart's map: length^2 = E du^2 + 2 F du dv + G
-  /// dv^2.
-  std::vector<std::array<float, 3>> metric;
+  std::vector<char> onBackbone;             ///< by halfedge of the surface
+  std::vector<FirstFundamentalForm> metric; ///< by face, of its chart's map
   /// Nodes of the graph and constraints that lie on no backbone, in this order.
   std::vector<Sample> fixedSamples;
   /// Constraints on a backbone become samples of that backbone; those in a chart are listed by

@@ -88,21 +88,6 @@ double bandMass(const SamplingDomain& domain, const std::vector<BackboneDensity>
   return sum;
 }
 
-/// The widths of the bands along a chart's segments.
-std::vector<double> bandWidths(const SamplingDomain& domain,
-  const std::vector<BackboneDensity>& densities, const BackbonePlaces& places,
-  const ChartGraph& graph)
-{
-  std::vector<double> widths;
-  widths.reserve(graph.segments.size());
-  for (const ChartGraph::Segment& s : graph.segments)
-  {
-    const auto [begin, end] = domain.interval(places, s.backbone, s.interval);
-    widths.push_back(densities[s.backbone].meanWidth(begin, end));
-  }
-  return widths;
-}
-
 int sum(const std::vector<int>& values)
 {
   return std::accumulate(values.begin(), values.end(), 0);
@@ -113,6 +98,7 @@ Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPol
 {
   this->Minimum = 0;
   this->Least = {};
+  this->Bands.clear();
   if (Status status = readSamplingDomain(charts, lines, this->Domain); !status.ok())
   {
     return status;
@@ -133,7 +119,7 @@ int SurfaceSampler::count(const ValidPlaces& valid) const
 }
 
 Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
-  const Progress& progress, SurfaceSamples& result, DiffusionMethod method) const
+  const Progress& progress, SurfaceSamples& result, DiffusionMethod method)
 {
   result = {};
   const SamplingDomain& domain = this->Domain;
@@ -162,6 +148,14 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
       "The control images are zero everywhere: make Control positive where samples are "
       "wanted, for instance by MinimumDensity.");
   }
+
+  this->Bands.resize(charts);
+  forEachChart(charts, [&](std::size_t c) {
+    if (!this->Bands[c].fits(images[c]))
+    {
+      this->Bands[c].build(domain, static_cast<int>(c), images[c]);
+    }
+  });
 
   const double most = 64. * std::max(1, numberOfSamples) / total;
   const double area = domain.surface.area();
@@ -220,8 +214,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     samplers.clear();
     for (std::size_t c = 0; c < charts; ++c)
     {
-      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c],
-        bandWidths(domain, densities, valid.places, valid.graphs[c]), scale);
+      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
       factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c]);
       if (!InteriorSampler::withinLimits(images[c], factor[c]))
       {
@@ -243,7 +236,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     const double from = 0.1 + 0.2 * round;
     if (Status status = forEachChart(images, factor, progress, from, from + 0.2,
           [&](std::size_t c) {
-            samplers[c].prepare(factor[c]);
+            samplers[c].prepare(factor[c], this->Bands[c], densities);
             left[c] = samplers[c].left();
             if (!keep)
             {
@@ -268,7 +261,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   Status status = forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
     if (!keep)
     {
-      samplers[c].prepare(factor[c]);
+      samplers[c].prepare(factor[c], this->Bands[c], densities);
     }
     result.interior[c] = samplers[c].sample(share[c], method);
     samplers[c].release();

@@ -4,6 +4,7 @@
 #ifndef stipple_SurfaceSampler_h
 #define stipple_SurfaceSampler_h
 
+#include "BandMask.h"
 #include "ControlImage.h"
 #include "DiffusionCoefficients.h"
 #include "PlanarValidity.h"
@@ -31,16 +32,18 @@ public:
   /// be had.
   int minimumNumberOfSamples() const { return this->Minimum; }
 
-  /// Exactly numberOfSamples samples in proportion to the control images, one a chart.
+  /// Exactly numberOfSamples samples in proportion to the control images, one a chart. Sooner for
+  /// images that differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
     const Progress& progress, SurfaceSamples& result,
-    DiffusionMethod method = DiffusionMethod::Ostromoukhov) const;
+    DiffusionMethod method = DiffusionMethod::Ostromoukhov);
 
 private:
   int count(const ValidPlaces& valid) const;
 
   SamplingDomain Domain;
   ValidPlaces Least;
+  std::vector<BandMask> Bands; ///< by chart
   int Minimum = 0;
 };
 }

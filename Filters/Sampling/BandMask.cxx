@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BandMask.h"
+
+#include "BackboneBand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stipple
+{
+namespace
+{
+/// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
+constexpr double discLimit = 1. / 3.14159265358979323846;
+/// A pixel of the raster is touched by lines that are nearer to its middle than this, in pixels.
+constexpr double touching = 0.6;
+
+/// The first column (or row) of the raster in each column of the image, and where the last ends.
+std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
+{
+  std::vector<int> first(static_cast<std::size_t>(pixels) + 1);
+  for (int i = 0; i <= pixels; ++i)
+  {
+    first[i] =
+      static_cast<int>(std::lower_bound(nearest.begin(), nearest.end(), i) - nearest.begin());
+  }
+  return first;
+}
+}
+
+double BandMask::Line::nearest(const FirstFundamentalForm& form, const Vec2& uv) const
+{
+  const double along = form.dot(uv - this->a, this->e);
+  const double squaredLength = form.squared(this->e);
+  return along <= 0 ? 0. : (along >= squaredLength ? 1. : along / squaredLength);
+}
+
+bool BandMask::fits(const ControlImage& image) const
+{
+  return image.width == this->Image.width && image.height == this->Image.height &&
+    std::equal(this->Areas.begin(), this->Areas.end(), image.areaDistortion) &&
+    (image.faceIndex ? std::equal(this->Faces.begin(), this->Faces.end(), image.faceIndex)
+                     : this->Faces.empty());
+}
+
+void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage& image)
+{
+  const std::size_t n = static_cast<std::size_t>(image.numberOfPixels());
+  this->Image = image;
+  this->Areas.assign(image.areaDistortion, image.areaDistortion + n);
+  this->Faces.clear();
+  if (image.faceIndex)
+  {
+    this->Faces.assign(image.faceIndex, image.faceIndex + n);
+  }
+  const int first = domain.surface.chartBegin[chart];
+  const int faces = domain.surface.chartBegin[chart + 1] - first;
+  this->Forms.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const int face = image.faceIndex ? image.faceIndex[i] : -1;
+    const float area = image.areaDistortion[i];
+    this->Forms[i] = face >= 0 && face < faces ? domain.metric[first + face]
+                                               : FirstFundamentalForm{ area, 0, area };
+  }
+  this->Nearest.assign(n, -1);
+  this->Apart.assign(n, std::numeric_limits<float>::max());
+  this->addLines(domain, chart);
+  this->spread();
+
+  const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
+  this->Low.resize(n);
+  this->High.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const FirstFundamentalForm& form = this->Forms[i];
+    const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : bandLimit;
+    const double toCorner =
+      std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
+    const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
+    // What lies across a side may touch the pixel, too.
+    this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - 1.5 * toCorner), 2));
+    this->High[i] = static_cast<float>(std::pow(toMiddle + toCorner, 2));
+  }
+  std::vector<float>().swap(this->Apart);
+  std::vector<int>().swap(this->Queue);
+}
+
+void BandMask::addLines(const SamplingDomain& domain, int chart)
+{
+  this->Lines.clear();
+  for (std::size_t b = 0; b < domain.traces.size(); ++b)
+  {
+    const BackboneTrace& trace = domain.traces[b];
+    for (int side = 0; side < 2; ++side)
+    {
+      const int segments = trace.hasSide(side) && trace.chart[side] == chart
+        ? static_cast<int>(trace.arcLength.size()) - 1
+        : 0;
+      for (int i = 0; i < segments; ++i)
+      {
+        const Vec2 a = trace.parameter(domain.surface, { i, 0. }, side);
+        const Vec2 b2 = trace.parameter(domain.surface, { i, 1. }, side);
+        this->Lines.push_back({ a, b2 - a, bandLimit, static_cast<int>(b), trace.arcLength[i],
+          trace.arcLength[i + 1] - trace.arcLength[i] });
+      }
+    }
+  }
+  for (const Vec2& p : domain.chartConstraints[chart])
+  {
+    this->Lines.push_back({ p, Vec2::Zero(), discLimit, -1, 0., 0. });
+  }
+  const Vec2 pixel(
+    this->Image.extent.x() / this->Image.width, this->Image.extent.y() / this->Image.height);
+  for (std::size_t l = 0; l < this->Lines.size(); ++l)
+  {
+    const Line& line = this->Lines[l];
+    const double pixels = line.e.cwiseQuotient(pixel).cwiseAbs().maxCoeff();
+    const int steps = static_cast<int>(std::ceil(2. * pixels)) + 1;
+    for (int k = 0; k <= steps; ++k)
+    {
+      const Vec2 place = line.a + static_cast<double>(k) / steps * line.e;
+      this->offer(this->Image.pixelAt(place), static_cast<int>(l));
+    }
+  }
+}
+
+void BandMask::offer(int pixel, int line)
+{
+  const Line& l = this->Lines[line];
+  const FirstFundamentalForm& form = this->Forms[pixel];
+  const Vec2 middle = this->Image.centre(pixel);
+  const Vec2 away = middle - l.a - l.nearest(form, middle) * l.e;
+  const auto apart = static_cast<float>(form.squared(away) / l.limit);
+  if (apart < this->Apart[pixel])
+  {
+    this->Apart[pixel] = apart;
+    this->Nearest[pixel] = line;
+    this->Queue.push_back(pixel);
+  }
+}
+
+void BandMask::spread()
+{
+  const int width = this->Image.width;
+  for (std::size_t k = 0; k < this->Queue.size(); ++k) // it grows
+  {
+    const int pixel = this->Queue[k];
+    const int line = this->Nearest[pixel];
+    const int x = pixel % width;
+    const auto handTo = [&](bool exists, int neighbour) {
+      if (exists && this->Nearest[neighbour] != line)
+      {
+        this->offer(neighbour, line);
+      }
+    };
+    handTo(x > 0, pixel - 1);
+    handTo(x + 1 < width, pixel + 1);
+    handTo(pixel >= width, pixel - width);
+    handTo(pixel + width < this->Image.numberOfPixels(), pixel + width);
+  }
+}
+
+double BandMask::widthAt(int pixel, const std::vector<BackboneDensity>& densities) const
+{
+  const Line& line = this->Lines[this->Nearest[pixel]];
+  const double t = line.nearest(this->Forms[pixel], this->Image.centre(pixel));
+  return line.backbone < 0 ? 1. : densities[line.backbone].widthAt(line.arcLength + t * line.rise);
+}
+
+void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
+  double scale, InteriorRaster& raster) const
+{
+  const std::vector<int> firstColumn = firstOf(raster.column, image.width);
+  const std::vector<int> firstRow = firstOf(raster.row, image.height);
+  const Vec2 size(image.extent.x() / raster.width, image.extent.y() / raster.height);
+  const double closest = touching * touching * 0.5 * size.squaredNorm();
+  for (int y = 0; y < image.height; ++y)
+  {
+    for (int x = 0; x < image.width; ++x)
+    {
+      const int i = y * image.width + x;
+      const double density = scale * image.density(i);
+      const double low = density * this->Low[i];
+      if (!(density > 0) || low >= widestBand * widestBand)
+      {
+        continue;
+      }
+      const double high = density * this->High[i];
+      const double width = high < 1. ? 1. : this->widthAt(i, densities);
+      if (low >= width * width)
+      {
+        continue;
+      }
+      const Line& line = this->Lines[this->Nearest[i]];
+      const FirstFundamentalForm& form = this->Forms[i];
+      const double limit = line.limit * width * width / density;
+      for (int v = firstRow[y]; v < firstRow[y + 1]; ++v)
+      {
+        unsigned char* open = raster.open.data() + static_cast<std::size_t>(v) * raster.width;
+        if (high < width * width)
+        {
+          std::fill(open + firstColumn[x], open + firstColumn[x + 1], 0);
+          continue;
+        }
+        for (int u = firstColumn[x]; u < firstColumn[x + 1]; ++u)
+        {
+          const Vec2 uv((u + 0.5) * size.x(), (v + 0.5) * size.y());
+          const Vec2 away = uv - line.a - line.nearest(form, uv) * line.e;
+          if (form.squared(away) < limit || away.squaredNorm() < closest)
+          {
+            open[u] = 0;
+          }
+        }
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in the bands of a chart's backbones: pixels that leave their samples to the lines.
+#ifndef stipple_BandMask_h
+#define stipple_BandMask_h
+
+#include "BackboneSampling.h"
+#include "ControlImage.h"
+#include "SamplingDomain.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace stipple
+{
+/// A chart's wanted samples, pixel by pixel: those of the control image, enlarged, but none along
+/// backbones and outside the boundary's polygon.
+struct InteriorRaster
+{
+  int width = 0;
+  int height = 0;
+  std::vector<int> column;         ///< of the control image, by column of the raster
+  std::vector<int> row;            ///< and by row
+  std::vector<unsigned char> open; ///< 0 where no sample may be
+  float toWanted = 0;              ///< control to samples a pixel
+  double left = 0;                 ///< sum of what is wanted
+};
+
+/// How far a chart's pixels are from its backbones and constraints, on the surface: known once for
+/// all controls. A pixel has its nearest line from one beside it, as in P.-E. Danielsson,
+/// "Euclidean distance mapping", 1980.
+class STIPPLEFILTERSSAMPLING_EXPORT BandMask
+{
+public:
+  /// Of the image, the size and what is not the control are read.
+  void build(const SamplingDomain& domain, int chart, const ControlImage& image);
+  /// Whether it was built from an image like this one.
+  bool fits(const ControlImage& image) const;
+
+  /// Closes the pixels of a raster that lie in the bands of backbones with these densities, for
+  /// samples of scale times the control; those that want nothing are left as they are.
+  void close(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale,
+    InteriorRaster& raster) const;
+
+private:
+  /// A straight piece of a backbone, or a constraint.
+  struct Line
+  {
+    Vec2 a;
+    Vec2 e;           ///< from a to the other end
+    double limit;     ///< of squared distance x density, in a band of width 1
+    int backbone;     ///< -1 for a constraint
+    double arcLength; ///< at a
+    double rise;      ///< of the arc length, to the other end
+
+    /// Where along it, from 0 to 1, the place is that is nearest to a parameter.
+    double nearest(const FirstFundamentalForm& form, const Vec2& uv) const;
+  };
+  void addLines(const SamplingDomain& domain, int chart);
+  void offer(int pixel, int line);
+  void spread();
+  double widthAt(int pixel, const std::vector<BackboneDensity>& densities) const;
+
+  ControlImage Image; ///< its size only
+  // What it was built from.
+  std::vector<int> Faces;
+  std::vector<float> Areas;
+
+  std::vector<FirstFundamentalForm> Forms; ///< by pixel
+  std::vector<Line> Lines;
+  std::vector<int> Nearest; ///< line, by pixel
+  std::vector<float> Apart; ///< squared distance over the line's limit, of the pixel's middle
+  std::vector<int> Queue;   ///< of pixels that were offered a nearer line
+  std::vector<float> Low;   ///< as Apart, less than it is anywhere in the pixel
+  std::vector<float> High;  ///< as Apart, more than it is anywhere in the pixel
+};
+}
+
+#endif
