@@ -45,6 +45,7 @@ struct SampleTextures::Dot
 namespace
 {
 using Texel = std::array<unsigned char, 4>; ///< a sample's number from 1, the lowest byte first
+constexpr Texel NoSample = { { 0, 0, 0, 255 } };
 constexpr int PlacesWidth = 1024;
 constexpr double MeanShare = 0.24;     ///< of the mean distance between samples: a dot's radius ...
 constexpr double LocalShare = 0.30;    ///< ... but no more than so much of the distance there
@@ -147,7 +148,7 @@ SurfaceMetric metricOf(const AtlasSurface& surface, int face)
 }
 
 /// Marks the texels that are within `reach` on the surface of a place of the plane, in texels, if
-/// no other sample is nearer to them.
+/// no other sample is nearer to them. Distances are those of marked texels.
 void mark(const Vec2& at, const SurfaceMetric& m, double reach, int number, int width, int height,
   Texel* texels, float* distances)
 {
@@ -171,7 +172,7 @@ void mark(const Vec2& at, const SurfaceMetric& m, double reach, int number, int 
     {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
       const double squared = m.squared(x + 0.5 - at.x(), y + 0.5 - at.y());
-      if (squared <= limit * limit && squared < distances[i])
+      if (squared <= limit * limit && (texels[i] == NoSample || squared < distances[i]))
       {
         distances[i] = static_cast<float>(squared);
         texels[i] = texel;
@@ -221,7 +222,7 @@ void SampleTextures::setCharts(vtkPartitionedDataSetCollection* charts)
     auto numbers = vtkSmartPointer<vtkImageData>::New();
     numbers->SetDimensions(1, 1, 1);
     numbers->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    *static_cast<Texel*>(numbers->GetScalarPointer()) = { { 0, 0, 0, 255 } };
+    *static_cast<Texel*>(numbers->GetScalarPointer()) = NoSample;
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(texturedSurface(chartOf(charts, c), this->Origin));
     mapper->ScalarVisibilityOff();
@@ -239,6 +240,7 @@ void SampleTextures::setCharts(vtkPartitionedDataSetCollection* charts)
     this->Actors.push_back(actor);
     this->Numbers.push_back(numbers);
   }
+  this->Distances.assign(this->Numbers.size(), {});
 }
 
 void SampleTextures::placeDots(vtkPolyData* samples, std::vector<Dot>& dots)
@@ -382,8 +384,9 @@ void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::ve
   numbers->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* texels = static_cast<Texel*>(numbers->GetScalarPointer());
   const std::size_t size = static_cast<std::size_t>(width) * height;
-  std::fill_n(texels, size, Texel{ { 0, 0, 0, 255 } });
-  std::vector<float> distances(size, std::numeric_limits<float>::max());
+  std::fill_n(texels, size, NoSample);
+  std::vector<float>& distances = this->Distances[static_cast<std::size_t>(chart)];
+  distances.resize(std::max(distances.size(), size));
   const auto paint = [&](int i, int face, const Vec2& uv) {
     SurfaceMetric m = this->Metrics[face];
     const double du = pixel.x() / fine;

@@ -65,7 +65,9 @@ private:
   double LargestDot = 0;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkSmartPointer<vtkImageData>> Numbers; ///< by chart
-  vtkNew<vtkImageData> Places;                        ///< x, y, z, radius of each sample
+  std::vector<std::vector<float>> Distances; ///< by chart; kept, for it takes time to ask for
+                                             ///< memory
+  vtkNew<vtkImageData> Places;               ///< x, y, z, radius of each sample
   Vec3 Origin = Vec3::Zero(); ///< what places are relative to: the numbers are small then
 };
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace stipple
@@ -28,21 +29,44 @@ std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
   }
   return first;
 }
+
+template <typename T>
+bool haveSameBytes(const std::vector<T>& a, const T* b)
+{
+  return std::memcmp(a.data(), b, a.size() * sizeof(T)) == 0;
+}
 }
 
-double BandMask::Line::nearest(const FirstFundamentalForm& form, const Vec2& uv) const
+struct BandMask::Surroundings
 {
-  const double along = form.dot(uv - this->a, this->e);
-  const double squaredLength = form.squared(this->e);
-  return along <= 0 ? 0. : (along >= squaredLength ? 1. : along / squaredLength);
-}
+  const Line& line;
+  const FirstFundamentalForm& form;
+  Vec2 gradient; ///< of the dot product with the line
+  double squaredLength;
+
+  Surroundings(const Line& l, const FirstFundamentalForm& f)
+    : line(l)
+    , form(f)
+    , gradient(f.E * l.e.x() + f.F * l.e.y(), f.F * l.e.x() + f.G * l.e.y())
+    , squaredLength(this->gradient.dot(l.e))
+  {
+  }
+
+  /// Where along the line, from 0 to 1, the place is that is nearest to a parameter.
+  double nearest(const Vec2& uv) const
+  {
+    const double along = this->gradient.dot(uv - this->line.a);
+    return along <= 0 ? 0. : (along >= this->squaredLength ? 1. : along / this->squaredLength);
+  }
+  /// From there to the parameter.
+  Vec2 away(const Vec2& uv) const { return uv - this->line.a - this->nearest(uv) * this->line.e; }
+};
 
 bool BandMask::fits(const ControlImage& image) const
 {
   return image.width == this->Image.width && image.height == this->Image.height &&
-    std::equal(this->Areas.begin(), this->Areas.end(), image.areaDistortion) &&
-    (image.faceIndex ? std::equal(this->Faces.begin(), this->Faces.end(), image.faceIndex)
-                     : this->Faces.empty());
+    haveSameBytes(this->Areas, image.areaDistortion) &&
+    (image.faceIndex ? haveSameBytes(this->Faces, image.faceIndex) : this->Faces.empty());
 }
 
 void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage& image)
@@ -131,8 +155,7 @@ void BandMask::offer(int pixel, int line)
 {
   const Line& l = this->Lines[line];
   const FirstFundamentalForm& form = this->Forms[pixel];
-  const Vec2 middle = this->Image.centre(pixel);
-  const Vec2 away = middle - l.a - l.nearest(form, middle) * l.e;
+  const Vec2 away = Surroundings(l, form).away(this->Image.centre(pixel));
   const auto apart = static_cast<float>(form.squared(away) / l.limit);
   if (apart < this->Apart[pixel])
   {
@@ -163,20 +186,17 @@ void BandMask::spread()
   }
 }
 
-double BandMask::widthAt(int pixel, const std::vector<BackboneDensity>& densities) const
-{
-  const Line& line = this->Lines[this->Nearest[pixel]];
-  const double t = line.nearest(this->Forms[pixel], this->Image.centre(pixel));
-  return line.backbone < 0 ? 1. : densities[line.backbone].widthAt(line.arcLength + t * line.rise);
-}
-
 void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
   double scale, InteriorRaster& raster) const
 {
+  std::vector<double> widest;
+  widest.reserve(densities.size());
+  for (const BackboneDensity& density : densities)
+  {
+    widest.push_back(*std::max_element(density.width.begin(), density.width.end()));
+  }
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
-  const Vec2 size(image.extent.x() / raster.width, image.extent.y() / raster.height);
-  const double closest = touching * touching * 0.5 * size.squaredNorm();
   for (int y = 0; y < image.height; ++y)
   {
     for (int x = 0; x < image.width; ++x)
@@ -188,32 +208,47 @@ void BandMask::close(const ControlImage& image, const std::vector<BackboneDensit
       {
         continue;
       }
-      const double high = density * this->High[i];
-      const double width = high < 1. ? 1. : this->widthAt(i, densities);
-      if (low >= width * width)
-      {
-        continue;
-      }
       const Line& line = this->Lines[this->Nearest[i]];
-      const FirstFundamentalForm& form = this->Forms[i];
-      const double limit = line.limit * width * width / density;
-      for (int v = firstRow[y]; v < firstRow[y + 1]; ++v)
+      const double high = density * this->High[i];
+      double width = 1;
+      if (high >= 1. && line.backbone >= 0 && widest[line.backbone] > 1.)
       {
-        unsigned char* open = raster.open.data() + static_cast<std::size_t>(v) * raster.width;
-        if (high < width * width)
-        {
-          std::fill(open + firstColumn[x], open + firstColumn[x + 1], 0);
-          continue;
-        }
-        for (int u = firstColumn[x]; u < firstColumn[x + 1]; ++u)
-        {
-          const Vec2 uv((u + 0.5) * size.x(), (v + 0.5) * size.y());
-          const Vec2 away = uv - line.a - line.nearest(form, uv) * line.e;
-          if (form.squared(away) < limit || away.squaredNorm() < closest)
-          {
-            open[u] = 0;
-          }
-        }
+        const double t = Surroundings(line, this->Forms[i]).nearest(image.centre(i));
+        width = densities[line.backbone].widthAt(line.arcLength + t * line.rise);
+      }
+      const double squaredWidth = width * width;
+      if (low < squaredWidth)
+      {
+        const double reach = high < squaredWidth ? std::numeric_limits<double>::max()
+                                                 : line.limit * squaredWidth / density;
+        this->closePixel(
+          i, reach, { firstColumn[x], firstColumn[x + 1], firstRow[y], firstRow[y + 1] }, raster);
+      }
+    }
+  }
+}
+
+void BandMask::closePixel(
+  int pixel, double squaredReach, const PixelBox& box, InteriorRaster& raster) const
+{
+  const Vec2 size(this->Image.extent.x() / raster.width, this->Image.extent.y() / raster.height);
+  const double closest = touching * touching * 0.5 * size.squaredNorm();
+  const FirstFundamentalForm& form = this->Forms[pixel];
+  const Surroundings near(this->Lines[this->Nearest[pixel]], form);
+  for (int y = box.yBegin; y < box.yEnd; ++y)
+  {
+    unsigned char* open = raster.open.data() + static_cast<std::size_t>(y) * raster.width;
+    if (squaredReach == std::numeric_limits<double>::max())
+    {
+      std::fill(open + box.xBegin, open + box.xEnd, 0);
+      continue;
+    }
+    for (int x = box.xBegin; x < box.xEnd; ++x)
+    {
+      const Vec2 away = near.away({ (x + 0.5) * size.x(), (y + 0.5) * size.y() });
+      if (form.squared(away) < squaredReach || away.squaredNorm() < closest)
+      {
+        open[x] = 0;
       }
     }
   }

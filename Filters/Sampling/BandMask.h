@@ -52,14 +52,15 @@ private:
     int backbone;     ///< -1 for a constraint
     double arcLength; ///< at a
     double rise;      ///< of the arc length, to the other end
-
-    /// Where along it, from 0 to 1, the place is that is nearest to a parameter.
-    double nearest(const FirstFundamentalForm& form, const Vec2& uv) const;
   };
+  /// What is near to a line where the chart's map has a first fundamental form.
+  struct Surroundings;
   void addLines(const SamplingDomain& domain, int chart);
   void offer(int pixel, int line);
   void spread();
-  double widthAt(int pixel, const std::vector<BackboneDensity>& densities) const;
+  /// Closes what is in a box of the raster, that of a pixel, as far as a distance from its line.
+  void closePixel(
+    int pixel, double squaredReach, const PixelBox& box, InteriorRaster& raster) const;
 
   ControlImage Image; ///< its size only
   // What it was built from.
