@@ -10,7 +10,7 @@ namespace stipple
 {
 namespace
 {
-constexpr double stepInRows = 0.3; ///< of half a row
+constexpr double stepInRows = 0.2; ///< of half a row; twice that beyond a band of width 1
 constexpr int mostSteps = 40;      ///< on a side
 constexpr int mostFaces = 300;     ///< that a walk crosses on a side
 
@@ -167,7 +167,8 @@ void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlIm
   for (int i = 0; i < mostSteps; ++i)
   {
     const double here = rho > 0 ? rho : fallback;
-    const double length = stepInRows * std::sqrt(bandLimit / (scale * here));
+    const double halfRow = std::sqrt(bandLimit / (scale * here));
+    const double length = (from < halfRow ? 1. : 2.) * stepInRows * halfRow;
     const double middle = from + 0.5 * length;
     if (!std::isfinite(length) || !advance(middle))
     {

@@ -20,7 +20,7 @@ constexpr double bandLimit = 0.21650635094610965; // sqrt(3) / 8
 /// A band may be widened up to this many times to make room for those that share it: two backbones
 /// in one place nearly keep their spacing. What is not there even so, is not sampled. (Wider ones
 /// leave gaps where seams meet at small angles.)
-constexpr double widestBand = 1.9;
+constexpr double widestBand = 2.0;
 
 /// The surface on both sides of a backbone, across it at one place.
 class STIPPLEFILTERSSAMPLING_EXPORT BandSection

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stipple
 {
@@ -148,11 +149,17 @@ std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
   const std::vector<ControlImage>& images, double scale, double meanDensity)
 {
   std::vector<BackboneDensity> result(domain.traces.size());
+  // The longest ones first, so that no thread is left waiting for one.
+  std::vector<int> order(result.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](int a, int b) { return domain.traces[a].length() > domain.traces[b].length(); });
   vtkSMPTools::For(
-    0, static_cast<vtkIdType>(result.size()), 1, [&](vtkIdType first, vtkIdType last) {
-      for (vtkIdType b = first; b < last; ++b)
+    0, static_cast<vtkIdType>(order.size()), 1, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType i = first; i < last; ++i)
       {
-        result[b] = densityAlong(domain, images, static_cast<int>(b), scale, meanDensity);
+        const int b = order[i];
+        result[b] = densityAlong(domain, images, b, scale, meanDensity);
       }
     });
   return result;

@@ -5,6 +5,7 @@
 #include "BackboneBand.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -15,8 +16,6 @@ namespace
 {
 /// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
 constexpr double discLimit = 1. / 3.14159265358979323846;
-/// A pixel of the raster is touched by lines that are nearer to its middle than this, in pixels.
-constexpr double touching = 0.6;
 
 /// The first column (or row) of the raster in each column of the image, and where the last ends.
 std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
@@ -37,6 +36,25 @@ bool haveSameBytes(const std::vector<T>& a, const T* b)
 }
 }
 
+struct BandMask::Control
+{
+  const ControlImage& image;
+  const std::vector<BackboneDensity>& densities;
+  double scale;
+  float farthest;             ///< scale over the squared width of the widest band
+  std::vector<double> widest; ///< band, by backbone
+
+  Control(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale);
+};
+
+struct BandMask::Band
+{
+  double density; ///< samples wanted per unit of surface area
+  double width;   ///< of the band, in half rows
+  double reach;   ///< of the band, in units of length
+  bool whole;     ///< whether all of the pixel is in it
+};
+
 struct BandMask::Surroundings
 {
   const Line& line;
@@ -47,7 +65,7 @@ struct BandMask::Surroundings
   Surroundings(const Line& l, const FirstFundamentalForm& f)
     : line(l)
     , form(f)
-    , gradient(f.E * l.e.x() + f.F * l.e.y(), f.F * l.e.x() + f.G * l.e.y())
+    , gradient(f.times(l.e))
     , squaredLength(this->gradient.dot(l.e))
   {
   }
@@ -104,8 +122,7 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
     const double toCorner =
       std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
     const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
-    // What lies across a side may touch the pixel, too.
-    this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - 1.5 * toCorner), 2));
+    this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - toCorner), 2));
     this->High[i] = static_cast<float>(std::pow(toMiddle + toCorner, 2));
   }
   std::vector<float>().swap(this->Apart);
@@ -186,15 +203,86 @@ void BandMask::spread()
   }
 }
 
+BandMask::Control::Control(
+  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale)
+  : image(image)
+  , densities(densities)
+  , scale(scale)
+  , farthest(static_cast<float>(scale / (widestBand * widestBand)))
+{
+  this->widest.reserve(densities.size());
+  for (const BackboneDensity& density : densities)
+  {
+    this->widest.push_back(*std::max_element(density.width.begin(), density.width.end()));
+  }
+}
+
+bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
+{
+  // Most pixels are far from lines: that is told without a division.
+  const float wanted = control.image.control[pixel];
+  const float area = control.image.areaDistortion[pixel];
+  if (!(wanted > 0 && area > 0 && control.farthest * wanted * this->Low[pixel] < area))
+  {
+    return false;
+  }
+  band.density = control.scale * wanted / area;
+  const Line& line = this->Lines[this->Nearest[pixel]];
+  const double high = band.density * this->High[pixel];
+  band.width = 1;
+  if (high >= 1. && line.backbone >= 0 && control.widest[line.backbone] > 1.)
+  {
+    const double t = Surroundings(line, this->Forms[pixel]).nearest(control.image.centre(pixel));
+    band.width = control.densities[line.backbone].widthAt(line.arcLength + t * line.rise);
+  }
+  band.whole = high < band.width * band.width;
+  band.reach = std::sqrt(line.limit / band.density) * band.width;
+  return band.density * this->Low[pixel] < band.width * band.width;
+}
+
+double BandMask::share(
+  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
+{
+  const Control control(image, densities, scale);
+  const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
+  double inBands = 0;
+  double sum = 0;
+  // A fourth of the pixels, of each row and each column.
+  constexpr std::array<int, 4> First = { { 0, 2, 1, 3 } };
+  for (int y = 0; y < image.height; ++y)
+  {
+    for (int x = First[y % 4]; x < image.width; x += 4)
+    {
+      const int i = y * image.width + x;
+      const double wanted = std::max(0.f, image.control[i]);
+      sum += wanted;
+      if (Band band; this->isInBand(control, i, band))
+      {
+        inBands += wanted * (band.whole ? 1. : this->partWithin(i, band.reach, image, half));
+      }
+    }
+  }
+  return sum > 0 ? inBands / sum : 0.;
+}
+
+double BandMask::partWithin(
+  int pixel, double reach, const ControlImage& image, const Vec2& half) const
+{
+  const FirstFundamentalForm& form = this->Forms[pixel];
+  const Vec2 away = Surroundings(this->Lines[this->Nearest[pixel]], form).away(image.centre(pixel));
+  const double apart = std::sqrt(form.squared(away));
+  const Vec2 slope = apart > 0 ? Vec2(form.times(away).cwiseAbs() / apart)
+                               : Vec2(std::sqrt(form.E), std::sqrt(form.G));
+  // The distance changes by as much from the middle to a side.
+  const double change = slope.cwiseProduct(half).maxCoeff();
+  const double inside = std::min(reach, apart + change) - std::max(-reach, apart - change);
+  return change > 0 ? std::max(0., inside / (2. * change)) : 0.;
+}
+
 void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
   double scale, InteriorRaster& raster) const
 {
-  std::vector<double> widest;
-  widest.reserve(densities.size());
-  for (const BackboneDensity& density : densities)
-  {
-    widest.push_back(*std::max_element(density.width.begin(), density.width.end()));
-  }
+  const Control control(image, densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
   for (int y = 0; y < image.height; ++y)
@@ -202,51 +290,33 @@ void BandMask::close(const ControlImage& image, const std::vector<BackboneDensit
     for (int x = 0; x < image.width; ++x)
     {
       const int i = y * image.width + x;
-      const double density = scale * image.density(i);
-      const double low = density * this->Low[i];
-      if (!(density > 0) || low >= widestBand * widestBand)
+      if (Band band; this->isInBand(control, i, band))
       {
-        continue;
-      }
-      const Line& line = this->Lines[this->Nearest[i]];
-      const double high = density * this->High[i];
-      double width = 1;
-      if (high >= 1. && line.backbone >= 0 && widest[line.backbone] > 1.)
-      {
-        const double t = Surroundings(line, this->Forms[i]).nearest(image.centre(i));
-        width = densities[line.backbone].widthAt(line.arcLength + t * line.rise);
-      }
-      const double squaredWidth = width * width;
-      if (low < squaredWidth)
-      {
-        const double reach = high < squaredWidth ? std::numeric_limits<double>::max()
-                                                 : line.limit * squaredWidth / density;
         this->closePixel(
-          i, reach, { firstColumn[x], firstColumn[x + 1], firstRow[y], firstRow[y + 1] }, raster);
+          i, band, { firstColumn[x], firstColumn[x + 1], firstRow[y], firstRow[y + 1] }, raster);
       }
     }
   }
 }
 
 void BandMask::closePixel(
-  int pixel, double squaredReach, const PixelBox& box, InteriorRaster& raster) const
+  int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const
 {
   const Vec2 size(this->Image.extent.x() / raster.width, this->Image.extent.y() / raster.height);
-  const double closest = touching * touching * 0.5 * size.squaredNorm();
   const FirstFundamentalForm& form = this->Forms[pixel];
   const Surroundings near(this->Lines[this->Nearest[pixel]], form);
+  const double squaredReach = band.reach * band.reach;
   for (int y = box.yBegin; y < box.yEnd; ++y)
   {
     unsigned char* open = raster.open.data() + static_cast<std::size_t>(y) * raster.width;
-    if (squaredReach == std::numeric_limits<double>::max())
+    if (band.whole)
     {
       std::fill(open + box.xBegin, open + box.xEnd, 0);
       continue;
     }
     for (int x = box.xBegin; x < box.xEnd; ++x)
     {
-      const Vec2 away = near.away({ (x + 0.5) * size.x(), (y + 0.5) * size.y() });
-      if (form.squared(away) < squaredReach || away.squaredNorm() < closest)
+      if (form.squared(near.away({ (x + 0.5) * size.x(), (y + 0.5) * size.y() })) < squaredReach)
       {
         open[x] = 0;
       }

@@ -27,8 +27,8 @@ struct InteriorRaster
 };
 
 /// How far a chart's pixels are from its backbones and constraints, on the surface: known once for
-/// all controls. A pixel has its nearest line from one beside it, as in P.-E. Danielsson,
-/// "Euclidean distance mapping", 1980.
+/// all controls. A pixel has the line that is nearest to its middle from one beside it, as in
+/// P.-E. Danielsson, "Euclidean distance mapping", 1980.
 class STIPPLEFILTERSSAMPLING_EXPORT BandMask
 {
 public:
@@ -41,6 +41,9 @@ public:
   /// samples of scale times the control; those that want nothing are left as they are.
   void close(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale,
     InteriorRaster& raster) const;
+  /// The part of the control that it would close, of an image without a raster.
+  double share(
+    const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const;
 
 private:
   /// A straight piece of a backbone, or a constraint.
@@ -58,9 +61,16 @@ private:
   void addLines(const SamplingDomain& domain, int chart);
   void offer(int pixel, int line);
   void spread();
-  /// Closes what is in a box of the raster, that of a pixel, as far as a distance from its line.
-  void closePixel(
-    int pixel, double squaredReach, const PixelBox& box, InteriorRaster& raster) const;
+  /// A control and what is wanted along backbones.
+  struct Control;
+  /// The band of a backbone where a pixel is.
+  struct Band;
+  /// Whether a band touches a pixel, and which.
+  bool isInBand(const Control& control, int pixel, Band& band) const;
+  /// The part of a pixel that is within reach of its line: as if that were straight.
+  double partWithin(int pixel, double reach, const ControlImage& image, const Vec2& half) const;
+  /// Closes what is in a box of the raster, that of a pixel, as far as a band reaches.
+  void closePixel(int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const;
 
   ControlImage Image; ///< its size only
   // What it was built from.

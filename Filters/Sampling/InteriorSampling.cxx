@@ -15,6 +15,9 @@ namespace stipple
 {
 namespace
 {
+/// A segment touches the pixels whose middles are nearer to it, in pixels.
+constexpr double touching = 0.6;
+
 struct Ranked
 {
   double key;
@@ -125,6 +128,10 @@ void InteriorSampler::prepare(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
   bands.close(this->Image, densities, this->Scale, r);
+  for (const ChartGraph::Segment& s : this->Graph.segments)
+  {
+    this->maskSegment(this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv);
+  }
   this->sumLeft();
 }
 
@@ -196,6 +203,41 @@ void InteriorSampler::maskOutside()
       if (begin < end)
       {
         std::fill_n(r.open.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0);
+      }
+    }
+  }
+}
+
+void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b)
+{
+  // The pixels that it touches, line by line across its longer extent.
+  InteriorRaster& r = this->Raster;
+  const Vec2 toPixels(r.width / this->Image.extent.x(), r.height / this->Image.extent.y());
+  const Vec2 begin = a.cwiseProduct(toPixels);
+  const Vec2 step = (b - a).cwiseProduct(toPixels);
+  const int major = std::abs(step.y()) > std::abs(step.x()) ? 1 : 0;
+  const int minor = 1 - major;
+  const std::array<int, 2> size = { { r.width, r.height } };
+  const auto pixelOf = [&](double x, int axis) {
+    return std::clamp(static_cast<int>(std::floor(x)), 0, size[axis] - 1);
+  };
+  const int first = pixelOf(std::min(begin[major], begin[major] + step[major]) - 1., major);
+  const int last = pixelOf(std::max(begin[major], begin[major] + step[major]) + 1., major);
+  for (int line = first; line <= last; ++line)
+  {
+    const double t =
+      step[major] != 0 ? std::clamp((line + 0.5 - begin[major]) / step[major], 0., 1.) : 0.;
+    const double crossing = begin[minor] + t * step[minor];
+    for (int i = pixelOf(crossing - 1., minor); i <= pixelOf(crossing + 1., minor); ++i)
+    {
+      Vec2 middle;
+      middle[major] = line + 0.5;
+      middle[minor] = i + 0.5;
+      if (distanceToSegment(middle, begin, Vec2(begin + step)) < touching)
+      {
+        const std::size_t x = major == 0 ? line : i;
+        const std::size_t y = major == 0 ? i : line;
+        r.open[y * r.width + x] = 0;
       }
     }
   }

@@ -53,6 +53,7 @@ public:
 
 private:
   void maskOutside();
+  void maskSegment(const Vec2& a, const Vec2& b);
   void sumLeft();
   /// What the pixels of a row want.
   void fillRow(int y, std::vector<float>& wanted);

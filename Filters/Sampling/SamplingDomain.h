@@ -25,11 +25,11 @@ struct FirstFundamentalForm
   float F = 0;
   float G = 1;
 
-  double dot(const Vec2& a, const Vec2& b) const
+  Vec2 times(const Vec2& d) const
   {
-    return this->E * a.x() * b.x() + this->F * (a.x() * b.y() + a.y() * b.x()) +
-      this->G * a.y() * b.y();
+    return { this->E * d.x() + this->F * d.y(), this->F * d.x() + this->G * d.y() };
   }
+  double dot(const Vec2& a, const Vec2& b) const { return this->times(a).dot(b); }
   double squared(const Vec2& d) const { return this->dot(d, d); }
 };
 

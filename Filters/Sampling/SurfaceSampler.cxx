@@ -75,19 +75,6 @@ struct Prediction
   }
 };
 
-/// What the bands take away from the charts at scale 1, where they do not share it.
-double bandMass(const SamplingDomain& domain, const std::vector<BackboneDensity>& densities)
-{
-  double sum = 0;
-  for (std::size_t b = 0; b < densities.size(); ++b)
-  {
-    const BackboneTrace& trace = domain.traces[b];
-    const int sides = (trace.chart[0] >= 0 ? 1 : 0) + (trace.chart[1] >= 0 ? 1 : 0);
-    sum += 0.5 * sides * densities[b].total();
-  }
-  return sum;
-}
-
 int sum(const std::vector<int>& values)
 {
   return std::accumulate(values.begin(), values.end(), 0);
@@ -162,19 +149,43 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   const double meanDensity = area > 0 ? total / area : 0.;
   std::vector<BackboneDensity> densities;
   Prediction prediction = { domain, densities, total, 0., sum(this->Least.leastInterior), 0. };
-  // What a backbone wants is not quite in proportion to the scale's root: its band reaches farther
-  // at a smaller one. It is found for a scale nearby.
+  // What a backbone wants is not quite in proportion to the scale's root, as its band reaches
+  // farther at a smaller one, and nor is what lies in bands. Both are found for a scale nearby.
   double densityScale = 0;
+  double bandScale = 0;
+  const auto measureBands = [&](double scale) {
+    bandScale = scale;
+    std::vector<double> inBands(charts);
+    forEachChart(charts, [&](std::size_t c) {
+      inBands[c] = mass[c].total * this->Bands[c].share(images[c], densities, scale);
+    });
+    prediction.bandMass = std::sqrt(scale) * std::accumulate(inBands.begin(), inBands.end(), 0.);
+  };
   const auto measureBackbones = [&](double scale) {
     densityScale = scale;
     densities = backboneDensities(domain, images, scale, meanDensity);
-    prediction.bandMass = bandMass(domain, densities);
+    measureBands(scale);
+  };
+  const auto areFar = [](double a, double b, double most) {
+    return a > 0 && std::abs(std::log(a / b)) > most;
   };
   measureBackbones(std::max(1, numberOfSamples) / total);
+  if (double near = largestScale(prediction, numberOfSamples, most); near > 0)
+  {
+    if (areFar(near, densityScale, 0.1))
+    {
+      measureBackbones(near);
+      near = largestScale(prediction, numberOfSamples, most);
+    }
+    if (areFar(near, bandScale, 0.01))
+    {
+      measureBands(near);
+    }
+  }
 
   // The scale is such that backbones and interiors, each at the same density, hold N samples
-  // together. What the bands really leave is known once they are drawn; two corrections bring the
-  // sum to N.
+  // together. What the bands really leave is known once they are drawn; where it is another number,
+  // two corrections bring the sum to N.
   ValidPlaces valid;
   std::vector<InteriorSampler> samplers;
   std::vector<double> left(charts, 0.);
@@ -185,11 +196,6 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   for (int round = 0; round < 3; ++round)
   {
     scale = largestScale(prediction, numberOfSamples, most);
-    if (scale > 0 && std::abs(std::log(scale / densityScale)) > 0.1)
-    {
-      measureBackbones(scale);
-      scale = largestScale(prediction, numberOfSamples, most);
-    }
     bool fits = false;
     double backboneScale = scale;
     for (int attempt = 0; attempt < 12 && !fits && scale > 0; ++attempt, backboneScale *= 0.8)
@@ -248,7 +254,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
       return status;
     }
     const double allLeft = std::accumulate(left.begin(), left.end(), 0.);
-    if (!fits || std::abs(allLeft - interior) <= 0.03 * interior + 1.)
+    if (!fits || std::abs(allLeft - interior) <= 0.02 * interior + 1.)
     {
       break;
     }
