@@ -91,6 +91,18 @@ std::size_t Canvas::lookOf(const std::function<void(Canvas&)>& paint)
   return this->Look;
 }
 
+void Painted::update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint)
+{
+  const std::size_t look = canvas.lookOf(paint);
+  std::size_t& shown = this->Looks[{ { box.x, box.y, box.w, box.h } }];
+  if (canvas.empty() || shown != look)
+  {
+    shown = look;
+    canvas.fill(box, shades::Ground);
+    paint(canvas);
+  }
+}
+
 void Canvas::fill(const Rect& box, const Shade& shade)
 {
   if (this->notes(box.x, box.y, box.w, box.h, packed(shade)))

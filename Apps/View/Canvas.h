@@ -5,8 +5,10 @@
 #ifndef stipple_Canvas_h
 #define stipple_Canvas_h
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,6 +125,17 @@ private:
   bool Empty;
   bool Notes = false;
   std::size_t Look = 0;
+};
+
+/// What a part of the window shows, by place: only what has changed is painted again.
+class Painted
+{
+public:
+  /// Paints over a box, unless the canvas shows the same there as it would then.
+  void update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint);
+
+private:
+  std::map<std::array<float, 4>, std::size_t> Looks; ///< by box
 };
 }
 

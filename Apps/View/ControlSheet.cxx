@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -22,7 +23,24 @@ namespace stipple
 {
 namespace
 {
+using Pixel = std::array<unsigned char, 3>;
 constexpr int Gap = 6; // pixels between charts
+constexpr int NumberOfShades = 1024;
+constexpr Pixel Rim = { { 150, 158, 170 } };
+
+/// From white to dark, with the root of the control.
+std::vector<Pixel> makeShades()
+{
+  std::vector<Pixel> result;
+  for (int i = 0; i < NumberOfShades; ++i)
+  {
+    const double share = std::sqrt(static_cast<double>(i) / (NumberOfShades - 1));
+    result.push_back({ { static_cast<unsigned char>(255 - 225 * share),
+      static_cast<unsigned char>(255 - 215 * share),
+      static_cast<unsigned char>(255 - 190 * share) } });
+  }
+  return result;
+}
 
 vtkImageData* imageOf(vtkPartitionedDataSetCollection* images, int chart)
 {
@@ -175,31 +193,34 @@ void ControlSheet::draw()
   this->Picture = vtkSmartPointer<vtkImageData>::New();
   this->Picture->SetDimensions(width, height, 1);
   this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* pixels = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
-  for (int i = 0; i < width * height; ++i)
-  {
-    pixels[3 * i] = shades::Ground.r;
-    pixels[3 * i + 1] = shades::Ground.g;
-    pixels[3 * i + 2] = shades::Ground.b;
-  }
-  const double most = highControl(this->Controls);
+  auto* pixels = static_cast<Pixel*>(this->Picture->GetScalarPointer());
+  std::fill_n(pixels, static_cast<std::size_t>(width) * height,
+    Pixel{ { shades::Ground.r, shades::Ground.g, shades::Ground.b } });
+  const auto toShade =
+    static_cast<float>(NumberOfShades - 1) / static_cast<float>(highControl(this->Controls));
+  const std::vector<Pixel> shadeOf = makeShades();
+  std::vector<int> columns;
   for (const Tile& tile : this->Tiles)
   {
     vtkImageData* image = imageOf(this->Controls, tile.chart);
     auto* control = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control"));
     const int* size = image->GetDimensions();
+    const int end = std::min(tile.w, width - tile.x);
+    columns.clear();
+    for (int x = 0; x < end; ++x)
+    {
+      columns.push_back(static_cast<int>((x + 0.5) / tile.w * size[0]));
+    }
     for (int y = 0; control && y < tile.h && tile.y + y >= 0 && tile.y + y < height; ++y)
     {
-      const vtkIdType row = static_cast<vtkIdType>((y + 0.5) / tile.h * size[1]) * size[0];
-      for (int x = 0; x < tile.w && tile.x + x < width; ++x)
+      const auto row = static_cast<vtkIdType>((y + 0.5) / tile.h * size[1]);
+      const float* values = control->GetPointer(row * size[0]);
+      Pixel* out = pixels + static_cast<std::size_t>(tile.y + y) * width + tile.x;
+      for (int x = 0; x < end; ++x)
       {
-        const auto column = static_cast<vtkIdType>((x + 0.5) / tile.w * size[0]);
-        const double share = std::sqrt(std::min(1., control->GetValue(row + column) / most));
         const bool rim = x == 0 || y == 0 || x == tile.w - 1 || y == tile.h - 1;
-        unsigned char* p = pixels + 3 * ((tile.y + y) * width + tile.x + x);
-        p[0] = static_cast<unsigned char>(rim ? 150 : 255 - 225 * share);
-        p[1] = static_cast<unsigned char>(rim ? 158 : 255 - 215 * share);
-        p[2] = static_cast<unsigned char>(rim ? 170 : 255 - 190 * share);
+        const float shade = std::min(values[columns[x]] * toShade, NumberOfShades - 1.f);
+        out[x] = rim ? Rim : shadeOf[static_cast<std::size_t>(std::max(0.f, shade))];
       }
     }
   }

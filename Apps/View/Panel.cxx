@@ -297,18 +297,10 @@ void Panel::paint(Canvas& canvas, bool upper)
   }
   for (const auto& control : this->Owned)
   {
-    if ((control->box().y > middle) != upper)
+    if ((control->box().y > middle) == upper)
     {
-      continue;
-    }
-    const std::size_t look =
-      canvas.lookOf([&control](Canvas& listening) { control->paint(listening); });
-    std::size_t& painted = this->Looks[control.get()];
-    if (canvas.empty() || painted != look)
-    {
-      painted = look;
-      canvas.fill(control->box().inset(-1), shades::Ground);
-      control->paint(canvas);
+      this->Shown.update(
+        canvas, control->box().inset(-1), [&control](Canvas& c) { control->paint(c); });
     }
   }
 }

@@ -9,8 +9,6 @@
 #include "NumberField.h"
 #include "Slider.h"
 
-#include <cstddef>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +51,7 @@ private:
   std::vector<std::string> Arrays;
   Rect Box;
   std::vector<std::unique_ptr<Control>> Owned;
-  std::map<const Control*, std::size_t> Looks; ///< as painted last
+  Painted Shown;
   std::vector<Row> Rows;
   std::vector<std::pair<Rect, std::string>> Headings;
 

@@ -143,6 +143,7 @@ private:
   ControlSheet Sheet;
   CurveEditor Curve;
   FiguresView Figures;
+  Painted ShownStrip;
   Control* Captured = nullptr;
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();

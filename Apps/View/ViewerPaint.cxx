@@ -89,30 +89,39 @@ void Viewer::paintStrip(Canvas& canvas)
 {
   const float s = canvas.scale();
   const Layout& l = this->Window.layout();
-  canvas.fill(l.strip, shades::Ground);
-  canvas.rule(l.strip.x, l.strip.top() - 1, l.strip.right(), l.strip.top() - 1, shades::Line);
-  const std::pair<const Rect*, std::pair<const char*, const char*>> titles[] = {
-    { &l.sheet, { "control map", "dark: many samples; paint here too" } },
-    { &l.curve,
-      { "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "" } },
-    { &l.figures, { "mesh quality", "" } }
-  };
-  for (const auto& title : titles)
+  if (canvas.empty())
   {
-    const float y = title.first->top() - 18 * s;
-    const TextLook look{ 13, shades::Word, Align::Left, true };
-    canvas.text(title.first->x + Pad * s, y, title.second.first, look);
-    canvas.text(
-      title.first->right() - Pad * s, y, title.second.second, { 11, shades::Quiet, Align::Right });
-    if (title.first->x > 0)
-    {
-      canvas.rule(title.first->x + 0.5F, l.strip.y + 10 * s, title.first->x + 0.5F,
-        l.strip.top() - 10 * s, shades::Line);
-    }
+    canvas.fill(l.strip, shades::Ground);
+    canvas.rule(l.strip.x, l.strip.top() - 1, l.strip.right(), l.strip.top() - 1, shades::Line);
   }
-  this->Sheet.paint(canvas);
-  this->Curve.paint(canvas);
-  this->Figures.paint(canvas);
+  struct Cell
+  {
+    const Rect& box;
+    const char* title;
+    const char* remark;
+    Control& control;
+  };
+  const Cell cells[] = { { l.sheet, "control map", "dark: many samples; paint here too",
+                           this->Sheet },
+    { l.curve, "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "",
+      this->Curve },
+    { l.figures, "mesh quality", "", this->Figures } };
+  for (const Cell& cell : cells)
+  {
+    Rect below = cell.box; // the strip's upper rule
+    below.h -= 2 * s;
+    this->ShownStrip.update(canvas, below, [&](Canvas& c) {
+      const float y = cell.box.top() - 18 * s;
+      c.text(cell.box.x + Pad * s, y, cell.title, { 13, shades::Word, Align::Left, true });
+      c.text(cell.box.right() - Pad * s, y, cell.remark, { 11, shades::Quiet, Align::Right });
+      if (cell.box.x > 0)
+      {
+        const float x = cell.box.x + 0.5F;
+        c.rule(x, l.strip.y + 10 * s, x, l.strip.top() - 10 * s, shades::Line);
+      }
+      cell.control.paint(c);
+    });
+  }
 }
 
 void Viewer::paintStatus(Canvas& canvas)

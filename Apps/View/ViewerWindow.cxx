@@ -5,7 +5,7 @@
 #include "SceneActors.h"
 
 #include "vtkMapper.h"
-#include "vtkRenderWindow.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 namespace stipple
@@ -16,6 +16,11 @@ ViewerWindow::ViewerWindow(int width, int height)
   this->Window->SetSize(width, height);
   this->Window->SetWindowName("stipple");
   this->Window->SetMultiSamples(0); // four times as slow without graphics hardware; see draw()
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window))
+  {
+    // Only colors go to the screen: depths would take as long without graphics hardware.
+    window->SetFrameBlitModeToBlitToCurrent();
+  }
   this->Window->SetNumberOfLayers(2);
   for (int i = 0; i < NumberOfParts; ++i)
   {
@@ -122,9 +127,12 @@ void ViewerWindow::draw(bool calm)
       this->Renderers[i]->ResetCameraClippingRange();
     }
   }
-  // The panel paints what has changed in it, over the rest.
-  this->renderer(PanelPart)->SetErase((this->Kept & PanelPart) == 0);
-  this->Kept = this->OverlayOn ? 0 : this->Kept | (parts & PanelPart);
+  // These paint what has changed in them, over the rest.
+  for (const Part part : { PanelPart, Strip })
+  {
+    this->renderer(part)->SetErase((this->Kept & part) == 0);
+  }
+  this->Kept = this->OverlayOn ? 0 : this->Kept | (parts & (PanelPart | Strip));
   this->Dirty = 0;
   this->Window->Render();
 }

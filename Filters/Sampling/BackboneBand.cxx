@@ -10,7 +10,7 @@ namespace stipple
 {
 namespace
 {
-constexpr double stepInRows = 0.2; ///< of half a row; twice that beyond a band of width 1
+constexpr double stepInRows = 0.3; ///< of half a row; twice that beyond a band of width 1
 constexpr int mostSteps = 40;      ///< on a side
 constexpr int mostFaces = 300;     ///< that a walk crosses on a side
 
@@ -153,9 +153,8 @@ void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlIm
     const ControlImage& image = images[chart];
     return image.density(image.pixelAt(surface.parameter(walk.face(), walk.bary())));
   };
-  double from = 0;
   double rho = density();
-  const auto advance = [&](double to) {
+  const auto advance = [&](double from, double to) {
     return walk.advance(to - from, [&](int h, double left) {
       if (domain.onBackbone[h])
       {
@@ -164,30 +163,27 @@ void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlIm
       return true;
     });
   };
+  double middle = 0;
+  double length = 0;
   for (int i = 0; i < mostSteps; ++i)
   {
-    const double here = rho > 0 ? rho : fallback;
-    const double halfRow = std::sqrt(bandLimit / (scale * here));
-    const double length = (from < halfRow ? 1. : 2.) * stepInRows * halfRow;
-    const double middle = from + 0.5 * length;
-    if (!std::isfinite(length) || !advance(middle))
+    const double halfRow = std::sqrt(bandLimit / (scale * (rho > 0 ? rho : fallback)));
+    const double before = 0.5 * length;
+    length = (middle < halfRow ? 1. : 2.) * stepInRows * halfRow;
+    const double next = middle + before + 0.5 * length;
+    if (!std::isfinite(length) || !advance(middle, next))
     {
       return;
     }
-    from = middle;
+    middle = next;
     rho = density();
-    const double scaled = scale * rho;
-    const double inRows = std::sqrt(scaled / bandLimit);
-    this->Steps.push_back({ sign * middle, length * scaled, scaled / bandLimit, length * inRows });
+    const double scaled = scale * rho / bandLimit;
+    const double inRows = std::sqrt(scaled);
+    this->Steps.push_back({ sign * middle, length * scale * rho, scaled, length * inRows });
     if (rho > 0 ? middle * inRows > widestBand : i > mostSteps / 2)
     {
       return;
     }
-    if (!advance(middle + 0.5 * length))
-    {
-      return;
-    }
-    from = middle + 0.5 * length;
   }
 }
 

@@ -15,7 +15,7 @@ namespace stipple
 namespace
 {
 /// Sections across a backbone lie this part of its samples' spacing apart.
-constexpr double stepInSpacings = 0.5;
+constexpr double stepInSpacings = 0.6;
 
 /// Pieces of a backbone between fixed places (or its ends), as (begin, end) in arc length.
 std::vector<std::array<double, 2>> pieces(const SamplingDomain& domain, int b)
@@ -143,6 +143,17 @@ double BackboneDensity::densityAt(double s) const
 double BackboneDensity::widthAt(double s) const
 {
   return this->width[segmentAt(this->arcLength, s)];
+}
+
+double BackboneDensity::widest(double begin, double end) const
+{
+  std::size_t i = segmentAt(this->arcLength, begin);
+  double most = this->width[i];
+  while (++i < this->width.size() && this->arcLength[i] <= end)
+  {
+    most = std::max(most, this->width[i]);
+  }
+  return most;
 }
 
 std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,

@@ -30,6 +30,8 @@ struct STIPPLEFILTERSSAMPLING_EXPORT BackboneDensity
   double place(double wanted) const;
   double densityAt(double s) const;
   double widthAt(double s) const;
+  /// The greatest width between two arc lengths, in ascending order.
+  double widest(double begin, double end) const;
 };
 
 /// Densities along all backbones for samples of about `scale` times the control, whose mean per

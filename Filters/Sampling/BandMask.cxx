@@ -42,17 +42,15 @@ struct BandMask::Control
   const std::vector<BackboneDensity>& densities;
   double scale;
   float farthest;             ///< scale over the squared width of the widest band
-  std::vector<double> widest; ///< band, by backbone
-
-  Control(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale);
+  std::vector<double> widest; ///< band, by line
 };
 
 struct BandMask::Band
 {
   double density; ///< samples wanted per unit of surface area
   double width;   ///< of the band, in half rows
-  double reach;   ///< of the band, in units of length
   bool whole;     ///< whether all of the pixel is in it
+  double reach;   ///< of the band, in units of length, where it is not
 };
 
 struct BandMask::Surroundings
@@ -203,18 +201,19 @@ void BandMask::spread()
   }
 }
 
-BandMask::Control::Control(
-  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale)
-  : image(image)
-  , densities(densities)
-  , scale(scale)
-  , farthest(static_cast<float>(scale / (widestBand * widestBand)))
+BandMask::Control BandMask::controlOf(
+  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
 {
-  this->widest.reserve(densities.size());
-  for (const BackboneDensity& density : densities)
+  Control control = { image, densities, scale,
+    static_cast<float>(scale / (widestBand * widestBand)), {} };
+  control.widest.reserve(this->Lines.size());
+  for (const Line& line : this->Lines)
   {
-    this->widest.push_back(*std::max_element(density.width.begin(), density.width.end()));
+    control.widest.push_back(line.backbone < 0
+        ? 1.
+        : densities[line.backbone].widest(line.arcLength, line.arcLength + line.rise));
   }
+  return control;
 }
 
 bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
@@ -227,23 +226,24 @@ bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
     return false;
   }
   band.density = control.scale * wanted / area;
-  const Line& line = this->Lines[this->Nearest[pixel]];
+  const int nearest = this->Nearest[pixel];
+  const Line& line = this->Lines[nearest];
   const double high = band.density * this->High[pixel];
   band.width = 1;
-  if (high >= 1. && line.backbone >= 0 && control.widest[line.backbone] > 1.)
+  if (high >= 1. && control.widest[nearest] > 1.)
   {
     const double t = Surroundings(line, this->Forms[pixel]).nearest(control.image.centre(pixel));
     band.width = control.densities[line.backbone].widthAt(line.arcLength + t * line.rise);
   }
   band.whole = high < band.width * band.width;
-  band.reach = std::sqrt(line.limit / band.density) * band.width;
+  band.reach = band.whole ? 0. : std::sqrt(line.limit / band.density) * band.width;
   return band.density * this->Low[pixel] < band.width * band.width;
 }
 
 double BandMask::share(
   const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
 {
-  const Control control(image, densities, scale);
+  const Control control = this->controlOf(image, densities, scale);
   const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
   double inBands = 0;
   double sum = 0;
@@ -282,7 +282,7 @@ double BandMask::partWithin(
 void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
   double scale, InteriorRaster& raster) const
 {
-  const Control control(image, densities, scale);
+  const Control control = this->controlOf(image, densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
   for (int y = 0; y < image.height; ++y)

@@ -63,6 +63,8 @@ private:
   void spread();
   /// A control and what is wanted along backbones.
   struct Control;
+  Control controlOf(
+    const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const;
   /// The band of a backbone where a pixel is.
   struct Band;
   /// Whether a band touches a pixel, and which.
