@@ -203,8 +203,8 @@ constexpr double LeastGainOfSwap = 0.8;
 constexpr double LeastQuality = 0.05;
 /// Where a point is farther away than this share of the edges' mean length, a tip is cut off: there
 /// areas may become this uneven, and angles (radians) this small.
-constexpr double FarAway = 0.4;
-constexpr double LeastAreaAtTip = 0.4;
+constexpr double FarAway = 0.33;
+constexpr double LeastAreaAtTip = 0.5;
 constexpr double AngleAtTip = 0.577;
 
 /// Smallest and largest area of the triangles about a vertex.
@@ -344,14 +344,19 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
     }
     return q;
   };
+  const auto irregular = [&]() {
+    return std::count_if(all.begin(), all.end(),
+      [&mesh](int v) { return mesh.valence(v) < 5 || mesh.valence(v) > 7; });
+  };
   const double sum = errorOfAll();
+  const auto irregularBefore = irregular();
   const double quality = std::min(AngleAtTip, worst());
   if (quality < LeastQuality)
   {
     return false;
   }
   mesh.forceSwap(edge);
-  for (int round = 0; round < 2; ++round)
+  for (int round = 0; round < 2 && irregular() <= irregularBefore; ++round)
   {
     for (int v : quad)
     {
@@ -362,7 +367,7 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
       moveNearer(mesh, error, v, AngleAtTip);
     }
   }
-  if (worst() >= quality && errorOfAll() < LeastGainOfSwap * sum)
+  if (irregular() <= irregularBefore && worst() >= quality && errorOfAll() < LeastGainOfSwap * sum)
   {
     return true;
   }
