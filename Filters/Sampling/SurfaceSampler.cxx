@@ -79,6 +79,309 @@ int sum(const std::vector<int>& values)
 {
   return std::accumulate(values.begin(), values.end(), 0);
 }
+
+double sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.);
+}
+
+int count(const ValidPlaces& valid)
+{
+  return static_cast<int>(valid.samples.size()) + sum(valid.leastInterior);
+}
+
+bool areFar(double a, double b, double most)
+{
+  return a > 0 && std::abs(std::log(a / b)) > most;
+}
+
+/// N samples in proportion to a control: measure(), place() and collect(), in this order.
+class Sampling
+{
+public:
+  Sampling(const SamplingDomain& domain, const std::vector<ControlImage>& images,
+    int numberOfSamples, const Progress& progress)
+    : Domain(domain)
+    , Images(images)
+    , Number(numberOfSamples)
+    , Report(progress)
+    , Mass(images.size())
+    , Left(images.size(), 0.)
+    , Factor(images.size(), 1.)
+    , Inside(images.size())
+  {
+  }
+
+  /// Finds what the control wants, along backbones and in all.
+  Status measure(std::vector<BandMask>& bands, const ValidPlaces& least);
+  /// Places the samples on backbones, and masks their bands out of the charts.
+  Status place(const std::vector<BandMask>& bands, const ValidPlaces& least);
+  /// Halftones what is left, and hands all samples over.
+  Status collect(
+    const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result);
+
+private:
+  Status readMasses();
+  /// By what is known, that at which there are as many samples as asked for; 0 if there is none.
+  double likelyScale() const;
+  void measureBackbones(double scale, const std::vector<BandMask>& bands);
+  void measureBands(double scale, const std::vector<BandMask>& bands);
+  Status placeOnLines(const ValidPlaces& least, bool& fits);
+  Status makeSamplers();
+  Status maskBands(int round, const std::vector<BandMask>& bands);
+  double densityAt(std::size_t chart, const Vec2& uv) const
+  {
+    return this->Scale * this->Images[chart].density(this->Images[chart].pixelAt(uv));
+  }
+
+  const SamplingDomain& Domain;
+  const std::vector<ControlImage>& Images;
+  int Number;
+  const Progress& Report;
+
+  std::vector<ControlMass> Mass; // by chart
+  double Total = 0;              // of them
+  std::vector<BackboneDensity> Densities;
+  double DensityScale = 0; // the one they were measured for
+  double BandScale = 0;    // and what lies in bands
+  Prediction Predicted = { this->Domain, this->Densities, 0, 0, 0, 0 };
+
+  double Scale = 0; // samples for the control's unit
+  ValidPlaces Valid;
+  int Interior = 0; // samples inside charts
+  // By chart.
+  std::vector<InteriorSampler> Samplers;
+  std::vector<double> Left; // of what is wanted, outside of bands
+  std::vector<double> Factor;
+  std::vector<std::vector<Sample>> Inside;
+  bool Keep = true; // masks, from one step to the next
+};
+
+Status Sampling::readMasses()
+{
+  forEachChart(
+    this->Images.size(), [&](std::size_t c) { this->Mass[c] = controlMass(this->Images[c]); });
+  for (std::size_t c = 0; c < this->Images.size(); ++c)
+  {
+    if (!std::isfinite(this->Mass[c].total))
+    {
+      return Status::error("The control image of chart " + std::to_string(c) +
+        " holds infinite values: make Control finite.");
+    }
+    this->Total += this->Mass[c].total;
+  }
+  return this->Total > 0
+    ? Status::success()
+    : Status::error(
+        "The control images are zero everywhere: make Control positive where samples are "
+        "wanted, for instance by MinimumDensity.");
+}
+
+void Sampling::measureBands(double scale, const std::vector<BandMask>& bands)
+{
+  this->BandScale = scale;
+  std::vector<double> inBands(this->Images.size());
+  forEachChart(this->Images.size(), [&](std::size_t c) {
+    inBands[c] = this->Mass[c].total * bands[c].share(this->Images[c], this->Densities, scale);
+  });
+  this->Predicted.bandMass = std::sqrt(scale) * sum(inBands);
+}
+
+void Sampling::measureBackbones(double scale, const std::vector<BandMask>& bands)
+{
+  this->DensityScale = scale;
+  const double area = this->Domain.surface.area();
+  this->Densities =
+    backboneDensities(this->Domain, this->Images, scale, area > 0 ? this->Total / area : 0.);
+  this->measureBands(scale, bands);
+}
+
+Status Sampling::measure(std::vector<BandMask>& bands, const ValidPlaces& least)
+{
+  if (Status status = this->readMasses(); !status.ok())
+  {
+    return status;
+  }
+  bands.resize(this->Images.size());
+  forEachChart(bands.size(), [&](std::size_t c) {
+    if (!bands[c].fits(this->Images[c]))
+    {
+      bands[c].build(this->Domain, static_cast<int>(c), this->Images[c]);
+    }
+  });
+  // What a backbone wants is not quite in proportion to the scale's root, as its band reaches
+  // farther at a smaller one, and nor is what lies in bands. Both are found for a scale nearby.
+  this->Predicted.mass = this->Total;
+  this->Predicted.leastInterior = sum(least.leastInterior);
+  this->measureBackbones(std::max(1, this->Number) / this->Total, bands);
+  double near = this->likelyScale();
+  if (areFar(near, this->DensityScale, 0.1))
+  {
+    this->measureBackbones(near, bands);
+    near = this->likelyScale();
+  }
+  if (areFar(near, this->BandScale, 0.01))
+  {
+    this->measureBands(near, bands);
+  }
+  return Status::success();
+}
+
+double Sampling::likelyScale() const
+{
+  return largestScale(this->Predicted, this->Number, 64. * std::max(1, this->Number) / this->Total);
+}
+
+Status Sampling::placeOnLines(const ValidPlaces& least, bool& fits)
+{
+  fits = false;
+  double scale = this->Scale;
+  for (int attempt = 0; attempt < 12 && !fits && this->Scale > 0; ++attempt, scale *= 0.8)
+  {
+    if (Status status = makeValid(
+          this->Domain, placeOnBackbones(this->Domain, this->Densities, scale), this->Valid);
+        !status.ok())
+    {
+      return status;
+    }
+    fits = count(this->Valid) <= this->Number;
+  }
+  if (!fits)
+  {
+    this->Valid = least;
+  }
+  this->Interior = this->Number - static_cast<int>(this->Valid.samples.size());
+  if (this->Scale <= 0)
+  {
+    this->Scale = std::max(1, this->Interior) / this->Total;
+  }
+  return Status::success();
+}
+
+Status Sampling::makeSamplers()
+{
+  this->Samplers.clear();
+  double pixels = 0;
+  for (std::size_t c = 0; c < this->Images.size(); ++c)
+  {
+    const ControlImage& image = this->Images[c];
+    this->Samplers.emplace_back(
+      this->Domain, static_cast<int>(c), image, this->Valid.graphs[c], this->Scale);
+    const double factor = InteriorSampler::upsampling(image, this->Scale, this->Mass[c]);
+    if (!InteriorSampler::withinLimits(image, factor))
+    {
+      return Status::error("The control image of chart " + std::to_string(c) + " (" +
+        std::to_string(image.width) + " x " + std::to_string(image.height) +
+        " pixels) is too small for its share of " + std::to_string(this->Number) +
+        " samples: set MapSize to at least " +
+        std::to_string(static_cast<int>(std::ceil(factor * std::max(image.width, image.height)))) +
+        ".");
+    }
+    this->Factor[c] = factor;
+    pixels += image.numberOfPixels() * factor * factor;
+  }
+  this->Keep = pixels <= mostKeptPixels;
+  return Status::success();
+}
+
+Status Sampling::maskBands(int round, const std::vector<BandMask>& bands)
+{
+  const double from = 0.1 + 0.2 * round;
+  return forEachChart(
+    this->Images, this->Factor, this->Report, from, from + 0.2, [&](std::size_t c) {
+      this->Samplers[c].prepare(this->Factor[c], bands[c], this->Densities);
+      this->Left[c] = this->Samplers[c].left();
+      if (!this->Keep)
+      {
+        this->Samplers[c].release();
+      }
+    });
+}
+
+Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& least)
+{
+  // The scale is such that backbones and interiors, each at the same density, hold N samples
+  // together. What the bands really leave is known once they are drawn; where it is another number,
+  // two corrections bring the sum to N.
+  constexpr double MostOff = 0.02;
+  for (int round = 0; round < 3; ++round)
+  {
+    this->Scale = this->likelyScale();
+    bool fits = false;
+    if (Status status = this->placeOnLines(least, fits); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = this->makeSamplers(); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = this->maskBands(round, bands); !status.ok())
+    {
+      return status;
+    }
+    const double left = sum(this->Left);
+    if (!fits || std::abs(left - this->Interior) <= MostOff * this->Interior + 1.)
+    {
+      break;
+    }
+    this->Predicted.excess += left - this->Predicted.interior(this->Scale);
+  }
+  return Status::success();
+}
+
+Status Sampling::collect(
+  const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result)
+{
+  const AtlasSurface& surface = this->Domain.surface;
+  const std::vector<int> share = apportion(this->Interior, this->Left, this->Valid.leastInterior);
+  result.interior.resize(this->Images.size());
+  Status status =
+    forEachChart(this->Images, this->Factor, this->Report, 0.7, 1., [&](std::size_t c) {
+      InteriorSampler& sampler = this->Samplers[c];
+      if (!this->Keep)
+      {
+        sampler.prepare(this->Factor[c], bands[c], this->Densities);
+      }
+      result.interior[c] = sampler.sample(share[c], method);
+      sampler.release();
+      const ControlImage& image = this->Images[c];
+      for (const Vec2& uv : result.interior[c])
+      {
+        Sample sample;
+        const int start = image.faceIndex ? image.faceIndex[image.pixelAt(uv)] : 0;
+        locate(surface, static_cast<int>(c), uv, surface.chartBegin[c] + std::max(0, start),
+          sample.face, sample.bary);
+        this->Inside[c].push_back(sample);
+      }
+    });
+  if (!status.ok())
+  {
+    return status;
+  }
+  result.samples = std::move(this->Valid.samples);
+  for (const Sample& s : result.samples)
+  {
+    result.density.push_back(s.kind == SampleKind::Backbone
+        ? this->Scale * this->Densities[s.backbone].densityAt(s.arcLength)
+        : this->densityAt(surface.faceChart[s.face], surface.parameter(s.face, s.bary)));
+  }
+  for (std::size_t c = 0; c < this->Inside.size(); ++c)
+  {
+    for (std::size_t i = 0; i < this->Inside[c].size(); ++i)
+    {
+      result.samples.push_back(this->Inside[c][i]);
+      result.density.push_back(this->densityAt(c, result.interior[c][i]));
+    }
+  }
+  result.graphs = std::move(this->Valid.graphs);
+  return static_cast<int>(result.samples.size()) == this->Number
+    ? Status::success()
+    : Status::error("Only " + std::to_string(result.samples.size()) + " of " +
+        std::to_string(this->Number) +
+        " samples found room between the features: raise MapSize, or cut the surface into fewer "
+        "charts.");
+}
 }
 
 Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines)
@@ -96,220 +399,29 @@ Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPol
   {
     return status;
   }
-  this->Minimum = this->count(this->Least);
+  this->Minimum = count(this->Least);
   return Status::success();
-}
-
-int SurfaceSampler::count(const ValidPlaces& valid) const
-{
-  return static_cast<int>(valid.samples.size()) + sum(valid.leastInterior);
 }
 
 Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
   const Progress& progress, SurfaceSamples& result, DiffusionMethod method)
 {
   result = {};
-  const SamplingDomain& domain = this->Domain;
-  const std::size_t charts = images.size();
   if (numberOfSamples < this->Minimum)
   {
     return Status::error(std::to_string(numberOfSamples) +
       " samples are too few for these features, constraints and charts: ask for at least " +
       std::to_string(this->Minimum) + ".");
   }
-  std::vector<ControlMass> mass(charts);
-  forEachChart(charts, [&](std::size_t c) { mass[c] = controlMass(images[c]); });
-  double total = 0;
-  for (std::size_t c = 0; c < charts; ++c)
-  {
-    if (!std::isfinite(mass[c].total))
-    {
-      return Status::error("The control image of chart " + std::to_string(c) +
-        " holds infinite values: make Control finite.");
-    }
-    total += mass[c].total;
-  }
-  if (total <= 0)
-  {
-    return Status::error(
-      "The control images are zero everywhere: make Control positive where samples are "
-      "wanted, for instance by MinimumDensity.");
-  }
-
-  this->Bands.resize(charts);
-  forEachChart(charts, [&](std::size_t c) {
-    if (!this->Bands[c].fits(images[c]))
-    {
-      this->Bands[c].build(domain, static_cast<int>(c), images[c]);
-    }
-  });
-
-  const double most = 64. * std::max(1, numberOfSamples) / total;
-  const double area = domain.surface.area();
-  const double meanDensity = area > 0 ? total / area : 0.;
-  std::vector<BackboneDensity> densities;
-  Prediction prediction = { domain, densities, total, 0., sum(this->Least.leastInterior), 0. };
-  // What a backbone wants is not quite in proportion to the scale's root, as its band reaches
-  // farther at a smaller one, and nor is what lies in bands. Both are found for a scale nearby.
-  double densityScale = 0;
-  double bandScale = 0;
-  const auto measureBands = [&](double scale) {
-    bandScale = scale;
-    std::vector<double> inBands(charts);
-    forEachChart(charts, [&](std::size_t c) {
-      inBands[c] = mass[c].total * this->Bands[c].share(images[c], densities, scale);
-    });
-    prediction.bandMass = std::sqrt(scale) * std::accumulate(inBands.begin(), inBands.end(), 0.);
-  };
-  const auto measureBackbones = [&](double scale) {
-    densityScale = scale;
-    densities = backboneDensities(domain, images, scale, meanDensity);
-    measureBands(scale);
-  };
-  const auto areFar = [](double a, double b, double most) {
-    return a > 0 && std::abs(std::log(a / b)) > most;
-  };
-  measureBackbones(std::max(1, numberOfSamples) / total);
-  if (double near = largestScale(prediction, numberOfSamples, most); near > 0)
-  {
-    if (areFar(near, densityScale, 0.1))
-    {
-      measureBackbones(near);
-      near = largestScale(prediction, numberOfSamples, most);
-    }
-    if (areFar(near, bandScale, 0.01))
-    {
-      measureBands(near);
-    }
-  }
-
-  // The scale is such that backbones and interiors, each at the same density, hold N samples
-  // together. What the bands really leave is known once they are drawn; where it is another number,
-  // two corrections bring the sum to N.
-  ValidPlaces valid;
-  std::vector<InteriorSampler> samplers;
-  std::vector<double> left(charts, 0.);
-  std::vector<double> factor(charts, 1.);
-  double scale = 0;
-  int interior = 0;
-  bool keep = true;
-  for (int round = 0; round < 3; ++round)
-  {
-    scale = largestScale(prediction, numberOfSamples, most);
-    bool fits = false;
-    double backboneScale = scale;
-    for (int attempt = 0; attempt < 12 && !fits && scale > 0; ++attempt, backboneScale *= 0.8)
-    {
-      if (Status status =
-            makeValid(domain, placeOnBackbones(domain, densities, backboneScale), valid);
-          !status.ok())
-      {
-        return status;
-      }
-      fits = this->count(valid) <= numberOfSamples;
-    }
-    if (!fits)
-    {
-      valid = this->Least;
-    }
-    interior = numberOfSamples - static_cast<int>(valid.samples.size());
-    if (scale <= 0)
-    {
-      scale = std::max(1, interior) / total;
-    }
-    samplers.clear();
-    for (std::size_t c = 0; c < charts; ++c)
-    {
-      samplers.emplace_back(domain, static_cast<int>(c), images[c], valid.graphs[c], scale);
-      factor[c] = InteriorSampler::upsampling(images[c], scale, mass[c]);
-      if (!InteriorSampler::withinLimits(images[c], factor[c]))
-      {
-        return Status::error("The control image of chart " + std::to_string(c) + " (" +
-          std::to_string(images[c].width) + " x " + std::to_string(images[c].height) +
-          " pixels) is too small for its share of " + std::to_string(numberOfSamples) +
-          " samples: set MapSize to at least " +
-          std::to_string(
-            static_cast<int>(std::ceil(factor[c] * std::max(images[c].width, images[c].height)))) +
-          ".");
-      }
-    }
-    double pixels = 0;
-    for (std::size_t c = 0; c < charts; ++c)
-    {
-      pixels += images[c].numberOfPixels() * factor[c] * factor[c];
-    }
-    keep = pixels <= mostKeptPixels;
-    const double from = 0.1 + 0.2 * round;
-    if (Status status = forEachChart(images, factor, progress, from, from + 0.2,
-          [&](std::size_t c) {
-            samplers[c].prepare(factor[c], this->Bands[c], densities);
-            left[c] = samplers[c].left();
-            if (!keep)
-            {
-              samplers[c].release();
-            }
-          });
-        !status.ok())
-    {
-      return status;
-    }
-    const double allLeft = std::accumulate(left.begin(), left.end(), 0.);
-    if (!fits || std::abs(allLeft - interior) <= 0.02 * interior + 1.)
-    {
-      break;
-    }
-    prediction.excess += allLeft - prediction.interior(scale);
-  }
-
-  const std::vector<int> share = apportion(interior, left, valid.leastInterior);
-  result.interior.resize(charts);
-  std::vector<std::vector<Sample>> inside(charts);
-  Status status = forEachChart(images, factor, progress, 0.7, 1., [&](std::size_t c) {
-    if (!keep)
-    {
-      samplers[c].prepare(factor[c], this->Bands[c], densities);
-    }
-    result.interior[c] = samplers[c].sample(share[c], method);
-    samplers[c].release();
-    for (const Vec2& uv : result.interior[c])
-    {
-      Sample sample;
-      const int start = images[c].faceIndex ? images[c].faceIndex[images[c].pixelAt(uv)] : 0;
-      locate(domain.surface, static_cast<int>(c), uv,
-        domain.surface.chartBegin[c] + std::max(0, start), sample.face, sample.bary);
-      inside[c].push_back(sample);
-    }
-  });
-  if (!status.ok())
+  Sampling sampling(this->Domain, images, numberOfSamples, progress);
+  if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
   {
     return status;
   }
-  const auto densityAt = [&](std::size_t c, const Vec2& uv) {
-    return scale * images[c].density(images[c].pixelAt(uv));
-  };
-  result.samples = std::move(valid.samples);
-  for (const Sample& s : result.samples)
+  if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
   {
-    result.density.push_back(s.kind == SampleKind::Backbone
-        ? scale * densities[s.backbone].densityAt(s.arcLength)
-        : densityAt(domain.surface.faceChart[s.face], domain.surface.parameter(s.face, s.bary)));
+    return status;
   }
-  for (std::size_t c = 0; c < charts; ++c)
-  {
-    for (std::size_t i = 0; i < inside[c].size(); ++i)
-    {
-      result.samples.push_back(inside[c][i]);
-      result.density.push_back(densityAt(c, result.interior[c][i]));
-    }
-  }
-  result.graphs = std::move(valid.graphs);
-  if (static_cast<int>(result.samples.size()) != numberOfSamples)
-  {
-    return Status::error("Only " + std::to_string(result.samples.size()) + " of " +
-      std::to_string(numberOfSamples) +
-      " samples found room between the features: raise MapSize, or cut the surface into fewer "
-      "charts.");
-  }
-  return Status::success();
+  return sampling.collect(this->Bands, method, result);
 }
 }

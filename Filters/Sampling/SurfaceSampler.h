@@ -39,8 +39,6 @@ public:
     DiffusionMethod method = DiffusionMethod::Ostromoukhov);
 
 private:
-  int count(const ValidPlaces& valid) const;
-
   SamplingDomain Domain;
   ValidPlaces Least;
   std::vector<BandMask> Bands; ///< by chart
