@@ -7,6 +7,7 @@
 #include "LocalRepair.h"
 #include "Relaxation.h"
 #include "SelfIntersections.h"
+#include "SmallComponents.h"
 #include "SurfaceError.h"
 
 #include "vtkSMPTools.h"
@@ -113,6 +114,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   FaceMeasures measures;
   std::vector<Vec3> step(n, Vec3::Zero());
   std::vector<double> arcLength(n, 0.);
+  SmallComponents small(mesh);
   for (int i = 0; i < options.iterations; ++i)
   {
     const double done = static_cast<double>(i) / options.iterations;
@@ -131,12 +133,15 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
           arcLength[v] = mesh.arcLength(v);
           if (mesh.freedom(v) == Freedom::Surface)
           {
-            step[v] = nextStep(mesh, measures, options, pace, v, step[v]);
+            step[v] = small.rests(v) ? Vec3(Vec3::Zero())
+                                     : nextStep(mesh, measures, options, pace, v, step[v]);
           }
         }
       });
       relaxBackbones(mesh, arcLength);
+      small.note();
       mesh.move(step, arcLength);
+      small.restore();
     }
     if (i % RepairInterval == 2)
     {

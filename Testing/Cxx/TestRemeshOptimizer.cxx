@@ -5,6 +5,7 @@
 #include "DensityField.h"
 #include "MeshCreation.h"
 #include "SelfIntersections.h"
+#include "SmallComponents.h"
 #include "SyntheticAtlas.h"
 #include "VertexStar.h"
 
@@ -575,8 +576,61 @@ void checkKnots()
   check(worst > 0.3, "and no triangle is folded or thin: " + std::to_string(worst));
 }
 
+/// A component of few vertices that have all gone to one place.
+void checkSmallComponents()
+{
+  synthetic::Builder b;
+  synthetic::cube(b, 8, true);
+  synthetic::Atlas& atlas = b.finish();
+  for (const int points : { 26, 200 })
+  {
+    Run run(atlas, points);
+    run.mesher->Update();
+    SurfaceCache cache;
+    DensityField density;
+    std::vector<Sample> samples;
+    OptimizedMesh mesh;
+    vtkPolyData* good = run.mesher->GetOutput(0);
+    check(cache.update(atlas.charts, atlas.graphData).ok() &&
+        readSamples(good, cache.surface(), samples).ok() &&
+        mesh.build(cache, density, samples, fromPolyData(good).triangles).ok(),
+      "small components: the mesh can be read again");
+    int free = -1;
+    std::vector<Vec3> before;
+    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    {
+      free = mesh.freedom(v) == Freedom::Surface ? v : free;
+      before.push_back(mesh.position(v));
+    }
+    check(free >= 0, "small components: a vertex is free");
+    SmallComponents small(mesh);
+    small.note();
+    small.restore();
+    check(!small.rests(free), "small components: what keeps its area goes on");
+    const Footing place = mesh.footing(free);
+    small.note();
+    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    {
+      if (mesh.freedom(v) == Freedom::Surface)
+      {
+        mesh.put(v, place);
+      }
+    }
+    small.restore();
+    const bool isSmall = points < 30;
+    check(small.rests(free) == isSmall, "small components: what has lost it rests");
+    bool isBack = true;
+    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    {
+      isBack = isBack && mesh.position(v) == before[v];
+    }
+    check(isBack == isSmall, "small components: and is where it was");
+  }
+}
+
 int TestRemeshOptimizer(int, char*[])
 {
+  checkSmallComponents();
   checkKnots();
   checkSphere();
   checkFeatures();

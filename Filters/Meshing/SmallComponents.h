@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Components of few vertices: moves may gather these on one side, where they shrink to a point.
+#ifndef stipple_SmallComponents_h
+#define stipple_SmallComponents_h
+
+#include "OptimizedMesh.h"
+
+#include <vector>
+
+namespace stipple
+{
+/// Watches the components in which a one-ring is most of what there is. One that loses area is put
+/// back where it was, and rests from then on.
+class STIPPLEFILTERSMESHING_EXPORT SmallComponents
+{
+public:
+  /// Borrows the mesh.
+  explicit SmallComponents(OptimizedMesh& mesh);
+
+  /// Whether a vertex must not move any more.
+  bool rests(int v) const { return !this->Rests.empty() && this->Rests[v] != 0; }
+  /// Before a round of moves: notes the places.
+  void note();
+  /// After it: puts back what has lost too much area.
+  void restore();
+
+private:
+  struct Component
+  {
+    std::vector<int> vertices; ///< that are free on the surface
+    std::vector<int> faces;
+    std::vector<Footing> before;
+    double area = 0; ///< at the beginning
+    bool rests = false;
+  };
+  void add(const std::vector<int>& vertices);
+  double areaOf(const Component& component) const;
+
+  OptimizedMesh& Mesh;
+  std::vector<Component> Components;
+  std::vector<char> Rests; // by vertex; empty without small components
+};
+}
+
+#endif
