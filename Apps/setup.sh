@@ -12,7 +12,7 @@ stipple_packages="
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libgtest-dev libbenchmark-dev"
 # What the tests need beside: linters, Doxygen, and an X server without a screen.
-stipple_test_packages="clang-format clang-tidy doxygen xauth xvfb"
+stipple_test_packages="clang-format clang-tidy doxygen libxtst6 xauth xvfb"
 
 stipple_say()
 {

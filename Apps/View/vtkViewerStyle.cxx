@@ -21,13 +21,22 @@ stipple::Pointer vtkViewerStyle::PointerNow(bool secondary)
   return pointer;
 }
 
+// The focus that VTK's style takes when a button goes down would keep events from all others: the
+// window would not be drawn until the button is up.
 void vtkViewerStyle::OnLeftButtonDown()
 {
   this->Captured = this->Handler->press(this->PointerNow(false));
   if (!this->Captured)
   {
     this->Superclass::OnLeftButtonDown();
+    this->ReleaseFocus();
   }
+}
+
+void vtkViewerStyle::OnMiddleButtonDown()
+{
+  this->Superclass::OnMiddleButtonDown();
+  this->ReleaseFocus();
 }
 
 void vtkViewerStyle::OnLeftButtonUp()
@@ -46,6 +55,7 @@ void vtkViewerStyle::OnRightButtonDown()
   if (!this->Handler->press(this->PointerNow(true)))
   {
     this->Superclass::OnRightButtonDown();
+    this->ReleaseFocus();
   }
 }
 

@@ -39,11 +39,15 @@ public:
 
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
+  void OnMiddleButtonDown() override;
   void OnRightButtonDown() override;
   void OnRightButtonUp() override;
   void OnMouseMove() override;
   void OnKeyPress() override;
   void OnChar() override;
+  /// Does nothing: where a timer runs, VTK repeats the last motion at each of its events while a
+  /// button is down. The window's timer is there to draw.
+  void OnTimer() override {}
 
 protected:
   vtkViewerStyle() = default;

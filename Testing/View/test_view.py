@@ -11,11 +11,13 @@ import os
 import pathlib
 import shutil
 import subprocess
+import time
 import unittest
 
 import numpy as np
 
 import pictures
+from live_window import LiveWindow
 from stipple_program import MODELS, ProgramTest, mesh_check, run
 
 VIEW = os.environ["STIPPLE_VIEW"]
@@ -91,6 +93,24 @@ class Interaction(ViewTest):
         mesh = (self.folder / "mesh.off").read_bytes()
         self.play("gamma", "number", "paint", "point", "undo", "undo", "save")
         self.assertEqual((self.folder / "mesh.off").read_bytes(), mesh)
+
+    def test_the_camera_follows_a_live_pointer(self):
+        """With events of the X server instead of recordings: timers run, and the window draws by them."""
+        with LiveWindow(VIEW, FANDISK) as window:
+            window.settle()
+            for button in (1, 2, 3):
+                with self.subTest(button=button):
+                    window.move(250, 420)
+                    before = window.settle()
+                    window.button(button, True)
+                    for x in range(252, 292, 4):
+                        window.move(x, 430)
+                    held = window.settle()
+                    self.assertGreater(np.abs(held - before).max(), 50, "drawn while the button is down")
+                    time.sleep(0.5)
+                    self.assertEqual(np.abs(window.picture() - held).max(), 0, "nothing moves by itself")
+                    window.button(button, False)
+                    self.assertLess(np.abs(window.settle() - held).mean(), 1, "nor when the button goes up")
 
     def test_painting_on_the_map_and_clearing(self):
         painted = json.loads(self.play("map", "point"))

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A program's window on the X server of DISPLAY: its pixels, and a pointer that moves over it (by Xlib and XTest)."""
+import ctypes
+import subprocess
+import time
+
+import numpy as np
+
+X11 = ctypes.CDLL("libX11.so.6")
+XTEST = ctypes.CDLL("libXtst.so.6")
+ALL_PLANES = ctypes.c_ulong(~0)
+ZPIXMAP = 2
+for function, result in (("XOpenDisplay", ctypes.c_void_p), ("XDefaultRootWindow", ctypes.c_ulong)):
+    getattr(X11, function).restype = result
+X11.XGetImage.restype = ctypes.c_void_p
+
+
+class ImageHead(ctypes.Structure):
+    """The beginning of Xlib's XImage."""
+
+    _fields_ = [(name, ctypes.c_int) for name in ("width", "height", "xoffset", "format")] + [("data", ctypes.c_void_p)]
+
+
+class LiveWindow:
+    """The program runs while the context is entered. Places are pixels from the upper left corner of a window there."""
+
+    def __init__(self, *command, size=(1000, 500)):
+        self.command = list(map(str, command))
+        self.size = size
+
+    def __enter__(self):
+        self.display = ctypes.c_void_p(X11.XOpenDisplay(None))
+        self.root = ctypes.c_ulong(X11.XDefaultRootWindow(self.display))
+        self.program = subprocess.Popen(self.command)
+        return self
+
+    def __exit__(self, *_):
+        self.program.terminate()
+        self.program.wait()
+        X11.XCloseDisplay(self.display)
+
+    def move(self, x, y):
+        XTEST.XTestFakeMotionEvent(self.display, -1, x, y, ctypes.c_ulong(0))
+        X11.XSync(self.display, 0)
+        time.sleep(0.03)
+
+    def button(self, number, down):
+        XTEST.XTestFakeButtonEvent(self.display, number, int(down), ctypes.c_ulong(0))
+        X11.XSync(self.display, 0)
+        time.sleep(0.1)
+
+    def picture(self):
+        """rows x columns x 3, of the screen's upper left part."""
+        width, height = self.size
+        image = X11.XGetImage(self.display, self.root, 0, 0, width, height, ALL_PLANES, ZPIXMAP)
+        head = ctypes.cast(image, ctypes.POINTER(ImageHead)).contents
+        raw = ctypes.string_at(head.data, 4 * width * height)
+        X11.XDestroyImage(ctypes.c_void_p(image))
+        return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[..., :3].astype(int)
+
+    def settle(self, rest=1.5, limit=60.0):
+        """Waits until the picture is not all of one color and has not changed for so many seconds; the picture."""
+        picture, since, end = self.picture(), time.monotonic(), time.monotonic() + limit
+        while time.monotonic() - since < rest or picture.min() == picture.max():
+            if time.monotonic() > end:
+                raise TimeoutError("the window does not come to rest")
+            time.sleep(0.1)
+            new = self.picture()
+            if (new != picture).any():
+                picture, since = new, time.monotonic()
+        return picture
