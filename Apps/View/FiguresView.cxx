@@ -89,6 +89,7 @@ void FiguresView::paint(Canvas& canvas)
       { 6.5F, "9" } },
     bars);
   barChart(canvas, { left, this->Box.y, width, half - 4 * s }, "angles", this->Figures.angles,
-    { { 0.6F, "0" }, { 6.F, "60\u00b0" }, { 12.F, "120\u00b0" }, { 17.F, "180\u00b0" } }, bars);
+    { { 0.6F, "0\u00b0" }, { 6.F, "60\u00b0" }, { 12.F, "120\u00b0" }, { 17.F, "180\u00b0" } },
+    bars);
 }
 }

@@ -10,7 +10,7 @@ namespace stipple
 Layout makeLayout(int width, int height)
 {
   // The panel's controls fit a window 800 pixels high; they grow with it.
-  const float s = std::clamp(std::min(height / 800.F, width / 1280.F), 0.8F, 2.F);
+  const float s = std::clamp(std::min(height / 800.F, width / 1280.F), 0.5F, 2.F);
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
   Layout l;

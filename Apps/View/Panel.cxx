@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
+#include "ViewOptions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -62,7 +64,7 @@ void Panel::row(std::vector<Control*> controls, float height, float space)
 
 void Panel::addSampling(Commands& commands, bool hasImage)
 {
-  this->Number = this->make<NumberField>("Number of points", 1, 10'000'000,
+  this->Number = this->make<NumberField>("Number of points", 1, MostPoints,
     [&commands](int points) { commands.edit([points](Session& s) { s.points = points; }, true); });
   Slider::Range range{ 100, SliderPoints };
   range.logarithmic = true;
@@ -160,7 +162,7 @@ void Panel::addPointer(Commands& commands)
       commands.changeView([value](ViewState& v) { v.brushStrength = value; });
     });
   this->Clearing = this->make<Choice>(Choice::Kind::Commands,
-    std::vector<std::string>{ "clear paint", "points", "edges" }, 3,
+    std::vector<std::string>{ "clear paint", "clear points", "clear edges" }, 3,
     [&commands](int word) { commands.clear(static_cast<Commands::Clear>(word)); });
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);

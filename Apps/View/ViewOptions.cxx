@@ -47,9 +47,9 @@ std::string readValue(const std::string& name, const std::string& value, ViewOpt
 {
   if (name == "--points")
   {
-    return parseInteger(value, 1, 10'000'000, o.points)
+    return parseInteger(value, 1, MostPoints, o.points)
       ? ""
-      : "needs a whole number from 1 to 10000000, not '" + value + "'";
+      : "needs a whole number from 1 to " + std::to_string(MostPoints) + ", not '" + value + "'";
   }
   if (name == "--size")
   {

@@ -11,6 +11,9 @@
 
 namespace stipple
 {
+/// The number of points that the window takes: with more, a preview takes seconds.
+constexpr int MostPoints = 1'000'000;
+
 struct ViewOptions
 {
   /// Something to do after the window opened; in the order of the command line.

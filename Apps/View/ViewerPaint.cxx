@@ -58,6 +58,8 @@ void Viewer::paintView(Canvas& canvas, bool before)
     detail = !ready || this->View.display == Display::Input
       ? countOf(this->Input->GetNumberOfPoints(), "points, ") +
         countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "faces")
+      : this->View.display == Display::Density
+      ? "white: few samples, red: many"
       : countOf(this->Sampling.samples()->GetNumberOfPoints(), "samples");
   }
   else
