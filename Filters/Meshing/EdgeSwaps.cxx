@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace stipple
@@ -178,8 +179,9 @@ int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses)
 
 namespace
 {
-/// Triangles of the sector of v between creases or boundaries that start is in, and its angle.
-std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start)
+/// Triangles of the sector of v between creases or boundaries that start is in, and its angle, if
+/// that is wanted.
+std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start, bool withAngle = true)
 {
   const auto& graph = mesh.graph();
   const OptimizedMesh::Vertex v = graph.from_vertex_handle(start);
@@ -204,8 +206,11 @@ std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start)
   do
   {
     const Halfedge last = graph.prev_halfedge_handle(h);
-    angle += angleAt(mesh.position(v), mesh.position(graph.to_vertex_handle(h)),
-      mesh.position(graph.from_vertex_handle(last)));
+    if (withAngle)
+    {
+      angle += angleAt(mesh.position(v), mesh.position(graph.to_vertex_handle(h)),
+        mesh.position(graph.from_vertex_handle(last)));
+    }
     ++triangles;
     if (mesh.isFeature(graph.edge_handle(last).idx()))
     {
@@ -236,8 +241,14 @@ int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
 int ribExcess(const OptimizedMesh& mesh, Halfedge start)
 {
   const OptimizedMesh::Vertex v = mesh.graph().from_vertex_handle(start);
-  return mesh.freedom(v.idx()) == Freedom::Backbone ? sectorOf(mesh, start).first - 3
+  return mesh.freedom(v.idx()) == Freedom::Backbone ? sectorOf(mesh, start, false).first - 3
                                                     : valenceExcess(mesh, start);
+}
+
+int irregularity(int excess)
+{
+  const int beyond = std::abs(excess) - 1;
+  return beyond > 0 ? 1 + beyond * beyond : 0;
 }
 
 int dispersionChange(const OptimizedMesh& mesh, int edge)

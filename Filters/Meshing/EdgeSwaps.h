@@ -35,6 +35,9 @@ STIPPLEFILTERSMESHING_EXPORT int valenceExcess(
 /// have two neighbours on each side (Figure 8).
 STIPPLEFILTERSMESHING_EXPORT int ribExcess(const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
 
+/// What a vertex costs whose valence is off by `excess`: one too many or too few is as good as any.
+int irregularity(int excess);
+
 /// By how much swapping the edge changes the sum of the squared excesses of its four vertices.
 STIPPLEFILTERSMESHING_EXPORT int dispersionChange(const OptimizedMesh& mesh, int edge);
 }

@@ -255,16 +255,6 @@ int repairTriangles(
 
 namespace
 {
-/// What a vertex costs whose valence is off by `excess`: one too many or too few is as good as any.
-int irregularity(int excess)
-{
-  const int beyond = std::abs(excess) - 1;
-  return beyond > 0 ? 1 + beyond * beyond : 0;
-}
-
-/// What one neighbour too many beside a crease weighs against irregular vertices elsewhere.
-constexpr int RibWeight = 8;
-
 /// Where a triangle is worse than this (radians), valences are the lesser worry.
 constexpr double LeastQuality = 0.05;
 
@@ -345,7 +335,7 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
 }
 }
 
-int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs)
+int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses)
 {
   const auto& graph = mesh.graph();
   // A swap can only gain where one of the four valences is bad.
@@ -386,11 +376,8 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
       int change = 0;
       for (int i = 0; i < 4; ++i)
       {
-        const bool isRib = ribs && mesh.freedom(quad[i]) == Freedom::Backbone;
-        const int before = isRib ? ribExcess(mesh, corner[i]) : valenceExcess(mesh, corner[i]);
-        const int after = before + (i < 2 ? -1 : 1);
-        change += isRib ? RibWeight * (after * after - before * before)
-                        : irregularity(after) - irregularity(before);
+        const int before = valenceExcess(mesh, corner[i]);
+        change += irregularity(before + (i < 2 ? -1 : 1)) - irregularity(before);
       }
       if (change < 0 && graph.is_flip_ok(OpenMesh::EdgeHandle(edge)) &&
         swapAndSettle(mesh, edge, threshold))
@@ -406,5 +393,71 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
     }
   }
   return total;
+}
+
+namespace
+{
+/// Squared sides of a triangle, under the wanted density.
+double squaresOf(const OptimizedMesh& mesh, int a, int b, int c)
+{
+  const Vec3& p = mesh.position(a);
+  const Vec3& q = mesh.position(b);
+  const Vec3& r = mesh.position(c);
+  return (mesh.density(a) + mesh.density(b) + mesh.density(c)) / 3. *
+    ((q - p).squaredNorm() + (r - q).squaredNorm() + (p - r).squaredNorm());
+}
+
+/// Sum over the triangles about v of the squares of that: least where they are alike and regular.
+double unevenness(const OptimizedMesh& mesh, int v)
+{
+  double sum = 0;
+  mesh.forEachFace(v, [&](int f) {
+    const auto t = mesh.corners(f);
+    const double s = squaresOf(mesh, t[0], t[1], t[2]);
+    sum += s * s;
+  });
+  return sum;
+}
+}
+
+void evenOut(OptimizedMesh& mesh, const std::vector<int>& vertices, double enough, int rounds,
+  const std::function<bool(int)>& accept)
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    for (int v : vertices)
+    {
+      const VertexStar star(mesh, v);
+      const double bound = std::min(enough, starQuality(mesh, v)) - 1e-9;
+      const Vec3& x = mesh.position(v);
+      const double before = unevenness(mesh, v);
+      const auto isBetter = [&]() {
+        return star.exceeds(mesh.footing(v), bound) && unevenness(mesh, v) < before && accept(v);
+      };
+      Vec3 sum = Vec3::Zero();
+      double total = 0;
+      mesh.forEachFace(v, [&](int f) {
+        const auto t = mesh.corners(f);
+        const double s = squaresOf(mesh, t[0], t[1], t[2]);
+        sum += s * (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2]) - 3. * x);
+        total += 2. * s;
+      });
+      const Vec3 step = sum / total;
+      if (mesh.freedom(v) == Freedom::Backbone)
+      {
+        const double length = step.norm();
+        mesh.trySlide(v, length, isBetter) || mesh.trySlide(v, -length, isBetter) ||
+          mesh.trySlide(v, 0.3 * length, isBetter) || mesh.trySlide(v, -0.3 * length, isBetter);
+        continue;
+      }
+      for (const double share : { 1., 0.5, 0.2 })
+      {
+        if (mesh.tryOut(v, mesh.footing(mesh.place(v), share * step), isBetter))
+        {
+          break;
+        }
+      }
+    }
+  }
 }
 }

@@ -7,6 +7,8 @@
 
 #include "OptimizedMesh.h"
 
+#include <functional>
+
 namespace stipple
 {
 /// Moves a vertex to where the worst triangle about it is better, if there is such a place.
@@ -20,11 +22,15 @@ STIPPLEFILTERSMESHING_EXPORT int repairTriangles(
 
 /// Swaps edges where that brings valences nearer to 5 to 7 (beside creases and boundaries, to one
 /// off what the angle holds), if moves then make all triangles about the edge as good as
-/// `threshold` (radians), or as good as the worst of them was. With `ribs`, vertices
-/// on creases and boundaries come first, and get two neighbours on each side. Returns the number of
-/// swaps.
+/// `threshold` (radians), or as good as the worst of them was. Returns the number of swaps.
 STIPPLEFILTERSMESHING_EXPORT int repairValences(
-  OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses, bool ribs = false);
+  OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses);
+
+/// Moves vertices, which must not be fixed, to where the triangles about them are more alike and
+/// more regular. No triangle gets worse than enough (radians), or than the worst about the vertex.
+/// A vertex only stays where accept(v), asked last, says so.
+void evenOut(OptimizedMesh& mesh, const std::vector<int>& vertices, double enough,
+  int numberOfRounds, const std::function<bool(int)>& accept);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
 #include "Relaxation.h"
+#include "Ribs.h"
 #include "SelfIntersections.h"
 #include "SmallComponents.h"
 #include "SurfaceError.h"
@@ -64,8 +65,6 @@ constexpr double RegularityAngle = 36.;
 constexpr std::array<double, 2> ValenceAngles = { 0.613, 0.577 };
 /// And when the error is reduced.
 constexpr double ErrorAngle = 0.616;
-/// When vertices on creases get two neighbours on each side.
-constexpr double RibAngle = 0.35;
 /// And when triangles that pass through each other are parted.
 constexpr double PartingAngle = 0.5;
 /// In between, once the first rounds have brought order, those below this one and all folds are.
@@ -171,7 +170,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     repairTriangles(mesh, SmallAngle, false, true, 2);
     if (options.ribs)
     {
-      repairValences(mesh, RibAngle, 10, true);
+      makeRibs(mesh);
     }
   }
   if (moves && options.errorReduction > 0)

@@ -116,6 +116,12 @@ public:
   Footing footing(const SurfacePlace& from, const Vec3& step) const;
   /// Puts a vertex that is free on the surface there.
   void put(int v, const Footing& there);
+  /// Puts a vertex back to where it stood once.
+  void putBack(int v, const Footing& there, double arcLength)
+  {
+    this->put(v, there);
+    this->ArcLength[v] = arcLength;
+  }
   /// Puts a vertex there, unless it is not free on the surface or accept(), asked with the vertex
   /// there, says no: then nothing is changed, and it returns false.
   template <typename Accept>
