@@ -424,7 +424,7 @@ void checkPresets()
   check(run.optimizer->GetRibs() && run.optimizer->GetFollowDensity(), "rib: what it sets");
   checkContract("rib", atlas, run);
   const double with = shareOfRibs(run.result());
-  check(with >= 0.92 && with > without, "rib: two neighbours on each side");
+  check(with >= 0.97 && with > without, "rib: two neighbours on each side");
   check(measure(run.result()).smallestAngle > 20, "rib: angles");
   run.optimizer->SetPresetToUniform();
   check(!run.optimizer->GetRibs() && !run.optimizer->GetFollowDensity(), "uniform: what it sets");
