@@ -25,15 +25,19 @@ constexpr double LeastAgreement = 0.3;
 /// And of the surface at the triangle's vertices: if all agree more and none lies on a crease,
 /// there is no need to look below it.
 constexpr double SafeAgreement = 0.7;
+/// Barycentric coordinate below which a place is on an edge.
+constexpr double OnEdge = 1e-4;
 }
+
+struct SurfaceProximity::Nearest
+{
+  double distance;
+  int face;
+  Vec3 place;
+};
 
 struct SurfaceProximity::Internals
 {
-  struct Nearest
-  {
-    double distance;
-    int face;
-  };
   Nearest nearest(const Vec3& p) const
   {
     double on[3];
@@ -41,7 +45,7 @@ struct SurfaceProximity::Internals
     int sub = 0;
     double squared = 0;
     this->Locator->FindClosestPoint(p.data(), on, this->Cell, face, sub, squared);
-    return { std::sqrt(squared), static_cast<int>(face) };
+    return { std::sqrt(squared), static_cast<int>(face), Vec3(on) };
   }
 
   vtkNew<vtkStaticCellLocator> Locator;
@@ -143,9 +147,8 @@ bool SurfaceProximity::isNear(const std::vector<int>& faces, const SurfaceReach&
     return this->Surface->nearest(this->middle(e)).distance <= reach.faces;
   };
   const auto isFaceNear = [&](int f) {
-    const Internals::Nearest below = this->Surface->nearest(this->centroid(f));
-    return below.distance <= reach.faces &&
-      this->normal(f).dot(this->Mesh.atlas().walk().normal(below.face)) >= LeastAgreement;
+    const Nearest below = this->Surface->nearest(this->centroid(f));
+    return below.distance <= reach.faces && this->agreement(f, below) >= LeastAgreement;
   };
   return std::all_of(edges.begin(), edges.end(),
            [&](int e) { return this->distanceOfCrease(e) <= reach.creases; }) &&
@@ -206,6 +209,53 @@ double SurfaceProximity::distanceOfCrease(int edge) const
   return largest;
 }
 
+/// The least cosine between the normals of a triangle and of the surface's triangles that meet at
+/// the place nearest to its centroid. On a crease there are several, and a triangle that leans out
+/// over it faces away from one of them.
+double SurfaceProximity::agreement(int face, const Nearest& below) const
+{
+  const AtlasSurface& surface = this->Mesh.atlas().surface();
+  const Vec3 n = this->normal(face);
+  double least = 1;
+  const auto lookAt = [&](int f) {
+    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(f)));
+  };
+  lookAt(below.face);
+  const double area = surface.faceArea(below.face);
+  const auto isOn = [&](int h) {
+    return triangleArea(surface.points[surface.tail(h)], surface.points[surface.head(h)],
+             below.place) <= OnEdge * area;
+  };
+  for (int k = 0; k < 3; ++k)
+  {
+    const int h = 3 * below.face + k;
+    const int before = previousHalfedge(h);
+    if (!isOn(h))
+    {
+      continue;
+    }
+    if (surface.twin[h] >= 0)
+    {
+      lookAt(surface.twin[h] / 3);
+    }
+    if (isOn(before))
+    {
+      // At a point: both ways about it, for it may lie on a boundary.
+      for (int g = surface.twin[h]; g >= 0 && g / 3 != below.face;
+           g = surface.twin[nextHalfedge(g)])
+      {
+        lookAt(g / 3);
+      }
+      for (int g = surface.twin[before]; g >= 0 && g / 3 != below.face;
+           g = surface.twin[previousHalfedge(g)])
+      {
+        lookAt(g / 3);
+      }
+    }
+  }
+  return least;
+}
+
 bool SurfaceProximity::facesOutwards(int face) const
 {
   const Vec3 n = this->normal(face);
@@ -217,8 +267,7 @@ bool SurfaceProximity::facesOutwards(int face) const
   {
     return true;
   }
-  const int below = this->Surface->nearest(this->centroid(face)).face;
-  return n.dot(this->Mesh.atlas().walk().normal(below)) >= LeastAgreement;
+  return this->agreement(face, this->Surface->nearest(this->centroid(face))) >= LeastAgreement;
 }
 
 SurfaceLeash::SurfaceLeash(

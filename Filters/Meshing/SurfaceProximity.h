@@ -36,7 +36,7 @@ public:
   /// Zero for edges that are no features.
   double distanceOfCrease(int edge) const;
   /// Whether a triangle faces the way the surface does: away from creases, at all of its vertices,
-  /// else where the surface is nearest to the centroid.
+  /// else where the surface is nearest to the centroid: on a crease, on either side of it.
   bool facesOutwards(int face) const;
 
 private:
@@ -47,6 +47,8 @@ private:
     int from = -1; ///< vertices; along the backbone
     int to = -1;
   };
+  struct Nearest;
+  double agreement(int face, const Nearest& below) const;
   Vec3 centroid(int face) const;
   Vec3 normal(int face) const;
   Vec3 middle(int edge) const;
