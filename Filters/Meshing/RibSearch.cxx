@@ -6,6 +6,7 @@
 #include "SwapTrial.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <queue>
 #include <unordered_set>
@@ -17,11 +18,12 @@ namespace
 {
 using Halfedge = OptimizedMesh::Halfedge;
 
-/// What one neighbour too many beside a crease weighs against irregular vertices elsewhere.
+/// What a side with other than two neighbours weighs against irregular vertices elsewhere.
 constexpr int RibWeight = 8;
-/// Swaps in a row, and what they may cost more on the way, when neighbours are handed on.
-constexpr int LongestSequence = 20;
-constexpr int LargestDetour = 6 * RibWeight + 4;
+/// Swaps in a row when neighbours are handed on.
+constexpr int LongestSequence = 40;
+/// Inner vertices are helped, too, whose valence is off by more than this.
+constexpr int LargestInnerExcess = 2;
 /// What a trial takes of the budget: the time of so many sequences that are looked at.
 constexpr int TrialCost = 20;
 
@@ -31,9 +33,17 @@ void makeUnique(std::vector<int>& ids)
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
+/// A second neighbour too many at a side costs little more than one: else faults could not be
+/// handed on past each other, where creases are an edge apart, or be two at one vertex for one at
+/// each of two.
 int costOf(bool onCrease, int excess)
 {
-  return onCrease ? RibWeight * excess * excess : irregularity(excess);
+  if (!onCrease)
+  {
+    return irregularity(excess);
+  }
+  const int beyond = std::abs(excess) - 1;
+  return beyond < 0 ? 0 : RibWeight + 4 * beyond * beyond;
 }
 
 /// How swapping an edge changes the cost of its four vertices.
@@ -152,14 +162,14 @@ bool RibSearch::search(Halfedge h, const RibDemand& demand)
     for (int edge : edges)
     {
       this->note(edge, attempt);
-      const Sequence next = { index, edge, base.length + 1,
-        base.change + changeOfCost(this->Mesh, edge), base.outcome ^ outcomeOf(this->Mesh, edge) };
-      if (next.change > LargestDetour || known.count(next.outcome) > 0 ||
-        !this->Mesh.graph().is_flip_ok(OpenMesh::EdgeHandle(edge)))
+      const std::uint64_t outcome = base.outcome ^ outcomeOf(this->Mesh, edge);
+      if (known.count(outcome) > 0 || !this->Mesh.graph().is_flip_ok(OpenMesh::EdgeHandle(edge)))
       {
         continue;
       }
-      known.insert(next.outcome);
+      known.insert(outcome);
+      const Sequence next = { index, edge, base.length + 1,
+        base.change + changeOfCost(this->Mesh, edge), outcome };
       if (next.change < 0 && static_cast<int>(attempt.candidates.size()) < demand.trials)
       {
         swapBack(this->Mesh, done);
@@ -223,11 +233,12 @@ Halfedge RibSearch::beginOfSide(Halfedge h) const
   return h;
 }
 
-/// The edges that meet at the vertex of h on the side that h begins, or those opposite to it
-/// there.
+/// The edges that meet at the vertex of h on the side that h begins (at an inner vertex, all of
+/// them), or those opposite to it there.
 void RibSearch::addEdges(Halfedge h, bool opposite, std::vector<int>& edges) const
 {
   const auto& graph = this->Mesh.graph();
+  const Halfedge first = h;
   do
   {
     const Halfedge last = graph.prev_halfedge_handle(h);
@@ -237,22 +248,23 @@ void RibSearch::addEdges(Halfedge h, bool opposite, std::vector<int>& edges) con
       edges.push_back(graph.edge_handle(edge).idx());
     }
     h = graph.opposite_halfedge_handle(last);
-  } while (!this->isWall(h));
+  } while (h != first && !this->isWall(h));
 }
 
 /// Edges whose swap brings the side that h begins nearer to two neighbours, or gives a neighbour
-/// on the crease one that it can hand on.
+/// on the crease one that it can hand on; or brings an inner vertex nearer to six.
 void RibSearch::addHelpfulSwaps(Halfedge h, std::vector<int>& edges) const
 {
   const auto& graph = this->Mesh.graph();
+  const bool isInner = this->Mesh.freedom(graph.from_vertex_handle(h).idx()) != Freedom::Backbone;
   const int excess = ribExcess(this->Mesh, h);
-  if (excess == 0)
+  if (std::abs(excess) <= (isInner ? LargestInnerExcess : 0))
   {
     return;
   }
   const std::size_t begin = edges.size();
   this->addEdges(h, excess < 0, edges);
-  if (excess > 0)
+  if (excess > 0 || isInner)
   {
     return;
   }
@@ -271,7 +283,7 @@ void RibSearch::addHelpfulSwaps(Halfedge h, std::vector<int>& edges) const
   }
 }
 
-/// Helpful swaps at the sides that a sequence of swaps has changed.
+/// Helpful swaps at the sides and inner vertices that a sequence of swaps has changed.
 void RibSearch::addSwapsAfter(const std::vector<int>& sequence, std::vector<int>& edges) const
 {
   std::vector<int> sides;
@@ -279,9 +291,15 @@ void RibSearch::addSwapsAfter(const std::vector<int>& sequence, std::vector<int>
   {
     for (const Halfedge h : cornersAbout(this->Mesh, edge))
     {
-      if (this->Mesh.freedom(this->Mesh.graph().from_vertex_handle(h).idx()) == Freedom::Backbone)
+      const OptimizedMesh::Vertex v = this->Mesh.graph().from_vertex_handle(h);
+      const Freedom freedom = this->Mesh.freedom(v.idx());
+      if (freedom == Freedom::Backbone)
       {
         sides.push_back(this->beginOfSide(h).idx());
+      }
+      else if (freedom == Freedom::Surface)
+      {
+        sides.push_back(this->Mesh.graph().halfedge_handle(v).idx());
       }
     }
   }

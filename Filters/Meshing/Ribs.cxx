@@ -22,6 +22,8 @@ using Halfedge = OptimizedMesh::Halfedge;
 /// had at a good angle is not had at a lesser one. Where creases are one edge apart, nothing but
 /// the last will do.
 constexpr std::array<double, 4> Angles = { 0.5, 0.43, 0.35, 0.26 };
+/// And those that are worth a thorough search.
+constexpr std::array<double, 2> LastAngles = { 0.35, 0.26 };
 constexpr int MostPasses = 10;
 /// What is spent on a side: sequences of swaps that are looked at, and tried out. Single swaps come
 /// first, for they are cheap, then what most sides are mended with.
@@ -33,8 +35,13 @@ struct Effort
 constexpr Effort SingleSwap = { 1, 10 };
 constexpr Effort Brief = { 100, 10 };
 constexpr Effort Thorough = { 1000, 50 };
+constexpr Effort Long = { 3000, 300 };
+constexpr Effort Longest = { 16000, 300 };
+/// The longest searches are made where more than one side in so many is left: in coarse meshes,
+/// where every one counts.
+constexpr int OneInMany = 60;
 /// What all sides but for single swaps may spend together, in sequences: about a second.
-constexpr int Budget = 40000;
+constexpr int Budget = 110000;
 /// Shares of the mesh's largest distance from the surface: what was found in vain may go a little
 /// farther at last; moves for the sake of quality may not go as far.
 constexpr double LastReach = 1.3;
@@ -134,7 +141,11 @@ void repair(OptimizedMesh& mesh, const std::vector<int>& vertices, SurfaceLeash&
 int makeRibs(OptimizedMesh& mesh)
 {
   const std::vector<Halfedge> sides = sidesOf(mesh);
-  if (std::all_of(sides.begin(), sides.end(), [&](Halfedge h) { return ribExcess(mesh, h) == 0; }))
+  const auto numberLeft = [&]() {
+    return static_cast<std::size_t>(std::count_if(
+      sides.begin(), sides.end(), [&](Halfedge h) { return ribExcess(mesh, h) != 0; }));
+  };
+  if (numberLeft() == 0)
   {
     return 0;
   }
@@ -151,11 +162,15 @@ int makeRibs(OptimizedMesh& mesh)
     mend(SingleSwap, angle, 1.);
     mend(Brief, angle, 1.);
   }
-  for (const double angle : Angles)
+  for (const double angle : LastAngles)
   {
     mend(Thorough, angle, 1.);
   }
-  mend(Thorough, Angles.back(), LastReach);
+  mend(Long, LastAngles.back(), LastReach);
+  if (OneInMany * numberLeft() > sides.size())
+  {
+    mend(Longest, LastAngles.back(), LastReach);
+  }
   SurfaceLeash leash(mesh, proximity, { EveningReach * reach.faces, EveningReach * reach.creases });
   const std::vector<int> about = withRings(mesh, search.moved(), EveningRings);
   repair(mesh, about, leash);
