@@ -410,7 +410,8 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   if (numberOfSamples < this->Minimum)
   {
     return Status::error(std::to_string(numberOfSamples) +
-      (numberOfSamples == 1 ? " sample is" : " samples are") + " too few for these features, constraints and charts: ask for at least " +
+      (numberOfSamples == 1 ? " sample is" : " samples are") +
+      " too few for these features, constraints and charts: ask for at least " +
       std::to_string(this->Minimum) + ".");
   }
   Sampling sampling(this->Domain, images, numberOfSamples, progress);
