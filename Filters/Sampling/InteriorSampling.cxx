@@ -230,15 +230,16 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b)
     const double crossing = begin[minor] + t * step[minor];
     for (int i = pixelOf(crossing - 1., minor); i <= pixelOf(crossing + 1., minor); ++i)
     {
+      unsigned char& open = r.open[major == 0 ? static_cast<std::size_t>(i) * r.width + line
+                                              : static_cast<std::size_t>(line) * r.width + i];
+      if (!open)
+      {
+        continue; // as nearly all are, in a band
+      }
       Vec2 middle;
       middle[major] = line + 0.5;
       middle[minor] = i + 0.5;
-      if (distanceToSegment(middle, begin, Vec2(begin + step)) < touching)
-      {
-        const std::size_t x = major == 0 ? line : i;
-        const std::size_t y = major == 0 ? i : line;
-        r.open[y * r.width + x] = 0;
-      }
+      open = distanceToSegment(middle, begin, Vec2(begin + step)) < touching ? 0 : 1;
     }
   }
 }
