@@ -91,16 +91,18 @@ std::size_t Canvas::lookOf(const std::function<void(Canvas&)>& paint)
   return this->Look;
 }
 
-void Painted::update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint)
+bool Painted::update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint)
 {
   const std::size_t look = canvas.lookOf(paint);
   std::size_t& shown = this->Looks[{ { box.x, box.y, box.w, box.h } }];
-  if (canvas.empty() || shown != look)
+  if (!canvas.empty() && shown == look)
   {
-    shown = look;
-    canvas.fill(box, shades::Ground);
-    paint(canvas);
+    return false;
   }
+  shown = look;
+  canvas.fill(box, shades::Ground);
+  paint(canvas);
+  return true;
 }
 
 void Canvas::fill(const Rect& box, const Shade& shade)

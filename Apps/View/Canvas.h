@@ -131,8 +131,9 @@ private:
 class Painted
 {
 public:
-  /// Paints over a box, unless the canvas shows the same there as it would then.
-  void update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint);
+  /// Paints over a box, unless the canvas shows the same there as it would then. Returns whether it
+  /// has painted.
+  bool update(Canvas& canvas, const Rect& box, const std::function<void(Canvas&)>& paint);
 
 private:
   std::map<std::array<float, 4>, std::size_t> Looks; ///< by box

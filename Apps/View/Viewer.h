@@ -163,6 +163,7 @@ private:
   Clock::time_point LastFrame;
   Clock::time_point LastStrip;
   bool StripIsOld = false; ///< the control map; it may lag behind a moving slider
+  int NextCell = 0;        ///< of the strip, to be painted first
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
   std::string Message;

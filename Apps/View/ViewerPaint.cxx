@@ -108,11 +108,16 @@ void Viewer::paintStrip(Canvas& canvas)
     { l.curve, "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "",
       this->Curve },
     { l.figures, "mesh quality", "", this->Figures } };
-  for (const Cell& cell : cells)
+  // One of the cells that have changed, where it does not have to be all: the next frame, and the
+  // frame of a preview, come the sooner.
+  constexpr int NumberOfCells = 3;
+  for (int i = 0; i < NumberOfCells; ++i)
   {
+    const int index = (this->NextCell + i) % NumberOfCells;
+    const Cell& cell = cells[index];
     Rect below = cell.box; // the strip's upper rule
     below.h -= 2 * s;
-    this->ShownStrip.update(canvas, below, [&](Canvas& c) {
+    const bool painted = this->ShownStrip.update(canvas, below, [&](Canvas& c) {
       const float y = cell.box.top() - 18 * s;
       c.text(cell.box.x + Pad * s, y, cell.title, { 13, shades::Word, Align::Left, true });
       c.text(cell.box.right() - Pad * s, y, cell.remark, { 11, shades::Quiet, Align::Right });
@@ -123,6 +128,12 @@ void Viewer::paintStrip(Canvas& canvas)
       }
       cell.control.paint(c);
     });
+    if (painted && !canvas.empty())
+    {
+      this->NextCell = (index + 1) % NumberOfCells;
+      this->StripIsOld = true;
+      break;
+    }
   }
 }
 
