@@ -24,12 +24,6 @@ constexpr double GoodAngle = 0.6;
 /// By how much an embedding may lengthen the longest edge.
 constexpr double MostGrowth = 1.2;
 
-void makeUnique(std::vector<int>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
 double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
 {
   double longest = 0;
@@ -43,12 +37,6 @@ double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
     }
   }
   return std::sqrt(longest);
-}
-
-template <typename Visit>
-void forEachNeighbour(const OptimizedMesh& mesh, int v, const Visit& visit)
-{
-  mesh.forEachHalfedge(v, [&](Halfedge h) { visit(mesh.graph().to_vertex_handle(h).idx()); });
 }
 }
 
@@ -67,7 +55,7 @@ LocalEmbedding::LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& face
     const std::vector<int> inner = vertices;
     for (int v : inner)
     {
-      forEachNeighbour(mesh, v, [&](int u) { vertices.push_back(u); });
+      mesh.forEachNeighbour(v, [&](int u) { vertices.push_back(u); });
     }
     makeUnique(vertices);
   }
@@ -107,7 +95,7 @@ void LocalEmbedding::placeInwards()
       Vec3 sum = Vec3::Zero();
       int count = 0;
       int from = -1;
-      forEachNeighbour(mesh, v, [&](int u) {
+      mesh.forEachNeighbour(v, [&](int u) {
         if (!isWaiting(u))
         {
           sum += mesh.position(u);
@@ -145,7 +133,7 @@ void LocalEmbedding::relax()
     {
       Vec3 sum = Vec3::Zero();
       int count = 0;
-      forEachNeighbour(mesh, v, [&](int u) {
+      mesh.forEachNeighbour(v, [&](int u) {
         sum += mesh.position(u);
         ++count;
       });

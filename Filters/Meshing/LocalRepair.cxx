@@ -232,8 +232,7 @@ int repairTriangles(
             ring.push_back(u);
           }
         });
-        std::sort(ring.begin(), ring.end());
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        makeUnique(ring);
         for (int u : ring)
         {
           helped = improve(u) || helped;
@@ -281,8 +280,7 @@ bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
       }
     });
   }
-  std::sort(movable.begin(), movable.end());
-  movable.erase(std::unique(movable.begin(), movable.end()), movable.end());
+  makeUnique(movable);
   std::vector<Footing> before;
   for (int v : movable)
   {

@@ -413,8 +413,7 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
       forget();
       return;
     }
-    std::sort(back.begin(), back.end());
-    back.erase(std::unique(back.begin(), back.end()), back.end());
+    makeUnique(back);
     for (int v : back)
     {
       share[v] = round < 2 ? 0.5f * share[v] : 0.f;

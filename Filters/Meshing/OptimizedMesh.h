@@ -10,6 +10,7 @@
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
+#include <algorithm>
 #include <array>
 
 namespace stipple
@@ -29,6 +30,13 @@ struct Footing
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::Zero(); ///< of the surface, averaged over a few faces about the place
 };
+
+/// Ascending, and each once.
+inline void makeUnique(std::vector<int>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
 
 class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
 {
@@ -79,6 +87,12 @@ public:
       h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
     } while (h != first);
   }
+  /// Calls visit(u) for every vertex that an edge joins to v.
+  template <typename Visit>
+  void forEachNeighbour(int v, const Visit& visit) const
+  {
+    this->forEachHalfedge(v, [&](Halfedge h) { visit(this->Graph.to_vertex_handle(h).idx()); });
+  }
   /// Calls visit(f) for every triangle about v.
   template <typename Visit>
   void forEachFace(int v, const Visit& visit) const
@@ -89,6 +103,12 @@ public:
         visit(this->Graph.face_handle(h).idx());
       }
     });
+  }
+  Vec3 faceNormal(int face) const
+  {
+    const auto t = this->corners(face);
+    const Vec3& p = this->position(t[0]);
+    return (this->position(t[1]) - p).cross(this->position(t[2]) - p).normalized();
   }
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;

@@ -27,12 +27,6 @@ constexpr int LargestInnerExcess = 2;
 /// What a trial takes of the budget: the time of so many sequences that are looked at.
 constexpr int TrialCost = 20;
 
-void makeUnique(std::vector<int>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
 /// A second neighbour too many at a side costs little more than one: else faults could not be
 /// handed on past each other, where creases are an edge apart, or be two at one vertex for one at
 /// each of two.

@@ -98,25 +98,20 @@ int mendAll(RibSearch& search, const std::vector<Halfedge>& sides, const RibDema
 /// Vertices that may move, and so many rings about them.
 std::vector<int> withRings(const OptimizedMesh& mesh, std::vector<int> vertices, int rings)
 {
-  const auto makeUnique = [&]() {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  };
-  makeUnique();
+  makeUnique(vertices);
   for (int ring = 0; ring < rings; ++ring)
   {
     const std::vector<int> inner = vertices;
     for (int v : inner)
     {
-      mesh.forEachHalfedge(v, [&](Halfedge h) {
-        const int u = mesh.graph().to_vertex_handle(h).idx();
+      mesh.forEachNeighbour(v, [&](int u) {
         if (mesh.freedom(u) != Freedom::None)
         {
           vertices.push_back(u);
         }
       });
     }
-    makeUnique();
+    makeUnique(vertices);
   }
   return vertices;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmallComponents.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace stipple
 {
@@ -29,8 +29,7 @@ SmallComponents::SmallComponents(OptimizedMesh& mesh)
     isReached[start] = 1;
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      mesh.forEachHalfedge(vertices[i], [&](OptimizedMesh::Halfedge h) {
-        const int u = mesh.graph().to_vertex_handle(h).idx();
+      mesh.forEachNeighbour(vertices[i], [&](int u) {
         if (!isReached[u])
         {
           isReached[u] = 1;
@@ -57,9 +56,7 @@ void SmallComponents::add(const std::vector<int>& vertices)
       component.vertices.push_back(v);
     }
   }
-  std::sort(component.faces.begin(), component.faces.end());
-  component.faces.erase(
-    std::unique(component.faces.begin(), component.faces.end()), component.faces.end());
+  makeUnique(component.faces);
   component.area = this->areaOf(component);
   this->Components.push_back(std::move(component));
 }

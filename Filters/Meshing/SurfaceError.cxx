@@ -69,8 +69,7 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 std::vector<int> ringOf(const OptimizedMesh& mesh, int v)
 {
   std::vector<int> ring;
-  mesh.forEachHalfedge(
-    v, [&](Halfedge h) { ring.push_back(mesh.graph().to_vertex_handle(h).idx()); });
+  mesh.forEachNeighbour(v, [&](int u) { ring.push_back(u); });
   return ring;
 }
 }
@@ -326,8 +325,7 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
     const std::vector<int> ring = ringOf(mesh, quad[i]);
     all.insert(all.end(), ring.begin(), ring.end());
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  makeUnique(all);
   const auto errorOfAll = [&]() {
     double sum = 0;
     for (int v : all)

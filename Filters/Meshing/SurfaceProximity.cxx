@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceProximity.h"
 
-#include "vtkCellArray.h"
+#include "PolyDataConversion.h"
+
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
@@ -58,23 +58,7 @@ SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
   , CreaseOf(mesh.numberOfEdges())
 {
   const AtlasSurface& surface = mesh.atlas().surface();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-  for (std::size_t p = 0; p < surface.points.size(); ++p)
-  {
-    points->SetPoint(static_cast<vtkIdType>(p), surface.points[p].data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const Triangle& t : surface.triangles)
-  {
-    const vtkIdType ids[3] = { t[0], t[1], t[2] };
-    triangles->InsertNextCell(3, ids);
-  }
-  vtkNew<vtkPolyData> whole;
-  whole->SetPoints(points);
-  whole->SetPolys(triangles);
-  this->Surface->Locator->SetDataSet(whole);
+  this->Surface->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
   this->Surface->Locator->BuildLocator();
 
   const auto& chains = mesh.chains();
@@ -96,13 +80,6 @@ Vec3 SurfaceProximity::centroid(int face) const
 {
   const auto t = this->Mesh.corners(face);
   return (this->Mesh.position(t[0]) + this->Mesh.position(t[1]) + this->Mesh.position(t[2])) / 3.;
-}
-
-Vec3 SurfaceProximity::normal(int face) const
-{
-  const auto t = this->Mesh.corners(face);
-  const Vec3& p = this->Mesh.position(t[0]);
-  return (this->Mesh.position(t[1]) - p).cross(this->Mesh.position(t[2]) - p).normalized();
 }
 
 Vec3 SurfaceProximity::middle(int edge) const
@@ -141,8 +118,7 @@ bool SurfaceProximity::isNear(const std::vector<int>& faces, const SurfaceReach&
       edges.push_back(graph.edge_handle(h).idx());
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  makeUnique(edges);
   const auto isEdgeNear = [&](int e) {
     return this->Surface->nearest(this->middle(e)).distance <= reach.faces;
   };
@@ -215,7 +191,7 @@ double SurfaceProximity::distanceOfCrease(int edge) const
 double SurfaceProximity::agreement(int face, const Nearest& below) const
 {
   const AtlasSurface& surface = this->Mesh.atlas().surface();
-  const Vec3 n = this->normal(face);
+  const Vec3 n = this->Mesh.faceNormal(face);
   double least = 1;
   const auto lookAt = [&](int f) {
     least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(f)));
@@ -258,7 +234,7 @@ double SurfaceProximity::agreement(int face, const Nearest& below) const
 
 bool SurfaceProximity::facesOutwards(int face) const
 {
-  const Vec3 n = this->normal(face);
+  const Vec3 n = this->Mesh.faceNormal(face);
   const auto t = this->Mesh.corners(face);
   if (std::all_of(t.begin(), t.end(), [&](int v) {
         return this->Mesh.freedom(v) == Freedom::Surface &&
@@ -306,8 +282,7 @@ bool SurfaceLeash::allows(int v)
   }
   this->LargestAbout[v] = largest;
   this->Position[v] = this->Mesh.position(v);
-  this->Mesh.forEachHalfedge(
-    v, [&](Halfedge h) { this->LargestAbout[graph.to_vertex_handle(h).idx()] += step; });
+  this->Mesh.forEachNeighbour(v, [&](int u) { this->LargestAbout[u] += step; });
   return true;
 }
 }

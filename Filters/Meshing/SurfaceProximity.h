@@ -50,7 +50,6 @@ private:
   struct Nearest;
   double agreement(int face, const Nearest& below) const;
   Vec3 centroid(int face) const;
-  Vec3 normal(int face) const;
   Vec3 middle(int edge) const;
 
   std::unique_ptr<Internals> Surface;

@@ -21,12 +21,6 @@ constexpr int SettlingRounds = 6;
 constexpr double LeastQuality = 0.05;
 /// Cosine between the normals of triangles that meet at no crease: below, one is folded over.
 constexpr double LeastBend = 0.5;
-
-void makeUnique(std::vector<int>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 }
 
 std::array<Halfedge, 4> cornersAbout(const OptimizedMesh& mesh, int edge)
@@ -68,8 +62,7 @@ SwapTrial::SwapTrial(OptimizedMesh& mesh, const std::vector<int>& edges)
   std::vector<int> all = this->Inner;
   for (int v : this->Inner)
   {
-    mesh.forEachHalfedge(
-      v, [&](Halfedge h) { all.push_back(mesh.graph().to_vertex_handle(h).idx()); });
+    mesh.forEachNeighbour(v, [&](int u) { all.push_back(u); });
   }
   makeUnique(all);
   for (int v : all)
@@ -148,18 +141,12 @@ double SwapTrial::worstBend() const
       const Halfedge g = graph.opposite_halfedge_handle(h);
       if (this->Mesh.isSwappable(graph.edge_handle(h).idx()))
       {
-        worst = std::min(worst, this->normal(f).dot(this->normal(graph.face_handle(g).idx())));
+        worst = std::min(
+          worst, this->Mesh.faceNormal(f).dot(this->Mesh.faceNormal(graph.face_handle(g).idx())));
       }
     }
   }
   return worst;
-}
-
-Vec3 SwapTrial::normal(int face) const
-{
-  const auto t = this->Mesh.corners(face);
-  const Vec3& p = this->Mesh.position(t[0]);
-  return (this->Mesh.position(t[1]) - p).cross(this->Mesh.position(t[2]) - p).normalized();
 }
 
 /// Of its neighbours on the crease.
@@ -198,8 +185,8 @@ void SwapTrial::spread()
       }
       Vec3 sum = Vec3::Zero();
       int count = 0;
-      this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
-        sum += this->Mesh.position(this->Mesh.graph().to_vertex_handle(h));
+      this->Mesh.forEachNeighbour(v, [&](int u) {
+        sum += this->Mesh.position(u);
         ++count;
       });
       this->Mesh.put(

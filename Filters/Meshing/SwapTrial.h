@@ -51,7 +51,6 @@ private:
   void putBack();
   double worstQuality() const;
   double worstBend() const;
-  Vec3 normal(int face) const;
   void slideToMiddle(int v);
   void spread();
   bool improve(double enough, double wanted);

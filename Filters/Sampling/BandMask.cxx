@@ -47,10 +47,8 @@ struct BandMask::Control
 
 struct BandMask::Band
 {
-  double density; ///< samples wanted per unit of surface area
-  double width;   ///< of the band, in half rows
-  bool whole;     ///< whether all of the pixel is in it
-  double reach;   ///< of the band, in units of length, where it is not
+  bool whole;   ///< whether all of the pixel is in it
+  double reach; ///< of the band, in units of length, where it is not
 };
 
 struct BandMask::Surroundings
@@ -225,19 +223,19 @@ bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
   {
     return false;
   }
-  band.density = control.scale * wanted / area;
+  const double density = control.scale * wanted / area;
   const int nearest = this->Nearest[pixel];
   const Line& line = this->Lines[nearest];
-  const double high = band.density * this->High[pixel];
-  band.width = 1;
+  const double high = density * this->High[pixel];
+  double width = 1;
   if (high >= 1. && control.widest[nearest] > 1.)
   {
     const double t = Surroundings(line, this->Forms[pixel]).nearest(control.image.centre(pixel));
-    band.width = control.densities[line.backbone].widthAt(line.arcLength + t * line.rise);
+    width = control.densities[line.backbone].widthAt(line.arcLength + t * line.rise);
   }
-  band.whole = high < band.width * band.width;
-  band.reach = band.whole ? 0. : std::sqrt(line.limit / band.density) * band.width;
-  return band.density * this->Low[pixel] < band.width * band.width;
+  band.whole = high < width * width;
+  band.reach = band.whole ? 0. : std::sqrt(line.limit / density) * width;
+  return density * this->Low[pixel] < width * width;
 }
 
 double BandMask::share(

@@ -47,16 +47,25 @@ InteriorRaster enlarged(const ControlImage& image, int factor)
   raster.open.assign(static_cast<std::size_t>(raster.width) * raster.height, 1);
   return raster;
 }
+
+class BandMaskOfCube : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    cube(this->Cube, 1, false);
+    Atlas& atlas = this->Cube.finish();
+    ASSERT_TRUE(readSamplingDomain(atlas.charts, atlas.graphData, this->domain).ok());
+  }
+
+  Builder Cube;
+  SamplingDomain domain;
+};
 }
 
 // On a cube's flat faces distances on the surface are those in space.
-TEST(BandMask, ClosesWhatIsNearerThanHalfARow)
+TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
 {
-  Builder builder;
-  cube(builder, 1, false);
-  Atlas& atlas = builder.finish();
-  SamplingDomain domain;
-  ASSERT_TRUE(readSamplingDomain(atlas.charts, atlas.graphData, domain).ok());
   // Denser and sparser in waves: bands have gaps, and come again behind them.
   const auto importance = [](const Vec3& p) {
     return std::exp(2.5 * std::sin(9. * p.x()) * std::cos(7. * p.y() + 4. * p.z()));
@@ -98,13 +107,8 @@ TEST(BandMask, ClosesWhatIsNearerThanHalfARow)
   EXPECT_LT(wrong, pixels / 5000);
 }
 
-TEST(BandMask, FitsNothingElse)
+TEST_F(BandMaskOfCube, FitsNothingElse)
 {
-  Builder builder;
-  cube(builder, 1, false);
-  Atlas& atlas = builder.finish();
-  SamplingDomain domain;
-  ASSERT_TRUE(readSamplingDomain(atlas.charts, atlas.graphData, domain).ok());
   const ControlMaps maps(domain.surface, 20);
   const ControlMaps finer(domain.surface, 30);
   const ControlMaps denser(domain.surface, 20, [](const Vec3& p) { return 2. + p.x(); });

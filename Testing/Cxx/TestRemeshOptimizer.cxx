@@ -527,6 +527,24 @@ std::string bytes(vtkPolyData* data)
 }
 }
 
+/// A mesh of a run, to be changed by hand.
+struct ReadMesh
+{
+  SurfaceCache cache;
+  DensityField density;
+  std::vector<Sample> samples;
+  OptimizedMesh mesh;
+
+  ReadMesh(synthetic::Atlas& atlas, vtkPolyData* written)
+  {
+    check(this->cache.update(atlas.charts, atlas.graphData).ok() &&
+        readSamples(written, this->cache.surface(), this->samples).ok() &&
+        this->mesh.build(this->cache, this->density, this->samples, fromPolyData(written).triangles)
+          .ok(),
+      "the mesh can be read again");
+  }
+};
+
 /// A whole disk of vertices turned about its middle, so that triangles lie across each other.
 void checkKnots()
 {
@@ -535,23 +553,15 @@ void checkKnots()
   synthetic::Atlas& atlas = b.finish();
   Run run(atlas, 900);
   run.optimizer->Update();
-  SurfaceCache cache;
-  DensityField density;
-  std::vector<Sample> samples;
-  OptimizedMesh mesh;
-  vtkPolyData* good = run.optimizer->GetOutput(0);
-  check(cache.update(atlas.charts, atlas.graphData).ok() &&
-      readSamples(good, cache.surface(), samples).ok() &&
-      mesh.build(cache, density, samples, fromPolyData(good).triangles).ok(),
-    "the mesh can be read again");
+  ReadMesh read(atlas, run.optimizer->GetOutput(0));
+  OptimizedMesh& mesh = read.mesh;
   check(SelfIntersections(mesh).faces().empty(), "the mesh does not intersect itself");
   std::set<int> disk = { 400 };
   for (int ring = 0; ring < 2; ++ring)
   {
     for (int v : std::set<int>(disk))
     {
-      mesh.forEachHalfedge(
-        v, [&](OptimizedMesh::Halfedge h) { disk.insert(mesh.graph().to_vertex_handle(h).idx()); });
+      mesh.forEachNeighbour(v, [&](int u) { disk.insert(u); });
     }
   }
   std::vector<Footing> places;
@@ -586,15 +596,8 @@ void checkSmallComponents()
   {
     Run run(atlas, points);
     run.mesher->Update();
-    SurfaceCache cache;
-    DensityField density;
-    std::vector<Sample> samples;
-    OptimizedMesh mesh;
-    vtkPolyData* good = run.mesher->GetOutput(0);
-    check(cache.update(atlas.charts, atlas.graphData).ok() &&
-        readSamples(good, cache.surface(), samples).ok() &&
-        mesh.build(cache, density, samples, fromPolyData(good).triangles).ok(),
-      "small components: the mesh can be read again");
+    ReadMesh read(atlas, run.mesher->GetOutput(0));
+    OptimizedMesh& mesh = read.mesh;
     int free = -1;
     std::vector<Vec3> before;
     for (int v = 0; v < mesh.numberOfVertices(); ++v)
