@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshOptimizer.h"
 
+#include "AcuteCorners.h"
 #include "EdgeSwaps.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
@@ -67,6 +68,9 @@ constexpr std::array<double, 2> ValenceAngles = { 0.613, 0.577 };
 constexpr double ErrorAngle = 0.616;
 /// And when triangles that pass through each other are parted.
 constexpr double PartingAngle = 0.5;
+/// By how much more (radians) creases are opened than asked for: Lloyd's method does not place
+/// their first points to the point.
+constexpr double AcuteMargin = 0.01;
 /// In between, once the first rounds have brought order, those below this one and all folds are.
 constexpr double SliverAngle = 0.25;
 /// Rounds between repairs.
@@ -123,6 +127,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     }
     const Pace pace = paceAt(done, mesh.uniform());
     swapEdges(mesh, options.swaps, i == 0 ? 10 : 2);
+    if (i == 0 && options.moves == Moves::Lloyd && options.acuteCornerAngle > 0)
+    {
+      mesh.coarsen(findAcuteCorners(mesh, options.acuteCornerAngle + AcuteMargin));
+    }
     if (moves)
     {
       measures.update(mesh);

@@ -32,6 +32,10 @@ struct OptimizerOptions
   /// Two neighbours on each side for vertices on sharp and boundary backbones (Figure 8), at the
   /// cost of smaller angles.
   bool ribs = false;
+  /// Smallest angle, radians, that a triangle between two creases gets by spacing that grows
+  /// towards their corner, where they open that far within 3.4 edges; 0: spacing does not grow. For
+  /// Moves::Lloyd.
+  double acuteCornerAngle = 0.436;
 };
 
 STIPPLEFILTERSMESHING_EXPORT Status optimizeMesh(

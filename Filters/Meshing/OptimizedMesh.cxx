@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace stipple
 {
@@ -216,9 +217,27 @@ void OptimizedMesh::placeVertex(int v, const SurfacePlace& place)
   this->Place[v] = place;
   this->Position[v] = this->Atlas->surface().position(place.face, place.bary);
   this->Normal[v] = this->Atlas->smoothNormal(place.face);
-  if (!this->Field->uniform())
+  this->Density[v] = this->densityAt(place, this->Position[v]);
+}
+
+double OptimizedMesh::densityAt(const SurfacePlace& place, const Vec3& position) const
+{
+  const double density =
+    this->Field->uniform() ? 1. : this->Field->at(this->Atlas->surface(), place);
+  if (this->Coarse.empty())
   {
-    this->Density[v] = this->Field->at(this->Atlas->surface(), place);
+    return density;
+  }
+  const double growth = this->Coarse.growthAt(place.face, position);
+  return density / (growth * growth);
+}
+
+void OptimizedMesh::coarsen(CoarseRegions regions)
+{
+  this->Coarse = std::move(regions);
+  for (int v = 0; v < this->numberOfVertices(); ++v)
+  {
+    this->Density[v] = this->densityAt(this->Place[v], this->Position[v]);
   }
 }
 
@@ -442,10 +461,7 @@ Footing OptimizedMesh::footing(const SurfacePlace& from, const Vec3& step) const
 void OptimizedMesh::put(int v, const Footing& there)
 {
   this->stand(v, there);
-  if (!this->Field->uniform())
-  {
-    this->Density[v] = this->Field->at(this->Atlas->surface(), there.place);
-  }
+  this->Density[v] = this->densityAt(there.place, there.position);
 }
 
 bool OptimizedMesh::hasRoom(int v, double step) const

@@ -4,6 +4,7 @@
 #ifndef stipple_OptimizedMesh_h
 #define stipple_OptimizedMesh_h
 
+#include "CoarseRegions.h"
 #include "DensityField.h"
 #include "SampleSet.h"
 #include "SurfaceCache.h"
@@ -60,7 +61,10 @@ public:
   const Vec3& normal(int v) const { return this->Normal[v]; }
   const SurfacePlace& place(int v) const { return this->Place[v]; }
   double density(int v) const { return this->Density[v]; }
+  /// But for coarse regions.
   bool uniform() const { return this->Field->uniform(); }
+  /// From now on, spacing grows in these regions: density() is less there.
+  void coarsen(CoarseRegions regions);
   Freedom freedom(int v) const { return this->Free[v]; }
   bool isFeature(int edge) const { return this->Feature[edge] != 0; }
   /// Both triangles and no feature: all that an edge needs to be swapped but for the geometry.
@@ -189,6 +193,7 @@ private:
   Status connect(const std::vector<Triangle>& triangles);
   Status markFeatures();
   void placeVertex(int v, const SurfacePlace& place);
+  double densityAt(const SurfacePlace& place, const Vec3& position) const;
   /// All but the density, which attempts do not ask for.
   void stand(int v, const Footing& there)
   {
@@ -202,6 +207,7 @@ private:
 
   const SurfaceCache* Atlas = nullptr;
   const DensityField* Field = nullptr;
+  CoarseRegions Coarse;
   Connectivity Graph;
   std::vector<Sample> Original;
   std::vector<SurfacePlace> Place;

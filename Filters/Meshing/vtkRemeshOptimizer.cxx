@@ -10,6 +10,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
@@ -75,6 +76,7 @@ int vtkRemeshOptimizer::RequestData(
     options.iterations = this->NumberOfIterations;
     options.ribs = this->Ribs;
     options.errorReduction = 0.01 * this->ErrorReduction;
+    options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
     status =
       stipple::optimizeMesh(mesh, options, [progress = stipple::progressOf(this)](double fraction) {
         return progress(0.05 + 0.9 * fraction);
@@ -121,5 +123,6 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Ribs: " << this->Ribs << "\n";
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
+  os << indent << "AcuteCornerAngle: " << this->AcuteCornerAngle << "\n";
   os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

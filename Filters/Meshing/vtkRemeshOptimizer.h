@@ -162,6 +162,18 @@ public:
   vtkGetMacro(ErrorReduction, double);
   ///@}
 
+  ///@{
+  /**
+   * Smallest angle, in degrees from 0 to 60, that a triangle in a sharp corner of a face shall
+   * have. Two creases or boundaries may leave a corner at less and open later: then spacing grows
+   * towards the corner, at most 2.8 times, until the triangle between them reaches to where they
+   * are far enough apart. Where that is not within 3.4 edges, spacing stays as it is; so it does at
+   * 0, and if Smoothing is not LLOYD. The default is 25.
+   */
+  vtkSetClampMacro(AcuteCornerAngle, double, 0., 60.);
+  vtkGetMacro(AcuteCornerAngle, double);
+  ///@}
+
 protected:
   vtkRemeshOptimizer();
   ~vtkRemeshOptimizer() override;
@@ -179,6 +191,7 @@ private:
   int Smoothing = LLOYD;
   int NumberOfIterations = 42;
   double ErrorReduction = 0.65;
+  double AcuteCornerAngle = 25.;
   bool FollowDensity = true;
   bool Ribs = false;
   int Placement = ON_SURFACE;

@@ -457,6 +457,7 @@ stippleForwardChoice(Optimizer, Smoothing, Density);
 stippleForwardChoice(Optimizer, Smoothing, Lloyd);
 stippleForwardClamped(Optimizer, NumberOfIterations, int);
 stippleForwardClamped(Optimizer, ErrorReduction, double);
+stippleForwardClamped(Optimizer, AcuteCornerAngle, double);
 stippleForwardChoice(Optimizer, Preset, Uniform);
 stippleForwardChoice(Optimizer, Preset, Adaptive);
 stippleForwardChoice(Optimizer, Preset, Rib);

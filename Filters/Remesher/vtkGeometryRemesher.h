@@ -287,6 +287,15 @@ public:
   ///@}
 
   ///@{
+  /// Smallest angle, in degrees from 0 to 60, that triangles in sharp corners get by larger spacing
+  /// there, where that helps. The default is vtkRemeshOptimizer's.
+  void SetAcuteCornerAngle(double degrees);
+  double GetAcuteCornerAngle();
+  double GetAcuteCornerAngleMinValue();
+  double GetAcuteCornerAngleMaxValue();
+  ///@}
+
+  ///@{
   /// The paper's combinations: each sets Connectivity to REGULARITY and Smoothing to LLOYD,
   /// whatever they were, and whether the density is followed and features get ribs (see
   /// vtkRemeshOptimizer). A new filter is as after SetPresetToAdaptive().

@@ -48,12 +48,11 @@ class Quality(MeshTest):
     """5,000 points, default options."""
 
     # average Q, smallest angle, % below 30, % valence 5-7, variation of areas, RMS and Hausdorff distance in %.
-    # Two of fandisk's creases meet at 17 degrees, and bend apart to 22 within an edge's length: no triangle
-    # between them can be better. The report's samples find farther points than meshstat's.
+    # The report's samples find farther points than meshstat's. Two of fandisk's creases meet at 19 degrees.
     BARS = {
         "bunny00": (0.92, 33, 0, 99.9, 0.10, 0.10, 0.7),
         "armadillo": (0.91, 28, 0.05, 99.4, 0.13, 0.12, 0.9),
-        "fandisk": (0.90, 20, 0.05, 99.5, 0.15, 0.012, 0.2),
+        "fandisk": (0.90, 25, 0.05, 99.5, 0.15, 0.012, 0.2),
         "anchor_dense": (0.89, 18, 0.3, 99, 0.18, 0.025, 0.3),
     }
 

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoarseRegions.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+/// Spacing keeps its full growth over this part of it, in spacings, and then falls by this much a
+/// spacing: slowly enough for regular triangles, fast enough for areas to stay even elsewhere.
+constexpr double Plateau = 0.5;
+constexpr double Slope = 0.5;
+}
+
+double CoarseRegion::growthAt(double distance) const
+{
+  const double beyond = std::max(0., distance / this->spacing - Plateau * this->growth);
+  return std::max(1., this->growth - Slope * beyond);
+}
+
+double CoarseRegion::reach() const
+{
+  return this->spacing * (Plateau * this->growth + (this->growth - 1.) / Slope);
+}
+
+void CoarseRegions::add(const TriangleSurface& surface, int face, const CoarseRegion& region)
+{
+  const int id = static_cast<int>(this->Regions.size());
+  this->Regions.push_back(region);
+  const double reach = region.reach();
+  std::vector<int> faces = { face };
+  const auto enter = [&](int f) {
+    std::vector<int>& regions = this->OnFace[f];
+    if (!regions.empty() && regions.back() == id)
+    {
+      return false;
+    }
+    regions.push_back(id);
+    return true;
+  };
+  enter(face);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+    {
+      const int twin = surface.twin[h];
+      if (twin >= 0 &&
+        distanceToSegment<3>(region.centre, surface.points[surface.tail(h)],
+          surface.points[surface.head(h)]) < reach &&
+        enter(twin / 3))
+      {
+        faces.push_back(twin / 3);
+      }
+    }
+  }
+}
+
+double CoarseRegions::growthAt(int face, const Vec3& position) const
+{
+  const auto found = this->OnFace.find(face);
+  double growth = 1;
+  if (found != this->OnFace.end())
+  {
+    for (int id : found->second)
+    {
+      const CoarseRegion& region = this->Regions[id];
+      growth = std::max(growth, region.growthAt((position - region.centre).norm()));
+    }
+  }
+  return growth;
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Places about which vertices shall lie farther apart than the density has it.
+#ifndef stipple_CoarseRegions_h
+#define stipple_CoarseRegions_h
+
+#include "SurfaceWalk.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace stipple
+{
+/// About its centre, vertices shall lie `growth` times as far apart as the spacing that the density
+/// asks for there; farther away, less and less so.
+struct CoarseRegion
+{
+  Vec3 centre = Vec3::Zero();
+  double spacing = 0;
+  double growth = 1; ///< >= 1
+
+  /// By how much spacing grows at a distance from the centre; 1 from reach() on.
+  double growthAt(double distance) const;
+  double reach() const;
+};
+
+class STIPPLEFILTERSMESHING_EXPORT CoarseRegions
+{
+public:
+  /// Adds a region, whose centre lies on a face: what is near it in space but not on the surface
+  /// stays out.
+  void add(const TriangleSurface& surface, int face, const CoarseRegion& region);
+
+  bool empty() const { return this->Regions.empty(); }
+  std::size_t size() const { return this->Regions.size(); }
+  /// By how much spacing grows at a place, a position on a face. Where regions overlap, the largest
+  /// counts.
+  double growthAt(int face, const Vec3& position) const;
+
+private:
+  std::vector<CoarseRegion> Regions;
+  std::unordered_map<int, std::vector<int>> OnFace; // regions that reach a face
+};
+}
+
+#endif
