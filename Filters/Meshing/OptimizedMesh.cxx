@@ -66,6 +66,7 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
   this->Place.resize(n);
   this->Position.resize(n);
   this->Normal.resize(n);
+  this->Behind.assign(n, Vec3::Zero());
   this->Density.assign(n, 1.);
   this->Free.assign(n, Freedom::Surface);
   this->BackboneOf.assign(n, -1);
@@ -103,6 +104,7 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
         this->Free[v] = constrained ? Freedom::None : Freedom::Backbone;
         this->BackboneOf[v] = s.backbone;
         this->ArcLength[v] = s.arcLength;
+        this->lookBehind(v);
         continue;
       }
     }
@@ -253,6 +255,18 @@ void OptimizedMesh::placeOnBackbone(int v, double arcLength)
   const BackboneTrace::Place place = trace.locate(arcLength);
   const int side = trace.hasSide(0) ? 0 : 1;
   this->placeVertex(v, { trace.face(place, side), trace.bary(place, side) });
+  this->lookBehind(v);
+}
+
+void OptimizedMesh::lookBehind(int v)
+{
+  if (this->BackboneOf[v] >= 0)
+  {
+    const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
+    this->Behind[v] = trace.chart[0] >= 0 && trace.chart[1] >= 0
+      ? this->Atlas->smoothNormal(trace.face(trace.locate(this->ArcLength[v]), 1))
+      : this->Normal[v];
+  }
 }
 
 int OptimizedMesh::valence(int v) const
@@ -310,7 +324,26 @@ bool OptimizedMesh::isSound(int a, int b, int c) const
   {
     return false;
   }
-  return this->agreement(a, b, c, n) >= minimumAgreement();
+  const bool isOnCreases = this->Free[a] != Freedom::Surface && this->Free[b] != Freedom::Surface &&
+    this->Free[c] != Freedom::Surface;
+  return (isOnCreases ? this->agreementOnCreases(a, b, c, n) : this->agreement(a, b, c, n)) >=
+    minimumAgreement();
+}
+
+double OptimizedMesh::agreementOnCreases(int a, int b, int c, const Vec3& normal) const
+{
+  double sum = 0;
+  int count = 0;
+  for (int v : { a, b, c })
+  {
+    if (this->BackboneOf[v] >= 0)
+    {
+      sum += std::max(normal.dot(this->Normal[v]), normal.dot(this->Behind[v]));
+      ++count;
+    }
+  }
+  const double length = normal.norm();
+  return count > 0 && length > 0 ? sum / (count * length) : 1.;
 }
 
 double OptimizedMesh::agreement(int a, int b, int c, const Vec3& normal) const
@@ -365,10 +398,12 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
   std::vector<double>& oldArcLength = this->Before.arcLength;
   std::vector<Vec3>& oldPosition = this->Before.position;
   std::vector<Vec3>& oldNormal = this->Before.normal;
+  std::vector<Vec3>& oldBehind = this->Before.behind;
   oldPlace = this->Place;
   oldArcLength = this->ArcLength;
   oldPosition = this->Position;
   oldNormal = this->Normal;
+  oldBehind = this->Behind;
   std::vector<float> share(n, 1.f);
   std::vector<int> drawnBack;
   const auto forget = [&]() {
@@ -416,6 +451,7 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
     }
     this->Position.swap(oldPosition);
     this->Normal.swap(oldNormal);
+    this->Behind.swap(oldBehind);
     std::vector<int> back;
     for (int f : unsound)
     {
@@ -427,6 +463,7 @@ void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arc
     }
     this->Position.swap(oldPosition);
     this->Normal.swap(oldNormal);
+    this->Behind.swap(oldBehind);
     if (back.empty())
     {
       forget();

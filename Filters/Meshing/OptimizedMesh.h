@@ -125,6 +125,9 @@ public:
   /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
   /// at its vertices; 1 if they all lie on creases.
   double agreement(int a, int b, int c, const Vec3& normal) const;
+  /// The same for a triangle whose vertices all lie on creases, where the surface has a normal on
+  /// each side: with the sides that agree most. 1 if they are all corners.
+  double agreementOnCreases(int a, int b, int c, const Vec3& normal) const;
   /// Triangles that agree less are folded over. Over a rim thinner than a triangle the agreement is
   /// small for good reason; in a fold it is about -1.
   static constexpr double minimumAgreement() { return 0.1; }
@@ -145,6 +148,7 @@ public:
   {
     this->put(v, there);
     this->ArcLength[v] = arcLength;
+    this->lookBehind(v);
   }
   /// Puts a vertex there, unless it is not free on the surface or accept(), asked with the vertex
   /// there, says no: then nothing is changed, and it returns false.
@@ -201,6 +205,7 @@ private:
     this->Position[v] = there.position;
     this->Normal[v] = there.normal;
   }
+  void lookBehind(int v);
   bool hasRoom(int v, double step) const;
   void placeOnBackbone(int v, double arcLength);
   bool isSoundFace(int f) const;
@@ -213,6 +218,7 @@ private:
   std::vector<SurfacePlace> Place;
   std::vector<Vec3> Position;
   std::vector<Vec3> Normal;
+  std::vector<Vec3> Behind; // the normal on the other side of a vertex's backbone
   std::vector<double> Density;
   std::vector<Freedom> Free;
   std::vector<int> BackboneOf;
@@ -224,6 +230,7 @@ private:
     std::vector<SurfacePlace> place;
     std::vector<Vec3> position;
     std::vector<Vec3> normal;
+    std::vector<Vec3> behind;
     std::vector<double> arcLength;
   } Before; // the last move
 };

@@ -23,9 +23,10 @@ struct Quality
   double value() const { return this->folded < 0 ? this->folded : std::atan2(sine, cosine); }
 };
 
-/// normal[i] is the surface's normal at the i-th corner, or zero; `normals` counts the others.
+/// normal[i] is the surface's normal at the i-th corner, or zero; `normals` counts the others. If
+/// there are none, onCreases is the triangle's agreement with the creases' sides.
 Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
-  const std::array<const Vec3*, 3>& normal, int normals)
+  const std::array<const Vec3*, 3>& normal, int normals, double onCreases)
 {
   const Vec3 u = q - p;
   const Vec3 w = r - q;
@@ -35,11 +36,9 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
   const double d0 = n.dot(*normal[0]);
   const double d1 = n.dot(*normal[1]);
   const double d2 = n.dot(*normal[2]);
+  // as OptimizedMesh has it
   const double agreement =
-    normals > 0 && area > 0 ? (d0 + d1 + d2) / (normals * area) : 1.; // as
-                                                                      // OptimizedMesh
-                                                                      // has
-                                                                      // it
+    normals == 0 ? onCreases : (area > 0 ? (d0 + d1 + d2) / (normals * area) : 1.);
   if (agreement < OptimizedMesh::minimumAgreement())
   {
     return { agreement - 1., 0., 0. };
@@ -89,9 +88,12 @@ private:
 
 double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
 {
-  return qualityOf(mesh.position(a), mesh.position(b), mesh.position(c),
-    { { &normalOf(mesh, a), &normalOf(mesh, b), &normalOf(mesh, c) } },
-    hasNormal(mesh, a) + hasNormal(mesh, b) + hasNormal(mesh, c))
+  const int normals = hasNormal(mesh, a) + hasNormal(mesh, b) + hasNormal(mesh, c);
+  const Vec3& p = mesh.position(a);
+  const Vec3& q = mesh.position(b);
+  const Vec3& r = mesh.position(c);
+  return qualityOf(p, q, r, { { &normalOf(mesh, a), &normalOf(mesh, b), &normalOf(mesh, c) } },
+    normals, normals > 0 ? 1. : mesh.agreementOnCreases(a, b, c, (q - p).cross(r - p)))
     .value();
 }
 
@@ -109,15 +111,27 @@ double starQuality(const OptimizedMesh& mesh, int v)
 }
 
 VertexStar::VertexStar(const OptimizedMesh& mesh, int v)
-  : HasNormal(hasNormal(mesh, v))
+  : Mesh(mesh)
+  , V(v)
+  , HasNormal(hasNormal(mesh, v))
 {
   this->Triangles.reserve(8);
   mesh.forEachFace(v, [&](int f) {
     auto t = mesh.corners(f);
     std::rotate(t.begin(), std::find(t.begin(), t.end(), v), t.end());
     this->Triangles.push_back({ mesh.position(t[1]), mesh.position(t[2]), normalOf(mesh, t[1]),
-      normalOf(mesh, t[2]), hasNormal(mesh, t[1]) + hasNormal(mesh, t[2]) });
+      normalOf(mesh, t[2]), hasNormal(mesh, t[1]) + hasNormal(mesh, t[2]), { { t[1], t[2] } } });
   });
+}
+
+double VertexStar::agreementOnCreases(const Triangle& t, const Footing& there) const
+{
+  if (this->HasNormal || t.normals > 0)
+  {
+    return 1.;
+  }
+  const Vec3 normal = (t.q - there.position).cross(t.r - there.position);
+  return this->Mesh.agreementOnCreases(this->V, t.ends[0], t.ends[1], normal);
 }
 
 double VertexStar::quality(const Footing& there) const
@@ -127,7 +141,7 @@ double VertexStar::quality(const Footing& there) const
   for (const Triangle& t : this->Triangles)
   {
     worst.add(qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
-      t.normals + this->HasNormal)
+      t.normals + this->HasNormal, this->agreementOnCreases(t, there))
                 .value());
   }
   return worst.value();
@@ -148,7 +162,7 @@ bool VertexStar::exceeds(const Footing& there, double bound) const
     const std::size_t k = this->First + i < n ? this->First + i : this->First + i - n;
     const Triangle& t = this->Triangles[k];
     const Quality q = qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
-      t.normals + this->HasNormal);
+      t.normals + this->HasNormal, this->agreementOnCreases(t, there));
     if (q.folded < 0 || q.sine * cosine <= q.cosine * sine)
     {
       this->First = k;

@@ -17,7 +17,8 @@ double faceQuality(const OptimizedMesh& mesh, int face);
 STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
 
 /// The triangles about a vertex, copied: as long as the vertices around it and its edges stay, they
-/// are asked for many places of the vertex without changing the mesh.
+/// are asked for many places of the vertex without changing the mesh. (A vertex on a crease must
+/// have been put there.)
 class VertexStar
 {
 public:
@@ -35,8 +36,14 @@ private:
     Vec3 r;
     Vec3 normalQ; ///< zero on a crease, where the surface has no one normal
     Vec3 normalR;
-    int normals; ///< of q and r, those that are not on a crease
+    int normals;             ///< of q and r, those that are not on a crease
+    std::array<int, 2> ends; ///< the vertices at q and r
   };
+  /// OptimizedMesh's, if all three vertices are on creases; else 1.
+  double agreementOnCreases(const Triangle& t, const Footing& there) const;
+
+  const OptimizedMesh& Mesh;
+  int V;
   std::vector<Triangle> Triangles; // (v, q, r)
   bool HasNormal = false;          // v is not on a crease
   mutable std::size_t First = 0;   // the triangle that failed last is likely to fail again

@@ -6,6 +6,7 @@
 The environment names the program, the checker and the folder of models: STIPPLE, MESHCHECK, MESHFOLDS, MODELS.
 """
 import json
+import math
 import os
 import subprocess
 import unittest
@@ -91,6 +92,45 @@ class Folds(MeshTest):
                 pairs, flipped = self.folds(name, points)
                 self.assertEqual(pairs, 0)
                 self.assertLessEqual(flipped, most)
+
+
+class Coarse(MeshTest):
+    """Few points, or few and slender triangles."""
+
+    def remesh_shape(self, points, faces, number):
+        """Points and triangles of a remeshed shape, and the report's figures."""
+        model, out, report = (self.folder / name for name in ("model.off", "out.off", "report.json"))
+        write_off(model, points, faces)
+        self.succeed(model, "-o", out, "--points", number, "--report", report)
+        return points_of(out), faces_of(out), json.loads(report.read_text())["quality"]
+
+    def test_no_lids_on_low_tubes(self):
+        """All vertices lie on the two rims: the triangles between them face outwards, none closes a rim."""
+        sides = 60
+        around = [(math.cos(2 * math.pi * i / sides), math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+        faces = [(i, (i + 1) % sides, sides + (i + 1) % sides, sides + i) for i in range(sides)]
+        for height, number in ((0.02, 40), (0.05, 20), (0.1, 20)):
+            with self.subTest(height=height, points=number):
+                tube = [(x, y, z) for z in (0, height) for x, y in around]
+                points, triangles, _ = self.remesh_shape(tube, faces, number)
+                for t in triangles:
+                    a, b, c = (points[v] for v in t)
+                    u, v = ([p - q for p, q in zip(end, a)] for end in (b, c))
+                    n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+                    outwards = n[0] * (a[0] + b[0] + c[0]) + n[1] * (a[1] + b[1] + c[1])
+                    self.assertGreater(outwards, 0.05 * math.hypot(*n))
+
+
+def write_off(path, points, faces):
+    lines = [f"OFF\n{len(points)} {len(faces)} 0"]
+    lines += [" ".join(f"{x:.9g}" for x in p) for p in points]
+    lines += [" ".join(str(v) for v in (len(f), *f)) for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def points_of(path):
+    words = path.read_text().split()
+    return [tuple(float(w) for w in words[4 + 3 * i:7 + 3 * i]) for i in range(int(words[1]))]
 
 
 def faces_of(path):
