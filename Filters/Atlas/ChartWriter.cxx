@@ -20,8 +20,11 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stipple
 {
@@ -51,11 +54,55 @@ vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* array)
   return copy;
 }
 
+/// For every inserted point the original one that weighs most in it; of two, the first.
+std::vector<int> nearestOriginalPoints(const CutSurface& surface)
+{
+  using Weights = std::vector<std::pair<int, double>>; // points inserted on inserted edges, too
+  std::vector<Weights> weightsOf(surface.inserted.size());
+  std::vector<int> nearest;
+  for (std::size_t j = 0; j < surface.inserted.size(); ++j)
+  {
+    Weights& weights = weightsOf[j];
+    const auto add = [&](int point, double weight) {
+      const auto found = std::find_if(
+        weights.begin(), weights.end(), [&](const auto& other) { return other.first == point; });
+      if (found != weights.end())
+      {
+        found->second += weight;
+      }
+      else
+      {
+        weights.emplace_back(point, weight);
+      }
+    };
+    const auto addEnd = [&](int point, double share) {
+      if (point < surface.numberOfOriginalPoints)
+      {
+        add(point, share);
+        return;
+      }
+      for (const auto& [origin, weight] : weightsOf[point - surface.numberOfOriginalPoints])
+      {
+        add(origin, share * weight);
+      }
+    };
+    const CutSurface::EdgePoint& e = surface.inserted[j];
+    addEnd(e.a, 1. - e.t);
+    addEnd(e.b, e.t);
+    nearest.push_back(
+      std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second || (a.second == b.second && a.first > b.first);
+      })->first);
+  }
+  return nearest;
+}
+
 /// The input's named point arrays at all points of the cut surface.
 std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
   vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> result;
+  const std::vector<int> nearest = nearestOriginalPoints(surface);
   for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* source = input->GetPointData()->GetAbstractArray(i);
@@ -81,7 +128,7 @@ std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
       }
       else
       {
-        array->SetTuple(p, e.t <= 0.5 ? e.a : e.b, array);
+        array->SetTuple(p, nearest[j], array);
       }
     }
     result.push_back(array);

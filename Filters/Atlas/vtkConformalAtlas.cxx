@@ -8,6 +8,7 @@
 #include "FeatureCurves.h"
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
+#include "LongEdges.h"
 #include "SurfaceRepair.h"
 
 #include "vtkDoubleArray.h"
@@ -204,6 +205,7 @@ int vtkConformalAtlas::RequestData(
   }
 
   const std::vector<int> tips = stipple::findTips(surface, detection);
+  stipple::splitLongEdges(surface, stipple::longestEdgeForCharts(surface));
 
   stipple::ChartPartitionOptions options;
   options.numberOfCharts = this->NumberOfCharts;

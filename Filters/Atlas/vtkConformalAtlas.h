@@ -9,20 +9,21 @@
  * or not), orients, removes duplicates and triangles without area but for rounding (up to a
  * millionth of their longest edge, or 1e-7 of the diagonal), and splits non-manifold edges and
  * vertices; every repair is counted. A surface that cannot be oriented, such as a Moebius strip, is
- * cut open along a short line. The bounding box must measure 1e-15 to 1e15. The surface is then cut
- * into disk charts and each chart is mapped to a rectangle by the discrete conformal map, without a
- * flipped triangle.
+ * cut open along a short line. The bounding box must measure 1e-15 to 1e15. Edges longer than 7 %
+ * of the area's root are halved, for charts of few and slender triangles are poor. The surface is
+ * then cut into disk charts and each chart is mapped to a rectangle by the discrete conformal map,
+ * without a flipped triangle.
  *
  * Output port 0: a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart. Point
  * arrays: "UV" (double x2, active texture coordinates, in the rectangle [0, ChartExtent]),
  * "SurfacePointId" (vtkIdType, equal for the copies of a seam point), "GaussianCurvature",
  * "MeanCurvature" (double), and the input's point arrays, interpolated at points that cutting
- * inserted (integers: from the nearer end). Cell arrays: "SourceCellId" (vtkIdType, the input
- * cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays. Field array:
- * "ChartExtent" (double x2, the rectangle's width and height, of which the larger is 1) and
- * "DensityRatio" (double, see MaximumDensityRatio). An input
- * array of one of these names, or of one that the later stages give to their own arrays ("ChartId",
- * "SampleKind", ...), is left out.
+ * inserted (integers: from the nearest corner of the input). Cell arrays: "SourceCellId"
+ * (vtkIdType, the input cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays.
+ * Field array: "ChartExtent" (double x2, the rectangle's width and height, of which the larger is
+ * 1) and "DensityRatio" (double, see MaximumDensityRatio). An input array of one of these names, or
+ * of one that the later stages give to their own arrays ("ChartId", "SampleKind", ...), is left
+ * out.
  *
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),

@@ -120,6 +120,24 @@ class Coarse(MeshTest):
                     outwards = n[0] * (a[0] + b[0] + c[0]) + n[1] * (a[1] + b[1] + c[1])
                     self.assertGreater(outwards, 0.05 * math.hypot(*n))
 
+    def test_slender_triangles_of_a_pipe(self):
+        """As CAD programs write them: two triangles for each side, from end to end."""
+        sides = 40
+        points = [(radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides), z)
+                  for radius, z in ((1, 0), (1, 3), (0.5, 3), (0.5, 0)) for i in range(sides)]
+        faces = []
+        for ring in range(4):
+            for i in range(sides):
+                a, b = ring * sides, (ring + 1) % 4 * sides
+                j = (i + 1) % sides
+                faces += [(a + i, a + j, b + j), (a + i, b + j, b + i)]
+        remeshed, _, figures = self.remesh_shape(points, faces, 5000)
+        self.assertEqual(len(remeshed), 5000)
+        self.assertTrue(figures["same_topology"])
+        self.assertGreaterEqual(figures["angle_min"], 30)
+        self.assertLessEqual(figures["area_cv"], 0.12)
+        self.assertLessEqual(figures["hausdorff_pct"], 0.25)
+
 
 def write_off(path, points, faces):
     lines = [f"OFF\n{len(points)} {len(faces)} 0"]

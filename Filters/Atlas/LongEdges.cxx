@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LongEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace stipple
+{
+double longestEdgeForCharts(const CutSurface& surface)
+{
+  constexpr double Points = 800;
+  return 2. * std::sqrt(2. / std::sqrt(3.) * surface.area() / Points);
+}
+
+int splitLongEdges(CutSurface& surface, double longest, int mostPoints)
+{
+  const auto lengthOf = [&](int h) {
+    return (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+  };
+  // By length, then the edge that comes first. A split shortens edges: what does not have the
+  // length any more that it had here is met again with its new one.
+  std::priority_queue<std::pair<double, int>> edges;
+  const auto add = [&](int h) {
+    const double length = lengthOf(h);
+    if (length > longest)
+    {
+      edges.emplace(length, -std::max(h, surface.twin[h]));
+    }
+  };
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    if (surface.twin[h] < h)
+    {
+      add(h);
+    }
+  }
+  int added = 0;
+  while (!edges.empty() && added < mostPoints)
+  {
+    const auto [length, negative] = edges.top();
+    edges.pop();
+    const int h = -negative;
+    if (lengthOf(h) != length)
+    {
+      continue;
+    }
+    const int twin = surface.twin[h];
+    const int before = surface.numberOfFaces();
+    surface.splitEdge(h, 0.5);
+    ++added;
+    const auto addEdgesOf = [&](int face) {
+      for (int g = 3 * face; g < 3 * face + 3; ++g)
+      {
+        add(g);
+      }
+    };
+    addEdgesOf(h / 3);
+    addEdgesOf(before);
+    if (twin >= 0)
+    {
+      addEdgesOf(twin / 3);
+      addEdgesOf(before + 1);
+    }
+  }
+  return added;
+}
+}
