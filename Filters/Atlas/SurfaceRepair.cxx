@@ -52,9 +52,48 @@ std::string shortNumber(double x)
   return text.str();
 }
 
-/// The representative of every point: the first one at exactly the same place (-0 equals 0).
-std::vector<int> weldMap(const std::vector<Vec3>& points)
+/// Whether the triangles about a point close a fan, all oriented alike, without an edge to a point
+/// at the same place: then the surface wants nothing of other points that are there, too.
+std::vector<char> haveClosedFans(const TriangleSurface& surface)
 {
+  const std::vector<int> twin = halfedgeTwins(surface.triangles);
+  const std::size_t n = surface.points.size();
+  std::vector<int> outgoing(n, -1);
+  std::vector<int> number(n, 0);
+  std::vector<char> isClosed(n, 1);
+  for (int h = 0; h < static_cast<int>(twin.size()); ++h)
+  {
+    const int p = surface.tail(h);
+    const int q = surface.head(h);
+    outgoing[p] = h;
+    ++number[p];
+    if (twin[h] < 0 || surface.points[p] == surface.points[q])
+    {
+      isClosed[p] = isClosed[q] = 0;
+    }
+  }
+  for (std::size_t p = 0; p < n; ++p)
+  {
+    int turned = 0;
+    for (int h = outgoing[p]; isClosed[p] && h >= 0;)
+    {
+      ++turned;
+      h = twin[previousHalfedge(h)];
+      if (h == outgoing[p])
+      {
+        break;
+      }
+    }
+    isClosed[p] = isClosed[p] && number[p] > 0 && turned == number[p];
+  }
+  return isClosed;
+}
+
+/// The representative of every point: the first one at exactly the same place (-0 equals 0), those
+/// with closed fans left out.
+std::vector<int> weldMap(const TriangleSurface& surface)
+{
+  const std::vector<Vec3>& points = surface.points;
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -67,11 +106,25 @@ std::vector<int> weldMap(const std::vector<Vec3>& points)
     }
     return a < b;
   });
+  const auto isSame = [&](int a, int b) { return points[a] == points[b]; };
   std::vector<int> map(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::iota(map.begin(), map.end(), 0);
+  if (std::adjacent_find(order.begin(), order.end(), isSame) == order.end())
   {
-    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
-    map[order[i]] = same ? map[order[i - 1]] : order[i];
+    return map;
+  }
+  const std::vector<char> isClosed = haveClosedFans(surface);
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end)
+  {
+    int first = -1;
+    for (end = begin; end < order.size() && isSame(order[end], order[begin]); ++end)
+    {
+      if (const int p = order[end]; !isClosed[p])
+      {
+        first = first < 0 ? p : first;
+        map[p] = first;
+      }
+    }
   }
   return map;
 }
@@ -257,7 +310,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
       shortNumber(smallestSize) + " and " + shortNumber(largestSize) + ".");
   }
   const int numberOfInputPoints = static_cast<int>(s.points.size());
-  const std::vector<int> weld = weldMap(s.points);
+  const std::vector<int> weld = weldMap(s);
   std::vector<char> used(numberOfInputPoints, 0);
   for (Triangle& t : s.triangles)
   {

@@ -5,14 +5,14 @@
  * @brief   cut a surface into disk charts, flatten them conformally, and find its features
  *
  * vtkConformalAtlas takes any vtkPolyData with polygons or triangle strips, of any genus, number of
- * components and boundary loops. It welds points at the same place, triangulates polygons (convex
- * or not), orients, removes duplicates and triangles without area but for rounding (up to a
- * millionth of their longest edge, or 1e-7 of the diagonal), and splits non-manifold edges and
- * vertices; every repair is counted. A surface that cannot be oriented, such as a Moebius strip, is
- * cut open along a short line. The bounding box must measure 1e-15 to 1e15. Edges longer than 7 %
- * of the area's root are halved, for charts of few and slender triangles are poor. The surface is
- * then cut into disk charts and each chart is mapped to a rectangle by the discrete conformal map,
- * without a flipped triangle.
+ * components and boundary loops. It welds points at the same place (but those inside closed
+ * surfaces that touch), triangulates polygons (convex or not), orients, removes duplicates and
+ * triangles without area but for rounding (up to a millionth of their longest edge, or 1e-7 of the
+ * diagonal), and splits non-manifold edges and vertices; every repair is counted. A surface that
+ * cannot be oriented, such as a Moebius strip, is cut open along a short line. The bounding box
+ * must measure 1e-15 to 1e15. Edges longer than 7.6 % of the area's root are halved, for charts of
+ * few or slender triangles are poor. The surface is then cut into disk charts and each chart is
+ * mapped to a rectangle by the discrete conformal map, without a flipped triangle.
  *
  * Output port 0: a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart. Point
  * arrays: "UV" (double x2, active texture coordinates, in the rectangle [0, ChartExtent]),

@@ -169,21 +169,39 @@ class BadInput(ProgramTest):
         self.assertGreater(repairs["degenerate_triangles"], 0)
         self.assertEqual(repairs["unused_points"], 1)
 
+    @staticmethod
+    def cube_pair(shift, shared):
+        """Two cubes, the second one moved; with points of its own, or none where the first one has one."""
+        corners = [tuple(map(int, line.split())) for line in CUBE.splitlines()[2:10]]
+        faces = [[int(i) for i in line.split()[1:]] for line in CUBE.splitlines()[10:]]
+        points = list(corners)
+        second = []
+        for corner in corners:
+            moved = tuple(x + d for x, d in zip(corner, shift))
+            if not shared or moved not in points[:8]:
+                points.append(moved)
+                second.append(len(points) - 1)
+            else:
+                second.append(points.index(moved))
+        faces += [[second[i] for i in face] for face in faces]
+        return (f"OFF\n{len(points)} {len(faces)} 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in points) +
+                "".join(" ".join(map(str, (4, *face))) + "\n" for face in faces))
+
     def test_non_manifold(self):
         # Two cubes that share an edge, and two that share a point.
-        def cube(dx, dy, dz, first):
-            points = [f"{x + dx} {y + dy} {z + dz}" for x, y, z in (map(int, l.split()) for l in CUBE.splitlines()[2:10])]
-            faces = [" ".join(["4"] + [str(int(i) + first) for i in l.split()[1:]]) for l in CUBE.splitlines()[10:]]
-            return points, faces
-
         for shift, split in (((1, 1, 0), "split_edges"), ((1, 1, 1), "split_vertices")):
-            points, faces = cube(0, 0, 0, 0)
-            more = cube(*shift, 8)
-            text = "OFF\n16 12 0\n" + "\n".join(points + more[0] + faces + more[1]) + "\n"
             with self.subTest(split=split):
-                found, repairs = self.repaired("pair.off", text, 400)
+                found, repairs = self.repaired("pair.off", self.cube_pair(shift, True), 400)
                 self.assertEqual((found["components"], found["euler"]), (2, 4))
                 self.assertGreater(repairs[split], 0)
+
+    def test_closed_surfaces_that_touch(self):
+        """Each with its own points, in a face, an edge or a point: both stay closed, as they came."""
+        for shift in ((1, 0, 0), (1, 1, 0), (1, 1, 1)):
+            with self.subTest(shift=shift):
+                found, repairs = self.repaired("pair.off", self.cube_pair(shift, False), 400)
+                self.assertEqual((found["components"], found["euler"], found["boundary_loops"]), (2, 4, 0))
+                self.assertEqual(sum(repairs.values()), 0)
 
 
 if __name__ == "__main__":

@@ -66,6 +66,31 @@ TEST(SurfaceRepair, LooseTrianglesAreWelded)
   EXPECT_TRUE(r.surface.topology() == sphere.topology());
 }
 
+TEST(SurfaceRepair, ClosedSurfacesThatTouchAreLeftAlone)
+{
+  // Two cubes with a face in common, each with its own points: welded, the face would be gone, and
+  // its edges would be those of four triangles.
+  TriangleSurface both = shapes::cube(2);
+  const TriangleSurface cube = both;
+  const double side = std::sqrt(cube.area() / 6.);
+  const int n = static_cast<int>(cube.points.size());
+  for (const Vec3& p : cube.points)
+  {
+    both.points.emplace_back(p + Vec3(side, 0, 0));
+  }
+  for (const Triangle& t : cube.triangles)
+  {
+    both.triangles.push_back({ t[0] + n, t[1] + n, t[2] + n });
+  }
+  both.connect();
+  const RepairedSurface r = repaired(both);
+  EXPECT_EQ(r.counts.weldedPoints, 0);
+  EXPECT_EQ(r.counts.splitEdges, 0);
+  EXPECT_TRUE(r.surface.topology() == both.topology());
+  EXPECT_EQ(r.surface.topology().components, 2);
+  EXPECT_EQ(r.surface.topology().boundaryLoops, 0);
+}
+
 TEST(SurfaceRepair, MinorityIsTurnedAround)
 {
   TriangleSurface sphere = shapes::sphere(1, 2);
@@ -110,7 +135,7 @@ TEST(SurfaceRepair, NonManifoldEdgeAndVertexAreSplit)
     }
     s.triangles.push_back({ n, n + 1, n + 2 });
   }
-  const RepairedSurface edge = repaired(s);
+  const RepairedSurface edge = repaired(exploded(s));
   EXPECT_EQ(edge.counts.splitEdges, 1);
   EXPECT_GT(edge.counts.splitVertices, 0);
   EXPECT_EQ(edge.surface.topology().components, 2);
@@ -125,7 +150,8 @@ TEST(SurfaceRepair, NonManifoldEdgeAndVertexAreSplit)
   }
   for (const Triangle& t : one.triangles)
   {
-    v.triangles.push_back({ base + t[0], base + t[2], base + t[1] });
+    const auto mirrored = [&](int p) { return p == 0 ? 0 : base + p; };
+    v.triangles.push_back({ mirrored(t[0]), mirrored(t[2]), mirrored(t[1]) });
   }
   const RepairedSurface vertex = repaired(v);
   EXPECT_EQ(vertex.counts.splitEdges, 0);
