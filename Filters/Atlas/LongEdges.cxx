@@ -12,7 +12,9 @@ namespace stipple
 double longestEdgeForCharts(const CutSurface& surface)
 {
   constexpr double Points = 800;
-  return 2. * std::sqrt(2. / std::sqrt(3.) * surface.area() / Points);
+  constexpr double LeastShare = 0.02; // of the diagonal: surfaces may be far longer than wide
+  return std::max(LeastShare * surface.boundingBoxDiagonal(),
+    2. * std::sqrt(2. / std::sqrt(3.) * surface.area() / Points));
 }
 
 int splitLongEdges(CutSurface& surface, double longest, int mostPoints)
