@@ -9,8 +9,8 @@
 
 namespace stipple
 {
-/// Twice the edge of a regular triangulation of the surface with 800 points; on slender surfaces 2 %
-/// of the bounding box's diagonal.
+/// Twice the edge of a regular triangulation of the surface with 800 points; on slender surfaces 2
+/// % of the bounding box's diagonal.
 STIPPLEFILTERSATLAS_EXPORT double longestEdgeForCharts(const CutSurface& surface);
 
 /// Halves edges longer than `longest`, the longest of all first, until there are none, or

@@ -223,18 +223,25 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
 }
 
 /// Moves the zeros of a function that pass close by a vertex onto it, so that cutting along them
-/// leaves no thin triangle.
-void snapToVertices(const ChartMesh& mesh, std::vector<double>& value)
+/// leaves no thin triangle; and those that cross a long sharp edge onto its nearer end: where a
+/// seam crosses a crease there is a fixed sample, which should not come close to a corner.
+void snapToVertices(
+  const CutSurface& surface, const ChartMesh& mesh, double longEdge, std::vector<double>& value)
 {
-  constexpr double nearest = 0.05; // of an edge's length
-  for (const Triangle& t : mesh.triangles)
+  constexpr double Nearest = 0.05; // of an edge's length
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
   {
+    const Triangle& t = mesh.triangles[i];
     for (int k = 0; k < 3; ++k)
     {
       double& a = value[t[k]];
       double& b = value[t[(k + 1) % 3]];
       if (a * b < 0)
       {
+        const int h = 3 * mesh.faces[i] + k;
+        const bool isLong = surface.sharp[h] &&
+          (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm() > longEdge;
+        const double nearest = isLong ? 0.5 : Nearest;
         const double at = a / (a - b);
         if (at < nearest)
         {
@@ -427,7 +434,9 @@ bool placeSeam(
     }
     if (placement.exact)
     {
-      snapToVertices(both.mesh, value);
+      constexpr double LongEdge = 0.04; // over the area's root
+      const double longEdge = LongEdge * std::sqrt(regions.area(a) + regions.area(b));
+      snapToVertices(regions.surface(), both.mesh, longEdge, value);
       side = splitAlongZeros(regions, a, b, both.mesh, value);
     }
     else
