@@ -260,12 +260,17 @@ void OptimizedMesh::placeOnBackbone(int v, double arcLength)
 
 void OptimizedMesh::lookBehind(int v)
 {
-  if (this->BackboneOf[v] >= 0)
+  if (this->BackboneOf[v] < 0)
   {
-    const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
-    this->Behind[v] = trace.chart[0] >= 0 && trace.chart[1] >= 0
-      ? this->Atlas->smoothNormal(trace.face(trace.locate(this->ArcLength[v]), 1))
-      : this->Normal[v];
+    return;
+  }
+  this->Behind[v] = this->Normal[v];
+  const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
+  if (trace.chart[0] >= 0 && trace.chart[1] >= 0)
+  {
+    const BackboneTrace::Place place = trace.locate(this->ArcLength[v]);
+    const int side = this->Place[v].face == trace.face(place, 1) ? 0 : 1;
+    this->Behind[v] = this->Atlas->smoothNormal(trace.face(place, side));
   }
 }
 
