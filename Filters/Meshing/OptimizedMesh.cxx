@@ -71,7 +71,10 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
   this->Free.assign(n, Freedom::Surface);
   this->BackboneOf.assign(n, -1);
   this->ArcLength.assign(n, 0.);
-  std::vector<char> fixedNode(atlas.surface().points.size(), 0);
+  // Corners, also tips of cones that a seam runs through, and where sharp and boundary backbones
+  // end.
+  std::vector<char> fixedNode = graph.isCorner;
+  fixedNode.resize(atlas.surface().points.size(), 0);
   for (const Backbone& b : graph.backbones)
   {
     if (!b.closed && b.type != BackboneType::Seam)

@@ -97,11 +97,11 @@ class Folds(MeshTest):
 class Coarse(MeshTest):
     """Few points, or few and slender triangles."""
 
-    def remesh_shape(self, points, faces, number):
+    def remesh_shape(self, points, faces, number, *options):
         """Points and triangles of a remeshed shape, and the report's figures."""
         model, out, report = (self.folder / name for name in ("model.off", "out.off", "report.json"))
         write_off(model, points, faces)
-        self.succeed(model, "-o", out, "--points", number, "--report", report)
+        self.succeed(model, "-o", out, "--points", number, "--report", report, *options)
         return points_of(out), faces_of(out), json.loads(report.read_text())["quality"]
 
     def test_no_lids_on_low_tubes(self):
@@ -137,6 +137,29 @@ class Coarse(MeshTest):
         self.assertGreaterEqual(figures["angle_min"], 30)
         self.assertLessEqual(figures["area_cv"], 0.12)
         self.assertLessEqual(figures["hausdorff_pct"], 0.25)
+
+    def test_tips_that_seams_run_through(self):
+        """Seams lead to the tips of a spindle, for maps are densest there; the tips stay points of the mesh."""
+        sides, rows, height = 24, 12, 2.5
+        points = [(0, 0, height), (0, 0, -height)]
+        for row in range(1, rows):
+            z = height * (1 - 2 * row / rows)
+            radius = 1 - abs(z) / height
+            points += [(radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides), z)
+                       for i in range(sides)]
+        faces = []
+        for i in range(sides):
+            def at(row, column):
+                return 2 + (row - 1) * sides + column % sides
+            faces += [(0, at(1, i), at(1, i + 1)), (1, at(rows - 1, i + 1), at(rows - 1, i))]
+            for row in range(1, rows - 1):
+                faces += [(at(row, i), at(row + 1, i), at(row + 1, i + 1)), (at(row, i), at(row + 1, i + 1), at(row, i + 1))]
+        for charts in (1, 3, 6):
+            with self.subTest(charts=charts):
+                remeshed, _, _ = self.remesh_shape(points, faces, 500, "--charts", charts, "--feature-angle", 60)
+                heights = [z for _, _, z in remeshed]
+                self.assertAlmostEqual(max(heights), height, places=6)
+                self.assertAlmostEqual(min(heights), -height, places=6)
 
 
 def write_off(path, points, faces):
