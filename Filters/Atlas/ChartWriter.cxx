@@ -102,7 +102,7 @@ std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
   vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> result;
-  const std::vector<int> nearest = nearestOriginalPoints(surface);
+  std::vector<int> nearest; // found for the first array that needs it
   for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* source = input->GetPointData()->GetAbstractArray(i);
@@ -118,6 +118,10 @@ std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
     }
     const int type = source->GetDataType();
     const bool continuous = type == VTK_FLOAT || type == VTK_DOUBLE;
+    if (!continuous && nearest.empty())
+    {
+      nearest = nearestOriginalPoints(surface);
+    }
     for (std::size_t j = 0; j < surface.inserted.size(); ++j)
     {
       const CutSurface::EdgePoint& e = surface.inserted[j];

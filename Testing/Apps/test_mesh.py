@@ -141,6 +141,10 @@ class Coarse(MeshTest):
     def test_tips_that_seams_run_through(self):
         """Seams lead to the tips of a spindle, for maps are densest there; the tips stay points of the mesh."""
         sides, rows, height = 24, 12, 2.5
+
+        def at(row, column):
+            return 2 + (row - 1) * sides + column % sides
+
         points = [(0, 0, height), (0, 0, -height)]
         for row in range(1, rows):
             z = height * (1 - 2 * row / rows)
@@ -149,8 +153,6 @@ class Coarse(MeshTest):
                        for i in range(sides)]
         faces = []
         for i in range(sides):
-            def at(row, column):
-                return 2 + (row - 1) * sides + column % sides
             faces += [(0, at(1, i), at(1, i + 1)), (1, at(rows - 1, i + 1), at(rows - 1, i))]
             for row in range(1, rows - 1):
                 faces += [(at(row, i), at(row + 1, i), at(row + 1, i + 1)), (at(row, i), at(row + 1, i + 1), at(row, i + 1))]
