@@ -22,15 +22,16 @@ constexpr double ShareOfWay = 0.75;
 /// A crease, as it leaves a corner.
 struct Crease
 {
-  const BackboneTrace& trace;
+  const SurfaceCache& atlas;
+  int backbone;
   bool fromEnd;
 
-  Vec3 at(const AtlasSurface& surface, double distance) const
+  double length() const { return this->atlas.traces()[this->backbone].length(); }
+  Vec3 at(double distance) const
   {
-    const BackboneTrace::Place place =
-      this->trace.locate(this->fromEnd ? this->trace.length() - distance : distance);
-    const int side = this->trace.hasSide(0) ? 0 : 1;
-    return surface.position(this->trace.face(place, side), this->trace.bary(place, side));
+    const SurfacePlace place = this->atlas.placeOfBackbone(
+      this->backbone, this->fromEnd ? this->length() - distance : distance);
+    return this->atlas.surface().position(place.face, place.bary);
   }
 };
 
@@ -46,7 +47,7 @@ std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, int corner, int firs
     {
       if (chain[fromEnd ? n - 1 : 0] == corner && chain[fromEnd ? n - 2 : 1] == first)
       {
-        return Crease{ mesh.atlas().traces()[b], fromEnd };
+        return Crease{ mesh.atlas(), b, fromEnd };
       }
     }
   }
@@ -55,15 +56,14 @@ std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, int corner, int firs
 
 /// At what distance from the corner, in spacings, two creases have opened to an angle; 1 if they
 /// have where their first points would be anyway, or nowhere near.
-double distanceWhereOpen(const OptimizedMesh& mesh, const Vec3& corner, const Crease& a,
-  const Crease& b, double spacing, double angle)
+double distanceWhereOpen(
+  const Vec3& corner, const Crease& a, const Crease& b, double spacing, double angle)
 {
-  const AtlasSurface& surface = mesh.atlas().surface();
-  const double room = std::min(a.trace.length(), b.trace.length()) / spacing - LeastBeyond;
+  const double room = std::min(a.length(), b.length()) / spacing - LeastBeyond;
   for (double distance = 1.; distance <= std::min(Farthest, room); distance += Step)
   {
     const double s = distance * spacing;
-    if (cotangent(corner, a.at(surface, s), b.at(surface, s)) <= 1. / std::tan(angle))
+    if (cotangent(corner, a.at(s), b.at(s)) <= 1. / std::tan(angle))
     {
       return distance;
     }
@@ -109,8 +109,7 @@ CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
       const auto b = creaseFrom(mesh, v, graph.from_vertex_handle(g).idx());
       if (a && b)
       {
-        distance =
-          std::max(distance, distanceWhereOpen(mesh, mesh.position(v), *a, *b, spacing, angle));
+        distance = std::max(distance, distanceWhereOpen(mesh.position(v), *a, *b, spacing, angle));
       }
     });
     if (distance > 1.)

@@ -248,16 +248,13 @@ void OptimizedMesh::coarsen(CoarseRegions regions)
 
 void OptimizedMesh::placeOnBackbone(int v, double arcLength)
 {
-  const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
-  const double length = trace.length();
+  const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
   if (this->Atlas->graph().backbones[this->BackboneOf[v]].closed)
   {
     arcLength -= length * std::floor(arcLength / length);
   }
   this->ArcLength[v] = arcLength;
-  const BackboneTrace::Place place = trace.locate(arcLength);
-  const int side = trace.hasSide(0) ? 0 : 1;
-  this->placeVertex(v, { trace.face(place, side), trace.bary(place, side) });
+  this->placeVertex(v, this->Atlas->placeOfBackbone(this->BackboneOf[v], arcLength));
   this->lookBehind(v);
 }
 

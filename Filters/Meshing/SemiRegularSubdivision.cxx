@@ -108,10 +108,9 @@ std::unordered_map<std::uint64_t, Sample> middlesOnBackbones(
       sample.kind = SampleKind::Backbone;
       sample.backbone = static_cast<int>(b);
       sample.arcLength = middle;
-      const BackboneTrace::Place place = trace.locate(middle);
-      const int side = trace.hasSide(0) ? 0 : 1;
-      sample.face = trace.face(place, side);
-      sample.bary = trace.bary(place, side);
+      const SurfacePlace place = atlas.placeOfBackbone(sample.backbone, middle);
+      sample.face = place.face;
+      sample.bary = place.bary;
       result[edgeKey(chain[i - 1], chain[i])] = sample;
     }
   }

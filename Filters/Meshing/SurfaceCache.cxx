@@ -125,6 +125,14 @@ void SurfaceCache::findNeighbours()
   });
 }
 
+SurfacePlace SurfaceCache::placeOfBackbone(int backbone, double arcLength) const
+{
+  const BackboneTrace& trace = this->Traces[backbone];
+  const BackboneTrace::Place place = trace.locate(arcLength);
+  const int side = trace.hasSide(0) ? 0 : 1;
+  return { trace.face(place, side), trace.bary(place, side) };
+}
+
 SurfacePlace SurfaceCache::placeOfPoint(int p) const
 {
   const int h = this->Outgoing[p];

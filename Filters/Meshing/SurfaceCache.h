@@ -35,6 +35,8 @@ public:
   /// neighbours()[neighbourBegin()[p + 1] - 1].
   const std::vector<int>& neighbourBegin() const { return this->NeighbourBegin; }
   const std::vector<int>& neighbours() const { return this->Neighbours; }
+  /// The place at an arc length of a backbone, seen from the first side that it has.
+  SurfacePlace placeOfBackbone(int backbone, double arcLength) const;
   /// A point that a triangle uses, as a place.
   SurfacePlace placeOfPoint(int p) const;
   const SurfaceTopology& topology() const { return this->Topology; }
