@@ -6,6 +6,7 @@
 #define stipple_AtlasSurface_h
 
 #include "Progress.h"
+#include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
 #include <vector>

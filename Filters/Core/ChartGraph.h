@@ -7,6 +7,7 @@
 #include "AtlasSurface.h"
 #include "FeatureGraph.h"
 #include "SampleSet.h"
+#include "StippleFiltersCoreModule.h"
 
 namespace stipple
 {

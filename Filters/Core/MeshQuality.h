@@ -5,6 +5,7 @@
 #ifndef stipple_MeshQuality_h
 #define stipple_MeshQuality_h
 
+#include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
 namespace stipple

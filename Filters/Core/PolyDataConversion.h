@@ -4,6 +4,7 @@
 #ifndef stipple_PolyDataConversion_h
 #define stipple_PolyDataConversion_h
 
+#include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
 #include "vtkSmartPointer.h"

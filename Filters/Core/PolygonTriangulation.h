@@ -3,6 +3,7 @@
 #ifndef stipple_PolygonTriangulation_h
 #define stipple_PolygonTriangulation_h
 
+#include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
 namespace stipple

@@ -5,6 +5,7 @@
 #define stipple_ChartStitching_h
 
 #include "ChartTriangulation.h"
+#include "StippleFiltersMeshingModule.h"
 
 namespace stipple
 {

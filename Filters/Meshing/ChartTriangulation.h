@@ -6,6 +6,7 @@
 #define stipple_ChartTriangulation_h
 
 #include "ChartGraph.h"
+#include "StippleFiltersMeshingModule.h"
 #include "TriangleComplex.h"
 
 namespace stipple

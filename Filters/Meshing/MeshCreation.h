@@ -5,6 +5,7 @@
 #define stipple_MeshCreation_h
 
 #include "ChartTriangulation.h"
+#include "StippleFiltersMeshingModule.h"
 #include "SurfaceCache.h"
 
 #include "vtkSmartPointer.h"

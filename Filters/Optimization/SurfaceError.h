@@ -5,11 +5,12 @@
 #define stipple_SurfaceError_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
 /// The points of the surface, each with the vertex of the mesh that is nearest along its edges.
-class STIPPLEFILTERSMESHING_EXPORT SurfaceError
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceError
 {
 public:
   /// Borrows the mesh. Vertices may move and edges be swapped, as long as they stay near.
@@ -46,7 +47,7 @@ private:
 /// distances about the vertex and does not raise the largest, makes no triangle worse than
 /// minimumAngle (radians), and keeps areas even. Where a tip stays cut off, edges
 /// are swapped too. Returns the number of moves and swaps.
-STIPPLEFILTERSMESHING_EXPORT int reduceSurfaceError(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int reduceSurfaceError(
   OptimizedMesh& mesh, double minimumAngle, double share);
 }
 

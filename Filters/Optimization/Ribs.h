@@ -5,6 +5,7 @@
 #define stipple_Ribs_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -14,7 +15,7 @@ namespace stipple
 /// triangles there are good enough, or as good as the worst of them was: else all is taken back.
 /// Nothing gets farther from the surface than the mesh is somewhere, and no triangle is flipped.
 /// Returns the number of sides that were mended.
-STIPPLEFILTERSMESHING_EXPORT int makeRibs(OptimizedMesh& mesh);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int makeRibs(OptimizedMesh& mesh);
 }
 
 #endif

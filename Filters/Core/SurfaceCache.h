@@ -6,6 +6,7 @@
 #define stipple_SurfaceCache_h
 
 #include "ChartGraph.h"
+#include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
 
 #include "vtkSmartPointer.h"
@@ -17,7 +18,7 @@ class vtkDataObject;
 
 namespace stipple
 {
-class STIPPLEFILTERSMESHING_EXPORT SurfaceCache
+class STIPPLEFILTERSCORE_EXPORT SurfaceCache
 {
 public:
   /// Reads both inputs unless they are those of the last time, unmodified.

@@ -36,12 +36,12 @@
 #ifndef vtkRemeshOptimizer_h
 #define vtkRemeshOptimizer_h
 
-#include "StippleFiltersMeshingModule.h" // for export macro
+#include "StippleFiltersOptimizationModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class STIPPLEFILTERSMESHING_EXPORT vtkRemeshOptimizer : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSOPTIMIZATION_EXPORT vtkRemeshOptimizer : public vtkPolyDataAlgorithm
 {
 public:
   static vtkRemeshOptimizer* New();

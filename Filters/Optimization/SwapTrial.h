@@ -5,6 +5,7 @@
 #define stipple_SwapTrial_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -27,7 +28,7 @@ inline Stand standOf(const OptimizedMesh& mesh, int v)
   return { mesh.footing(v), mesh.arcLength(v) };
 }
 
-class STIPPLEFILTERSMESHING_EXPORT SwapTrial
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SwapTrial
 {
 public:
   /// Borrows both. The edges are not swapped yet.

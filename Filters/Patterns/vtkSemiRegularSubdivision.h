@@ -29,12 +29,12 @@
 #ifndef vtkSemiRegularSubdivision_h
 #define vtkSemiRegularSubdivision_h
 
-#include "StippleFiltersMeshingModule.h" // for export macro
+#include "StippleFiltersPatternsModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class STIPPLEFILTERSMESHING_EXPORT vtkSemiRegularSubdivision : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSPATTERNS_EXPORT vtkSemiRegularSubdivision : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSemiRegularSubdivision* New();

@@ -29,12 +29,12 @@
 #ifndef vtkQuadRemesh_h
 #define vtkQuadRemesh_h
 
-#include "StippleFiltersMeshingModule.h" // for export macro
+#include "StippleFiltersPatternsModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class STIPPLEFILTERSMESHING_EXPORT vtkQuadRemesh : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSPATTERNS_EXPORT vtkQuadRemesh : public vtkPolyDataAlgorithm
 {
 public:
   static vtkQuadRemesh* New();

@@ -5,7 +5,7 @@
 #ifndef stipple_SurfaceWalk_h
 #define stipple_SurfaceWalk_h
 
-#include "StippleFiltersMeshingModule.h"
+#include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
 namespace stipple
@@ -17,7 +17,7 @@ struct SurfacePlace
   Vec3 bary = Vec3::Zero();
 };
 
-class STIPPLEFILTERSMESHING_EXPORT SurfaceWalk
+class STIPPLEFILTERSCORE_EXPORT SurfaceWalk
 {
 public:
   /// Keeps a reference to the surface. wall, if not empty, marks halfedges (both of an edge) that

@@ -5,6 +5,7 @@
 #define stipple_EdgeSwaps_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -15,31 +16,31 @@ bool isDelaunaySwap(const OptimizedMesh& mesh, int edge);
 /// of swaps.
 
 /// Swaps edges whose opposite angles (in space) exceed 180 degrees together.
-STIPPLEFILTERSMESHING_EXPORT int delaunaySwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int delaunaySwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
 
 /// Swaps edges where that reduces the valence dispersion: valence 6 inside, 4 on a boundary; beside
 /// creases and at corners, as many triangles in every sector as its angle holds, so that both sides
 /// of a crease are balanced. No angle under minimumAngle (degrees) is made.
-STIPPLEFILTERSMESHING_EXPORT int regularitySwaps(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int regularitySwaps(
   OptimizedMesh& mesh, double minimumAngle = 15., int maximumNumberOfPasses = 5);
 
 /// Swaps edges where that raises the smaller area / perimeter^2 of the two triangles.
-STIPPLEFILTERSMESHING_EXPORT int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
 
 /// Triangles about v that are missing (positive) or too many; for v on a crease, in the sector of
 /// halfedge h, which leaves v and has a triangle to its left.
-STIPPLEFILTERSMESHING_EXPORT int valenceExcess(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int valenceExcess(
   const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
 
 /// The same, but beside creases and boundaries always to three triangles, so that their vertices
 /// have two neighbours on each side (Figure 8).
-STIPPLEFILTERSMESHING_EXPORT int ribExcess(const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int ribExcess(const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
 
 /// What a vertex costs whose valence is off by `excess`: one too many or too few is as good as any.
 int irregularity(int excess);
 
 /// By how much swapping the edge changes the sum of the squared excesses of its four vertices.
-STIPPLEFILTERSMESHING_EXPORT int dispersionChange(const OptimizedMesh& mesh, int edge);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int dispersionChange(const OptimizedMesh& mesh, int edge);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #define stipple_SurfaceProximity_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 #include <memory>
 
@@ -19,7 +20,7 @@ struct SurfaceReach
   double creases = 0; ///< from an edge along a crease to the crease's points between its ends
 };
 
-class STIPPLEFILTERSMESHING_EXPORT SurfaceProximity
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceProximity
 {
 public:
   /// Borrows the mesh. Its features stay, and may slide.
@@ -60,7 +61,7 @@ private:
 /// Keeps the mesh within reach of the surface while vertices move one by one. Distances are
 /// measured only where the vertices' steps since the last time may have used up what is left of the
 /// reach.
-class STIPPLEFILTERSMESHING_EXPORT SurfaceLeash
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceLeash
 {
 public:
   /// Borrows both.

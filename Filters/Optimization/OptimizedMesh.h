@@ -7,6 +7,7 @@
 #include "CoarseRegions.h"
 #include "DensityField.h"
 #include "SampleSet.h"
+#include "StippleFiltersOptimizationModule.h"
 #include "SurfaceCache.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -39,7 +40,7 @@ inline void makeUnique(std::vector<int>& ids)
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-class STIPPLEFILTERSMESHING_EXPORT OptimizedMesh
+class STIPPLEFILTERSOPTIMIZATION_EXPORT OptimizedMesh
 {
 public:
   using Connectivity = OpenMesh::TriConnectivity; // halfedges without coordinates

@@ -5,13 +5,13 @@
 #define stipple_DensityField_h
 
 #include "AtlasSurface.h"
-#include "StippleFiltersMeshingModule.h"
+#include "StippleFiltersOptimizationModule.h"
 #include "SurfaceWalk.h"
 
 namespace stipple
 {
 /// Control / AreaDistortion at a place, up to one global factor; constant without images.
-class STIPPLEFILTERSMESHING_EXPORT DensityField
+class STIPPLEFILTERSOPTIMIZATION_EXPORT DensityField
 {
 public:
   /// Reads one image a chart with the point array Control, and AreaDistortion if it is there (else

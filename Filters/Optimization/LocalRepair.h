@@ -6,24 +6,25 @@
 #define stipple_LocalRepair_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 #include <functional>
 
 namespace stipple
 {
 /// Moves a vertex to where the worst triangle about it is better, if there is such a place.
-STIPPLEFILTERSMESHING_EXPORT bool improveByMove(OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT bool improveByMove(OptimizedMesh& mesh, int v);
 
 /// Swaps edges and moves vertices about every triangle whose quality is below `threshold`
 /// (radians), always such that the worst triangle touched becomes better. Returns the number of
 /// triangles that stay below the threshold.
-STIPPLEFILTERSMESHING_EXPORT int repairTriangles(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int repairTriangles(
   OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses);
 
 /// Swaps edges where that brings valences nearer to 5 to 7 (beside creases and boundaries, to one
 /// off what the angle holds), if moves then make all triangles about the edge as good as
 /// `threshold` (radians), or as good as the worst of them was. Returns the number of swaps.
-STIPPLEFILTERSMESHING_EXPORT int repairValences(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int repairValences(
   OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses);
 
 /// Moves vertices, which must not be fixed, to where the triangles about them are more alike and

@@ -6,6 +6,7 @@
 #define stipple_LeastSquaresPlacement_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -13,7 +14,7 @@ namespace stipple
 /// about them, to the planes of the triangles that they are nearest to. Vertices move along the
 /// surface's normal only; those on sharp and boundary backbones, corners and constraints keep their
 /// positions. The connectivity stays, and so does the number of flipped triangles.
-STIPPLEFILTERSMESHING_EXPORT std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh);
+STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh);
 }
 
 #endif

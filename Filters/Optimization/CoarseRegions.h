@@ -4,6 +4,7 @@
 #ifndef stipple_CoarseRegions_h
 #define stipple_CoarseRegions_h
 
+#include "StippleFiltersOptimizationModule.h"
 #include "SurfaceWalk.h"
 
 #include <unordered_map>
@@ -24,7 +25,7 @@ struct CoarseRegion
   double reach() const;
 };
 
-class STIPPLEFILTERSMESHING_EXPORT CoarseRegions
+class STIPPLEFILTERSOPTIMIZATION_EXPORT CoarseRegions
 {
 public:
   /// Adds a region, whose centre lies on a face: what is near it in space but not on the surface

@@ -5,6 +5,7 @@
 #define stipple_SmallComponents_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace stipple
 {
 /// Watches the components in which a one-ring is most of what there is. One that loses area is put
 /// back where it was, and rests from then on.
-class STIPPLEFILTERSMESHING_EXPORT SmallComponents
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SmallComponents
 {
 public:
   /// Borrows the mesh.

@@ -6,6 +6,7 @@
 #define stipple_Relaxation_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -18,7 +19,7 @@ struct FaceMeasure
 };
 
 /// Those of all triangles, as they were at the last update.
-class STIPPLEFILTERSMESHING_EXPORT FaceMeasures
+class STIPPLEFILTERSOPTIMIZATION_EXPORT FaceMeasures
 {
 public:
   void update(const OptimizedMesh& mesh);
@@ -32,28 +33,28 @@ private:
 /// is pieced together from the circumcentres of the triangles about the vertex, each in its own
 /// plane. Cells have equal shares of the density where the centroids are those of its square. Cells
 /// end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
-STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(
   const OptimizedMesh& mesh, const FaceMeasures& measures, int v, bool isDelaunay);
 /// The same for one vertex, in a mesh that is Delaunay.
-STIPPLEFILTERSMESHING_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v);
 
 /// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and
 /// thin rims keep vertices then.
-STIPPLEFILTERSMESHING_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
 
 /// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with
 /// areas in space, or with the integrals of the wanted density over the triangles.
-STIPPLEFILTERSMESHING_EXPORT Vec3 laplacianStep(
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 laplacianStep(
   const OptimizedMesh& mesh, int v, bool weightedByDensity);
 
-STIPPLEFILTERSMESHING_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
 /// length > share * meanEdgeLength(mesh, v), at less cost where it is not.
 bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share);
 
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
 /// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
 /// neighbour.
-STIPPLEFILTERSMESHING_EXPORT void relaxBackbones(
+STIPPLEFILTERSOPTIMIZATION_EXPORT void relaxBackbones(
   const OptimizedMesh& mesh, std::vector<double>& arcLength);
 }
 

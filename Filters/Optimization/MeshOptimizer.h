@@ -5,6 +5,7 @@
 #define stipple_MeshOptimizer_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
@@ -38,7 +39,7 @@ struct OptimizerOptions
   double acuteCornerAngle = 0.436;
 };
 
-STIPPLEFILTERSMESHING_EXPORT Status optimizeMesh(
+STIPPLEFILTERSOPTIMIZATION_EXPORT Status optimizeMesh(
   OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress);
 }
 

@@ -6,13 +6,14 @@
 #define stipple_SelfIntersections_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 #include <memory>
 
 namespace stipple
 {
 /// Finds intersecting triangles of a mesh while vertices move and edges are swapped.
-class STIPPLEFILTERSMESHING_EXPORT SelfIntersections
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SelfIntersections
 {
 public:
   /// Borrows the mesh.
@@ -36,7 +37,7 @@ private:
 /// intersect and no triangle gets worse than minimumAngle (radians) unless it was; what is left is
 /// embedded anew. A mesh that passes through itself in more than 250 and 2 % of its triangles
 /// is left as it is. Returns the number of triangles that still intersect others.
-STIPPLEFILTERSMESHING_EXPORT int resolveSelfIntersections(
+STIPPLEFILTERSOPTIMIZATION_EXPORT int resolveSelfIntersections(
   OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses);
 }
 

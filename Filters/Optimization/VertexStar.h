@@ -5,16 +5,17 @@
 #define stipple_VertexStar_h
 
 #include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
 /// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
 /// lower the farther.
-STIPPLEFILTERSMESHING_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
 double faceQuality(const OptimizedMesh& mesh, int face);
 
 /// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
-STIPPLEFILTERSMESHING_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
 
 /// The triangles about a vertex, copied: as long as the vertices around it and its edges stay, they
 /// are asked for many places of the vertex without changing the mesh. (A vertex on a crease must

@@ -6,6 +6,7 @@
 #define stipple_SemiRegularSubdivision_h
 
 #include "SampleSet.h"
+#include "StippleFiltersPatternsModule.h"
 #include "SurfaceCache.h"
 
 namespace stipple
@@ -24,7 +25,7 @@ struct SubdividedMesh
 /// on the surface by the middle of its edge, whatever seams lie between its ends; on a sharp or
 /// boundary backbone, in the middle of the piece of it. Every level is relaxed for `rounds` rounds,
 /// which do not touch the connectivity.
-STIPPLEFILTERSMESHING_EXPORT Status subdivideSemiRegularly(const SurfaceCache& atlas,
+STIPPLEFILTERSPATTERNS_EXPORT Status subdivideSemiRegularly(const SurfaceCache& atlas,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles, int levels,
   int rounds, SubdividedMesh& mesh, const Progress& progress);
 }
