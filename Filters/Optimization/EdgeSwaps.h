@@ -16,7 +16,8 @@ bool isDelaunaySwap(const OptimizedMesh& mesh, int edge);
 /// of swaps.
 
 /// Swaps edges whose opposite angles (in space) exceed 180 degrees together.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int delaunaySwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int delaunaySwaps(
+  OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
 
 /// Swaps edges where that reduces the valence dispersion: valence 6 inside, 4 on a boundary; beside
 /// creases and at corners, as many triangles in every sector as its angle holds, so that both sides
@@ -25,7 +26,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT int regularitySwaps(
   OptimizedMesh& mesh, double minimumAngle = 15., int maximumNumberOfPasses = 5);
 
 /// Swaps edges where that raises the smaller area / perimeter^2 of the two triangles.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int aspectSwaps(OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int aspectSwaps(
+  OptimizedMesh& mesh, int maximumNumberOfPasses = 5);
 
 /// Triangles about v that are missing (positive) or too many; for v on a crease, in the sector of
 /// halfedge h, which leaves v and has a triangle to its left.
@@ -34,7 +36,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT int valenceExcess(
 
 /// The same, but beside creases and boundaries always to three triangles, so that their vertices
 /// have two neighbours on each side (Figure 8).
-STIPPLEFILTERSOPTIMIZATION_EXPORT int ribExcess(const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int ribExcess(
+  const OptimizedMesh& mesh, OptimizedMesh::Halfedge h);
 
 /// What a vertex costs whose valence is off by `excess`: one too many or too few is as good as any.
 int irregularity(int excess);

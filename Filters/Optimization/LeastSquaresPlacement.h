@@ -14,7 +14,8 @@ namespace stipple
 /// about them, to the planes of the triangles that they are nearest to. Vertices move along the
 /// surface's normal only; those on sharp and boundary backbones, corners and constraints keep their
 /// positions. The connectivity stays, and so does the number of flipped triangles.
-STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh);
+STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<Vec3> leastSquaresPositions(
+  const OptimizedMesh& mesh);
 }
 
 #endif

@@ -40,7 +40,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int 
 
 /// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and
 /// thin rims keep vertices then.
-STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step);
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 towardsRidges(
+  const OptimizedMesh& mesh, int v, const Vec3& step);
 
 /// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with
 /// areas in space, or with the integrals of the wanted density over the triangles.

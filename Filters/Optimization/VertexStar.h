@@ -11,7 +11,8 @@ namespace stipple
 {
 /// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
 /// lower the farther.
-STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(
+  const OptimizedMesh& mesh, int a, int b, int c);
 double faceQuality(const OptimizedMesh& mesh, int face);
 
 /// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
