@@ -17,7 +17,7 @@
 
 #include "Geometry.h"
 #include "Progress.h"
-#include "StippleRenderingGeometryMapsModule.h"
+#include "StippleFiltersMapsModule.h"
 
 #include <array>
 #include <vector>
@@ -81,18 +81,17 @@ struct PixelBarycentrics
 
 /// The triangle of every pixel (width x height, row by row from the lower left), -1 where none owns
 /// it.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT void rasterizeFaces(
+STIPPLEFILTERSMAPS_EXPORT void rasterizeFaces(
   const MapChart& chart, int width, int height, int* faces);
 
 /// Gives every pixel without a face (-1) its nearest triangle; returns how many there were. Leaves
 /// the image alone if the chart has no triangle.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT int fillUncoveredPixels(
+STIPPLEFILTERSMAPS_EXPORT int fillUncoveredPixels(
   const MapChart& chart, int width, int height, int* faces);
 
 /// Makes the maps from the faces. Every face is valid.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT Status rasterizeMaps(const MapChart& chart, int width,
-  int height, const int* faces, const std::vector<MapRequest>& requests,
-  const Progress& progress = {});
+STIPPLEFILTERSMAPS_EXPORT Status rasterizeMaps(const MapChart& chart, int width, int height,
+  const int* faces, const std::vector<MapRequest>& requests, const Progress& progress = {});
 } // namespace stipple
 
 #endif

@@ -21,19 +21,18 @@ struct MapDemand
 
 /// The density (A3D / A2D) that all but a fraction of the chart's surface stays below, over the
 /// chart's mean density. At least 1.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT double densityRatio(
-  const MapChart& chart, double fraction = 0.001);
+STIPPLEFILTERSMAPS_EXPORT double densityRatio(const MapChart& chart, double fraction = 0.001);
 
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT MapDemand demandOf(const MapChart& chart);
+STIPPLEFILTERSMAPS_EXPORT MapDemand demandOf(const MapChart& chart);
 
 /// Width and height for a chart that gets this many samples (its share): 2 n r pixels or more, with
 /// the rectangle's aspect and sides within [32, 4096]. The longer side is a rung of a ladder of
 /// factor sqrt(2), so that the size seldom changes with the number of samples.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT std::array<int, 2> automaticMapSize(
+STIPPLEFILTERSMAPS_EXPORT std::array<int, 2> automaticMapSize(
   const MapDemand& demand, double samples);
 
 /// Width and height for a longer side of this many pixels.
-STIPPLERENDERINGGEOMETRYMAPS_EXPORT std::array<int, 2> fixedMapSize(const Vec2& extent, int longer);
+STIPPLEFILTERSMAPS_EXPORT std::array<int, 2> fixedMapSize(const Vec2& extent, int longer);
 } // namespace stipple
 
 #endif

@@ -22,7 +22,7 @@ struct MapValues
   std::vector<double> values;
 };
 
-class STIPPLERENDERINGGEOMETRYMAPS_EXPORT MapCatalogue
+class STIPPLEFILTERSMAPS_EXPORT MapCatalogue
 {
 public:
   /// Names that are always known, beside the charts' own arrays; the first ones are made by
