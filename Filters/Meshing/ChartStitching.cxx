@@ -18,8 +18,8 @@ class Stitcher
 {
 public:
   /// isSeam by label.
-  Stitcher(
-    const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam);
+  Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Vec3> positions,
+    std::vector<char> isSeam);
   std::vector<char> labelsWithEdge();
   bool resolveRepeatedEdges();
   void resolveDegenerateTriangles();
@@ -88,14 +88,14 @@ private:
   int Unresolved = -1;
 };
 
-Stitcher::Stitcher(
-  const std::vector<ChartMesh>& charts, std::vector<Vec3> positions, std::vector<char> isSeam)
+Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Vec3> positions,
+  std::vector<char> isSeam)
   : Position(std::move(positions))
   , IsSeam(std::move(isSeam))
   , Root(this->IsSeam.size())
 {
   std::iota(this->Root.begin(), this->Root.end(), 0);
-  for (const ChartMesh& chart : charts)
+  for (const ChartTriangulation& chart : charts)
   {
     for (const auto& pair : chart.merged)
     {
@@ -323,7 +323,7 @@ void Stitcher::resolveDegenerateTriangles()
 }
 
 Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
-  const BackboneIntervals& intervals, const std::vector<ChartMesh>& charts,
+  const BackboneIntervals& intervals, const std::vector<ChartTriangulation>& charts,
   const std::vector<Sample>& samples, std::vector<Triangle>& triangles, std::vector<char>& hasEdge)
 {
   std::vector<Vec3> positions;

@@ -16,7 +16,7 @@ namespace stipple
 /// do.
 STIPPLEFILTERSMESHING_EXPORT Status stitchCharts(const AtlasSurface& surface,
   const FeatureGraph& graph, const BackboneIntervals& intervals,
-  const std::vector<ChartMesh>& charts, const std::vector<Sample>& samples,
+  const std::vector<ChartTriangulation>& charts, const std::vector<Sample>& samples,
   std::vector<Triangle>& triangles, std::vector<char>& hasEdge);
 }
 

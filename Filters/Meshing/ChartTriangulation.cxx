@@ -118,7 +118,7 @@ public:
   void build(const ChartGraph& chartGraph, int c, const std::vector<BackboneTrace>& traces,
     const FeatureGraph& graph, const BackboneIntervals& intervals,
     const std::vector<Sample>& samples, const std::vector<int>& interior);
-  Status triangulate(int c, ChartMesh& mesh);
+  Status triangulate(int c, ChartTriangulation& mesh);
 
 private:
   int add(int sample, const Vec2& uv, const Vec3& position)
@@ -128,7 +128,7 @@ private:
     this->Position.push_back(position);
     return static_cast<int>(this->Sample.size()) - 1;
   }
-  void removeBends(ChartMesh& mesh) const;
+  void removeBends(ChartTriangulation& mesh) const;
 
   const AtlasSurface& Surface;
   const Vec2 Extent;
@@ -208,7 +208,7 @@ void ChartProblem::build(const ChartGraph& chartGraph, int c,
   }
 }
 
-Status ChartProblem::triangulate(int c, ChartMesh& mesh)
+Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
 {
   using Kind = DelaunayConflict::Kind;
   const std::string chart = "Chart " + std::to_string(c);
@@ -298,7 +298,7 @@ Status ChartProblem::triangulate(int c, ChartMesh& mesh)
   return Status::success();
 }
 
-void ChartProblem::removeBends(ChartMesh& mesh) const
+void ChartProblem::removeBends(ChartTriangulation& mesh) const
 {
   TriangleComplex& complex = mesh.complex;
   std::vector<int> outgoing(this->Sample.size(), -1);
@@ -361,7 +361,7 @@ int BackboneIntervals::backbone(int label) const
 Status triangulateChart(const AtlasSurface& surface, int c, const ChartGraph& chartGraph,
   const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartMesh& mesh)
+  const std::vector<int>& interior, ChartTriangulation& mesh)
 {
   ChartProblem problem(surface, c);
   problem.build(chartGraph, c, traces, graph, intervals, samples, interior);

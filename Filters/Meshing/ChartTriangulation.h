@@ -25,7 +25,8 @@ struct STIPPLEFILTERSMESHING_EXPORT BackboneIntervals
   int count() const { return this->begin.back(); }
 };
 
-struct ChartMesh
+/// The triangulation of a chart in its parameter plane.
+struct ChartTriangulation
 {
   TriangleComplex complex; ///< over the chart's own vertices
   std::vector<int> sample; ///< by vertex; two vertices may be the same sample where a cut enters
@@ -41,7 +42,7 @@ struct ChartMesh
 STIPPLEFILTERSMESHING_EXPORT Status triangulateChart(const AtlasSurface& surface, int c,
   const ChartGraph& chartGraph, const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartMesh& mesh);
+  const std::vector<int>& interior, ChartTriangulation& mesh);
 }
 
 #endif

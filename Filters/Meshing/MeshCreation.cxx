@@ -100,7 +100,7 @@ Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
     return Status::aborted();
   }
 
-  std::vector<ChartMesh> meshes(numberOfCharts);
+  std::vector<ChartTriangulation> meshes(numberOfCharts);
   std::vector<std::optional<Status>> outcome(numberOfCharts);
   vtkSMPTools::For(0, numberOfCharts, 1, [&](vtkIdType begin, vtkIdType end) {
     for (int c = static_cast<int>(begin); c < end; ++c)

@@ -34,10 +34,10 @@ struct Ring
       this->samples.push_back(s);
     }
   }
-  ChartMesh chart(const std::vector<Triangle>& tri, const std::vector<Vec2>& uv) const
+  ChartTriangulation chart(const std::vector<Triangle>& tri, const std::vector<Vec2>& uv) const
   {
     const int n = static_cast<int>(uv.size());
-    ChartMesh mesh;
+    ChartTriangulation mesh;
     mesh.complex.triangles = tri;
     mesh.complex.twin = halfedgeTwins(tri);
     for (int h = 0; h < mesh.complex.numberOfHalfedges(); ++h)
@@ -53,7 +53,7 @@ struct Ring
     }
     return mesh;
   }
-  Status stitch(const std::vector<ChartMesh>& charts)
+  Status stitch(const std::vector<ChartTriangulation>& charts)
   {
     std::vector<int> around;
     for (std::size_t i = 0; i < this->samples.size(); ++i)
@@ -78,9 +78,9 @@ SurfaceTopology topology(const std::vector<Triangle>& triangles, std::size_t poi
 TEST(ChartStitching, SwapsAnEdgeThatBothChartsHave)
 {
   Ring ring({ { 0, 0, 0 }, { 1, 0, 0.5 }, { 1, 1, 0 }, { 0, 1, 0.5 } }, BackboneType::Seam);
-  const ChartMesh front =
+  const ChartTriangulation front =
     ring.chart({ { 0, 1, 2 }, { 0, 2, 3 } }, { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
-  const ChartMesh back =
+  const ChartTriangulation back =
     ring.chart({ { 0, 2, 1 }, { 0, 3, 2 } }, { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 } });
   ASSERT_TRUE(ring.stitch({ front, back }).ok());
   const SurfaceTopology t = topology(ring.triangles, 4);
@@ -97,7 +97,7 @@ TEST(ChartStitching, SaysSoWhenThereAreTooFewSamples)
 {
   // A cylinder cut open whose two rims are the same two samples each: nothing to swap.
   Ring ring({ { 0, 0, 0 }, { 1, 0, 0 } }, BackboneType::Sharp);
-  ChartMesh chart =
+  ChartTriangulation chart =
     ring.chart({ { 0, 1, 2 }, { 0, 2, 3 } }, { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
   chart.sample = { 0, 1, 0, 1 };
   chart.complex.label = { 0, 1, -1, -1, 0, 1 };
@@ -110,7 +110,7 @@ TEST(ChartStitching, SwapsATriangleWithoutAreaAway)
 {
   // In the parameter plane the outline turns at sample 1, in space it runs straight on.
   Ring ring({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } }, BackboneType::Boundary);
-  const ChartMesh chart =
+  const ChartTriangulation chart =
     ring.chart({ { 0, 1, 2 }, { 0, 2, 3 } }, { { 0, 1 }, { 0, 0 }, { 1, 0 }, { 1, 1 } });
   ASSERT_TRUE(ring.stitch({ chart }).ok());
   ASSERT_EQ(ring.triangles.size(), 2u);
