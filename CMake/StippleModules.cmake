@@ -31,6 +31,8 @@ vtk_module_scan(
   REQUIRES_MODULES stipple_required_modules
   WANT_BY_DEFAULT ON
   HIDE_MODULES_FROM_CACHE ON)
+# Where the headers of modules with object factories find VTK's macros: as VTK's module system documents it.
+set_property(GLOBAL PROPERTY _vtk_module_autoinit_include "${VTK_AUTOINIT_INCLUDE}")
 set(stipple_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Stipple")
 vtk_module_build(
   MODULES ${stipple_modules}

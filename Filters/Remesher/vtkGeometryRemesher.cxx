@@ -25,7 +25,6 @@
 #include "vtkPolyData.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
-#include "vtkRenderWindow.h"
 #include "vtkSemiRegularSubdivision.h"
 #include "vtkTimerLog.h"
 #include "vtkWeakPointer.h"
@@ -419,7 +418,7 @@ stippleForward(MapRenderer, Backend, int);
 stippleForwardChoice(MapRenderer, Backend, Auto);
 stippleForwardChoice(MapRenderer, Backend, OpenGL);
 stippleForwardChoice(MapRenderer, Backend, CPU);
-stippleForward(MapRenderer, RenderWindow, vtkRenderWindow*);
+stippleForward(MapRenderer, RenderWindow, vtkWindow*);
 stippleForward(ControlMap, Importance, int);
 stippleForwardChoice(ControlMap, Importance, Uniform);
 stippleForwardChoice(ControlMap, Importance, Mean);

@@ -63,8 +63,8 @@ class vtkPoints;
 class vtkPolyData;
 class vtkQuadRemesh;
 class vtkRemeshOptimizer;
-class vtkRenderWindow;
 class vtkSemiRegularSubdivision;
+class vtkWindow;
 
 class STIPPLEFILTERSREMESHER_EXPORT vtkGeometryRemesher : public vtkPolyDataAlgorithm
 {
@@ -150,10 +150,10 @@ public:
   void SetBackendToAuto();
   void SetBackendToOpenGL();
   void SetBackendToCPU();
-  /// An OpenGL render window whose context may draw the maps; the caller keeps it alive. The
+  /// An OpenGL vtkRenderWindow whose context may draw the maps; the caller keeps it alive. The
   /// default is none.
-  void SetRenderWindow(vtkRenderWindow* window);
-  vtkRenderWindow* GetRenderWindow();
+  void SetRenderWindow(vtkWindow* window);
+  vtkWindow* GetRenderWindow();
   ///@}
 
   ///@{

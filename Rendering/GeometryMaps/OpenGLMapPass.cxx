@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtk_glew.h"
+#include "StippleOpenGL.h"
 
 #include "OpenGLMapPass.h"
 
@@ -9,14 +9,15 @@
 #include "MapValueFS.h"
 #include "MapValueVS.h"
 
-#include "vtkHeadlessRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -377,85 +378,8 @@ Status checkError()
     : Status::error("OpenGL failed to draw the maps (error " + std::to_string(error) +
         "): use a smaller MapSize or the CPU back end.");
 }
-} // namespace
 
-//------------------------------------------------------------------------------
-OpenGLMapBackend::OpenGLMapBackend(vtkOpenGLRenderWindow* window)
-  : Window(window)
-{
-}
-
-OpenGLMapBackend::OpenGLMapBackend()
-  : Own(vtkSmartPointer<vtkHeadlessRenderWindow>::New())
-  , Window(this->Own)
-{
-  this->Own->SetSize(16, 16);
-}
-
-OpenGLMapBackend::~OpenGLMapBackend() = default;
-
-Status OpenGLMapBackend::initialize()
-{
-  if (!this->Window)
-  {
-    return Status::error("The RenderWindow is no OpenGL window: use the CPU back end.");
-  }
-  if (auto* headless = vtkHeadlessRenderWindow::SafeDownCast(this->Window))
-  {
-    if (!headless->SupportsOpenGL())
-    {
-      return Status::error(headless->GetOpenGLSupportMessage());
-    }
-  }
-  this->Window->Initialize();
-  this->Window->MakeCurrent();
-  int major = 0;
-  int minor = 0;
-  this->Window->GetOpenGLVersion(major, minor);
-  if (!this->Window->IsCurrent() || 10 * major + minor < 32)
-  {
-    return Status::error(
-      "The RenderWindow has no OpenGL 3.2 context yet: render it first, or use the CPU back end.");
-  }
-  if (this->Name.empty())
-  {
-    const GLubyte* renderer = glGetString(GL_RENDERER);
-    this->RendererName = renderer ? reinterpret_cast<const char*>(renderer) : "unknown";
-    std::string platform = this->Window->GetClassName();
-    if (auto* headless = vtkHeadlessRenderWindow::SafeDownCast(this->Window))
-    {
-      platform = headless->GetPlatformName();
-    }
-    else if (platform == "vtkXOpenGLRenderWindow")
-    {
-      platform = "GLX";
-    }
-    this->Name = "OpenGL: " + this->RendererName + " through " + platform;
-  }
-  return Status::success();
-}
-
-bool OpenGLMapBackend::isSoftware() const
-{
-  for (const char* name : { "llvmpipe", "softpipe", "swrast", "SWR", "Software" })
-  {
-    if (this->RendererName.find(name) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void OpenGLMapBackend::finish()
-{
-  if (this->Own)
-  {
-    this->Own->ReleaseCurrent();
-  }
-}
-
-Status OpenGLMapBackend::checkSize(int width, int height) const
+Status checkSize(int width, int height)
 {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -464,11 +388,13 @@ Status OpenGLMapBackend::checkSize(int width, int height) const
     : Status::error("OpenGL here has images of at most " + std::to_string(largest) +
         " pixels a side: use a smaller MapSize or the CPU back end.");
 }
+} // namespace
 
-Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int* faces)
+Status drawFaces(
+  vtkOpenGLRenderWindow* window, const MapChart& chart, int width, int height, int* faces)
 {
-  this->Window->MakeCurrent();
-  Status status = this->checkSize(width, height);
+  window->MakeCurrent();
+  Status status = checkSize(width, height);
   if (!status.ok())
   {
     return status;
@@ -492,19 +418,18 @@ Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int
         vertices.end(), { points[point][0], points[point][1], chart.area[f] * scale });
     }
   }
-  PassState state(this->Window, width, height);
-  const auto texture =
-    makeTexture(this->Window, width, height, GL_R32I, GL_RED_INTEGER, GL_INT, nullptr);
+  PassState state(window, width, height);
+  const auto texture = makeTexture(window, width, height, GL_R32I, GL_RED_INTEGER, GL_INT, nullptr);
   vtkNew<vtkTextureObject> depth;
-  depth->SetContext(this->Window);
+  depth->SetContext(window);
   vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(MapFaceVS, MapFaceFS, "");
+    window->GetShaderCache()->ReadyShaderProgram(MapFaceVS, MapFaceFS, "");
   if (!texture || !depth->AllocateDepth(width, height, vtkTextureObject::Float32) || !program)
   {
     return Status::error("OpenGL cannot draw integer images here: use the CPU back end.");
   }
   vtkNew<vtkOpenGLFramebufferObject> target;
-  target->SetContext(this->Window);
+  target->SetContext(window);
   target->Bind();
   target->AddColorAttachment(0, texture);
   target->AddDepthAttachment(depth);
@@ -547,15 +472,15 @@ Status OpenGLMapBackend::faces(const MapChart& chart, int width, int height, int
   return status;
 }
 
-Status OpenGLMapBackend::maps(const MapChart& chart, int width, int height, const int* faces,
-  const std::vector<MapRequest>& requests, const Progress& progress)
+Status drawMaps(vtkOpenGLRenderWindow* window, const MapChart& chart, int width, int height,
+  const int* faces, const std::vector<MapRequest>& requests, const Progress& progress)
 {
   if (requests.empty())
   {
     return Status::success();
   }
-  this->Window->MakeCurrent();
-  Status status = this->checkSize(width, height);
+  window->MakeCurrent();
+  Status status = checkSize(width, height);
   if (!status.ok())
   {
     return status;
@@ -566,11 +491,11 @@ Status OpenGLMapBackend::maps(const MapChart& chart, int width, int height, cons
       "A chart of more than 16 million points is too large for OpenGL: use the CPU "
       "back end.");
   }
-  const PassState state(this->Window, width, height);
-  const auto faceMap = makeTexture(this->Window, width, height, GL_R32I, GL_RED_INTEGER, GL_INT,
+  const PassState state(window, width, height);
+  const auto faceMap = makeTexture(window, width, height, GL_R32I, GL_RED_INTEGER, GL_INT,
     const_cast<int*>(faces)); // VTK's interface; it is read only
   Store store = triangleStore(chart, width, height);
-  const auto triangles = store.upload(this->Window);
+  const auto triangles = store.upload(window);
   if (!faceMap || !triangles)
   {
     return Status::error("OpenGL cannot hold the chart: use the CPU back end.");
@@ -583,7 +508,7 @@ Status OpenGLMapBackend::maps(const MapChart& chart, int width, int height, cons
     }
     const std::size_t last = std::min(requests.size(), first + mapsPerPass);
     ValuePass pass(chart, requests.data() + first, requests.data() + last);
-    status = pass.draw(this->Window, width, height, faceMap, triangles);
+    status = pass.draw(window, width, height, faceMap, triangles);
     if (!status.ok())
     {
       return status;

@@ -4,44 +4,21 @@
 #ifndef stipple_OpenGLMapPass_h
 #define stipple_OpenGLMapPass_h
 
-#include "MapBackend.h"
+#include "MapRasterizer.h"
 
-#include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
-
-class vtkHeadlessRenderWindow;
 class vtkOpenGLRenderWindow;
 
 namespace stipple
 {
-class OpenGLMapBackend : public MapBackend
-{
-public:
-  /// In the context of a window that the caller keeps.
-  explicit OpenGLMapBackend(vtkOpenGLRenderWindow* window);
-  /// In a headless context of its own.
-  OpenGLMapBackend();
-  ~OpenGLMapBackend() override;
+// In the window's context, which becomes current. Both follow MapRasterizer.h's rules.
 
-  /// Makes the context ready, or says why there is none.
-  Status initialize() override;
-  /// Whether a CPU runs the shaders; after initialize().
-  bool isSoftware() const;
+/// The triangle of every pixel; every pixel gets one.
+Status drawFaces(
+  vtkOpenGLRenderWindow* window, const MapChart& chart, int width, int height, int* faces);
 
-  std::string name() const override { return this->Name; }
-  Status faces(const MapChart& chart, int width, int height, int* faces) override;
-  Status maps(const MapChart& chart, int width, int height, const int* faces,
-    const std::vector<MapRequest>& requests, const Progress& progress) override;
-  void finish() override;
-
-private:
-  Status checkSize(int width, int height) const;
-
-  vtkSmartPointer<vtkHeadlessRenderWindow> Own;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  std::string Name;
-  std::string RendererName;
-};
+/// The maps from the faces.
+Status drawMaps(vtkOpenGLRenderWindow* window, const MapChart& chart, int width, int height,
+  const int* faces, const std::vector<MapRequest>& requests, const Progress& progress);
 } // namespace stipple
 
 #endif

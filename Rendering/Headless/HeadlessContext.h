@@ -15,6 +15,10 @@ public:
   virtual ~HeadlessContext() = default;
   virtual const char* platform() const = 0;
 
+  /// One of OpenGL's functions by its name; null if there is none. The context is current.
+  using Procedure = void (*)();
+  virtual Procedure procedure(const char* name) const = 0;
+
   // Of the calling thread. EGL and OSMesa do not know of each other, and each may take for current
   // what the other replaced; so the last one to be made current is noted here.
   bool makeCurrent()

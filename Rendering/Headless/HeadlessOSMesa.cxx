@@ -25,7 +25,7 @@ constexpr int osmesaMinorVersion = 0x37;
 constexpr unsigned int unsignedByte = 0x1401;
 
 using Context = struct osmesa_context*;
-using Procedure = void (*)();
+using Procedure = HeadlessContext::Procedure;
 
 struct OSMesa
 {
@@ -87,6 +87,10 @@ public:
     this->Library.destroyContext(this->Handle);
   }
   const char* platform() const override { return "OSMesa"; }
+  Procedure procedure(const char* name) const override
+  {
+    return this->Library.getProcAddress(name);
+  }
   bool bind() override
   {
     return this->Library.makeCurrent(this->Handle, this->Buffer.data(), unsignedByte, side, side) !=

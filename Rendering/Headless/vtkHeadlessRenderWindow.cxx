@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtk_glew.h"
+#include "StippleOpenGL.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -161,16 +161,25 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   {
     return;
   }
+#ifdef GLAD_GL
+  this->SetOpenGLSymbolLoader(
+    [](void* context, const char* name) {
+      return static_cast<stipple::HeadlessContext*>(context)->procedure(name);
+    },
+    this->Internal->Context.get());
+  this->vtkOpenGLRenderWindow::OpenGLInitContext();
+#else
   // GLEW loads OpenGL's entry points and then complains about GLX, which there is none of.
   const GLenum result = glewInit();
   const bool loaded = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY ||
     result == GLEW_ERROR_GLX_VERSION_11_ONLY;
   this->GlewInitValid = loaded && (GLEW_VERSION_3_2 != 0) && glCreateShader != nullptr;
-  if (!this->GlewInitValid)
+  this->Initialized = this->GlewInitValid;
+#endif
+  if (!this->Initialized)
   {
     return; // CreateContext() reports it
   }
-  this->Initialized = true;
   const GLubyte* name = glGetString(GL_RENDERER);
   this->Internal->RendererName = name ? reinterpret_cast<const char*>(name) : "";
   GLfloat range[2] = { 1.f, 1.f };

@@ -6,6 +6,7 @@ from typing import Any, Literal, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkPartitionedDataSetCollection,
@@ -157,6 +158,11 @@ class vtkConformalAtlas(vtkAlgorithm):
 
 class vtkGeometryMapRenderer(vtkAlgorithm):
     def __getattr__(self, name: str) -> Any: ...
+
+class vtkGeometryMapBackend(vtkObject):
+    def __getattr__(self, name: str) -> Any: ...
+
+class vtkOpenGLGeometryMapBackend(vtkGeometryMapBackend): ...
 
 class vtkControlMap(vtkAlgorithm):
     def __getattr__(self, name: str) -> Any: ...

@@ -36,19 +36,19 @@
  *
  * Interactive Geometry Remeshing (Alliez, Meyer, Desbrun, SIGGRAPH 2002), section 2.3.
  *
- * @sa vtkConformalAtlas vtkControlMap vtkHeadlessRenderWindow
+ * @sa vtkConformalAtlas vtkControlMap vtkGeometryMapBackend vtkHeadlessRenderWindow
  */
 
 #ifndef vtkGeometryMapRenderer_h
 #define vtkGeometryMapRenderer_h
 
-#include "StippleRenderingGeometryMapsModule.h" // for export macro
+#include "StippleFiltersMapsModule.h" // for export macro
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
 class vtkDataArraySelection;
-class vtkRenderWindow;
+class vtkWindow;
 
-class STIPPLERENDERINGGEOMETRYMAPS_EXPORT vtkGeometryMapRenderer
+class STIPPLEFILTERSMAPS_EXPORT vtkGeometryMapRenderer
   : public vtkPartitionedDataSetCollectionAlgorithm
 {
 public:
@@ -88,7 +88,9 @@ public:
   /**
    * What draws the maps. AUTO is OpenGL in RenderWindow if one is set, else OpenGL on graphics
    * hardware if there is some without a display, else the CPU. OPENGL is RenderWindow if one is
-   * set, else a headless context of its own. The default is AUTO.
+   * set, else a headless context of its own. OpenGL is there where the module
+   * Stipple::RenderingGeometryMaps is linked (vtk_module_autoinit) or loaded; where it is not, AUTO
+   * is the CPU, and OPENGL an error. The default is AUTO.
    */
   void SetBackend(int backend);
   vtkGetMacro(Backend, int);
@@ -105,11 +107,11 @@ public:
 
   ///@{
   /**
-   * An OpenGL render window whose context may be used. It is not kept alive by the filter. The
+   * An OpenGL vtkRenderWindow whose context may be used. It is not kept alive by the filter. The
    * default is none.
    */
-  void SetRenderWindow(vtkRenderWindow* window);
-  vtkRenderWindow* GetRenderWindow();
+  void SetRenderWindow(vtkWindow* window);
+  vtkWindow* GetRenderWindow();
   ///@}
 
   /**

@@ -2,33 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeometryMapRenderer.h"
 
-#include "MapBackend.h"
 #include "MapCatalogue.h"
 #include "MapSizing.h"
-#include "OpenGLMapPass.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkFloatArray.h"
-#include "vtkHeadlessRenderWindow.h"
+#include "vtkGeometryMapBackend.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
+#include "vtkWindow.h"
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <utility>
 
 vtkStandardNewMacro(vtkGeometryMapRenderer);
@@ -53,15 +49,15 @@ struct ChartMaps
 
 struct FinishAtEnd
 {
-  stipple::MapBackend& backend;
-  ~FinishAtEnd() { this->backend.finish(); }
+  vtkGeometryMapBackend& backend;
+  ~FinishAtEnd() { this->backend.Finish(); }
 };
 } // namespace
 
 struct vtkGeometryMapRenderer::Internals
 {
-  vtkWeakPointer<vtkRenderWindow> Window;
-  std::unique_ptr<stipple::MapBackend> Renderer;
+  vtkWeakPointer<vtkWindow> Window;
+  vtkSmartPointer<vtkGeometryMapBackend> Renderer;
   std::string BackendName;
   stipple::MapCatalogue Catalogue;
   std::vector<stipple::MapDemand> Demands; ///< per chart
@@ -130,44 +126,40 @@ std::vector<Size> vtkGeometryMapRenderer::Internals::sizes(int mapSize, vtkIdTyp
 
 stipple::Status vtkGeometryMapRenderer::Internals::chooseBackend(int backend)
 {
+  using stipple::Status;
   if (this->Renderer)
   {
-    const stipple::Status status = this->Renderer->initialize();
+    const Status status = this->Renderer->Initialize();
     if (status.ok())
     {
       return status;
     }
-    this->Renderer.reset(); // its window is gone
+    this->Renderer = nullptr; // its window is gone
   }
   if (backend != vtkGeometryMapRenderer::CPU)
   {
-    std::unique_ptr<stipple::OpenGLMapBackend> renderer;
-    if (this->Window)
+    const auto opengl =
+      vtkSmartPointer<vtkGeometryMapBackend>::Take(vtkGeometryMapBackend::NewOverride());
+    const bool wanted = backend == vtkGeometryMapRenderer::OPENGL;
+    if (!opengl && wanted)
     {
-      auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-      renderer = std::make_unique<stipple::OpenGLMapBackend>(window);
+      return Status::error("There is no OpenGL back end in this program: link or load "
+                           "StippleRenderingGeometryMaps, or use the CPU back end.");
     }
-    else if (backend == vtkGeometryMapRenderer::OPENGL ||
-      vtkHeadlessRenderWindow::IsHardwareAvailable())
+    if (opengl)
     {
-      renderer = std::make_unique<stipple::OpenGLMapBackend>();
-    }
-    const stipple::Status status = renderer ? renderer->initialize() : stipple::Status::success();
-    if (backend == vtkGeometryMapRenderer::OPENGL && !status.ok())
-    {
-      return status;
-    }
-    // AUTO: a context that is at hand anyway, or hardware; software OpenGL is slower than the CPU
-    // back end.
-    if (renderer && status.ok() &&
-      (backend == vtkGeometryMapRenderer::OPENGL || this->Window || !renderer->isSoftware()))
-    {
-      this->Renderer = std::move(renderer);
-      return stipple::Status::success();
+      opengl->SetWindow(this->Window);
+      const Status status =
+        wanted || opengl->IsPreferred() ? opengl->Initialize() : Status::aborted();
+      if (status.ok() || wanted)
+      {
+        this->Renderer = status.ok() ? opengl : nullptr;
+        return status;
+      }
     }
   }
-  this->Renderer = std::make_unique<stipple::CPUMapBackend>();
-  return stipple::Status::success();
+  this->Renderer = vtkSmartPointer<vtkGeometryMapBackend>::New();
+  return Status::success();
 }
 
 stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
@@ -183,7 +175,7 @@ stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
     faces->SetName("FaceIndex");
     faces->SetNumberOfTuples(pixels);
     const stipple::Status status =
-      this->Renderer->faces(chart, width, height, faces->GetPointer(0));
+      this->Renderer->DrawFaces(chart, width, height, faces->GetPointer(0));
     if (!status.ok())
     {
       return status;
@@ -216,7 +208,7 @@ stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
       array->GetPointer(0) });
   }
   const stipple::Status status =
-    this->Renderer->maps(chart, width, height, images.faces->GetPointer(0), requests, progress);
+    this->Renderer->DrawMaps(chart, width, height, images.faces->GetPointer(0), requests, progress);
   if (status.ok())
   {
     for (const auto& array : arrays)
@@ -299,22 +291,22 @@ void vtkGeometryMapRenderer::SetBackend(int backend)
   if (backend != this->Backend)
   {
     this->Backend = backend;
-    this->Internal->Renderer.reset();
+    this->Internal->Renderer = nullptr;
     this->Modified();
   }
 }
 
-void vtkGeometryMapRenderer::SetRenderWindow(vtkRenderWindow* window)
+void vtkGeometryMapRenderer::SetRenderWindow(vtkWindow* window)
 {
   if (window != this->Internal->Window.GetPointer())
   {
     this->Internal->Window = window;
-    this->Internal->Renderer.reset();
+    this->Internal->Renderer = nullptr;
     this->Modified();
   }
 }
 
-vtkRenderWindow* vtkGeometryMapRenderer::GetRenderWindow()
+vtkWindow* vtkGeometryMapRenderer::GetRenderWindow()
 {
   return this->Internal->Window;
 }
@@ -361,7 +353,7 @@ int vtkGeometryMapRenderer::RequestData(
     vtkErrorMacro(<< status.message());
     return 0;
   }
-  const std::string backendName = self.Renderer->name();
+  const std::string backendName = self.Renderer->GetName();
   const std::vector<Size> sizes = self.sizes(this->MapSize, this->NumberOfSamples);
   const unsigned int n = static_cast<unsigned int>(sizes.size());
   for (unsigned int c = 0; c < n; ++c)
