@@ -5,46 +5,45 @@
 #ifndef stipple_Session_h
 #define stipple_Session_h
 
-#include "Geometry.h"
+#include "OptionTable.h"
+#include "Progress.h"
 
-#include <array>
+#include "vtkSmartPointer.h"
+
 #include <string>
-#include <utility>
-#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
 
 namespace stipple
 {
-struct Session
+/// Options by their names in the table; "model" is the file of the input surface.
+struct Session : OptionValues
 {
-  std::string model; ///< file of the input surface; empty: not said
-
-  // Sampling
-  int points = 0;                        ///< exact number of points; 0: as many as the input has
-  std::string importance = "uniform";    ///< one of importanceNames()
-  std::string importanceArray;           ///< for the importance "array": its name
-  std::string importanceImage;           ///< for the importance "image": its file
-  std::string imageProjection = "chart"; ///< one of imageProjectionNames()
-  std::array<double, 2> bandPass = { { 0, 0 } };   ///< fine, coarse, percent of the diagonal; none
-  double gamma = 1.;                               ///< power of the importance, 0 to 100
-  std::vector<std::pair<double, double>> transfer; ///< ascending in x, both in [0, 1]; empty: none
-  double gradation = 0.;       ///< low-pass of the importance, percent of the diagonal, 0 to 100
-  double minimumDensity = .02; ///< least importance, fraction of the largest, 0 to 1
-  std::vector<std::array<double, 5>> strokes; ///< of the brush: x, y, z, radius, strength
-
-  // Features and charts
-  double featureAngle = 40.;                          ///< degrees, 0 to 180
-  int charts = 1;                                     ///< at least so many, 1 to 100000
-  std::vector<std::array<long long, 2>> featureEdges; ///< the input's point ids
-  std::vector<Vec3> constraints;                      ///< positions that must become vertices
-
-  bool operator==(const Session& o) const;
-  bool operator!=(const Session& o) const { return !(*this == o); }
 };
 
-/// "uniform", "mean", ...; the index of each is its vtkControlMap::ImportanceType.
-[[nodiscard]] const std::vector<std::string>& importanceNames();
-/// "chart", "x", "y", "z"; the index of each is its vtkControlMap::ProjectionType.
-[[nodiscard]] const std::vector<std::string>& imageProjectionNames();
+/// As JSON. Numbers read back as the very same doubles; the same session gives the same bytes.
+[[nodiscard]] std::string toJson(const Session& session);
+
+/// Reads what toJson() wrote; what is missing keeps its default. Errors are one sentence that names
+/// the entry.
+[[nodiscard]] Status fromJson(const std::string& text, Session& session);
+
+/// Reads a session's file. Names of files in it that are not absolute count from its folder.
+[[nodiscard]] Status readSession(const std::string& file, Session& session);
+
+/// Writes to `now` the session that belongs to `file`, the names of whose files become absolute.
+[[nodiscard]] Status writeSession(
+  const Session& session, const std::string& now, const std::string& file);
+
+/// Whether the session suits the mesh: its array is there, its edges name points that exist.
+[[nodiscard]] Status checkSession(const Session& session, vtkPolyData* mesh);
+
+/// Reads a picture (.png, .jpg, .vti, ...) to paste as an importance.
+[[nodiscard]] Status readImage(const std::string& file, vtkSmartPointer<vtkImageData>& image);
+
+/// A text in JSON, with its quotation marks.
+[[nodiscard]] std::string quotedJson(const std::string& text);
 }
 
 #endif

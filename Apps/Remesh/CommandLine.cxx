@@ -3,414 +3,264 @@
 #include "CommandLine.h"
 
 #include "MeshFile.h"
-#include "Session.h"
-#include "TextNumbers.h"
-#include "Words.h"
+#include "OptionText.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 
 namespace stipple
 {
 namespace
 {
-/// Stores an argument, or says in one sentence (without the option's name) what is wrong with it.
-using Setter = std::function<std::string(Options&, const std::string&)>;
+using Kind = Option::Kind;
+using Group = Option::Group;
 
-struct Entry
-{
-  std::string name;     ///< with its dashes
-  std::string argument; ///< empty for a flag
-  std::string help;     ///< lines
-  Setter set;
-};
+constexpr const char* GroupTitles[] = { "Sampling", "Features and charts", "Mesh",
+  "Files beside the output", "General" };
+constexpr const char* NoInput = "no input file; usage: stipple INPUT -o OUTPUT [options]";
 
-struct Group
+/// All options of the command line: the table's, and those that only the program has.
+std::vector<Option> programOptions()
 {
-  std::string title;
-  std::vector<Entry> entries;
-};
-
-std::string list(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
+  std::vector<Option> options;
+  for (const Option& option : optionTable())
   {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-Setter text(std::string Options::*member)
-{
-  return [member](Options& o, const std::string& s) {
-    o.*member = s;
-    return s.empty() ? std::string("needs a file name") : std::string();
-  };
-}
-
-Setter integer(int Options::*member, int low, int high)
-{
-  return [=](Options& o, const std::string& s) {
-    return parseInteger(s, low, high, o.*member) ? std::string()
-                                                 : "needs a whole number from " +
-        std::to_string(low) + " to " + std::to_string(high) + ", not '" + s + "'";
-  };
-}
-
-Setter number(
-  double Options::*member, bool Options::*given, double low, double high, const std::string& range)
-{
-  return [=](Options& o, const std::string& s) {
-    o.*given = true;
-    return parseNumber(s, o.*member) && o.*member >= low && o.*member <= high
-      ? std::string()
-      : "needs a number " + range + ", not '" + s + "'";
-  };
-}
-
-Setter choice(std::string Options::*member, const std::vector<std::string>& words)
-{
-  return [=](Options& o, const std::string& s) {
-    o.*member = s;
-    if (std::find(words.begin(), words.end(), s) != words.end())
+    if (option.in(Option::CommandLine))
     {
-      return std::string();
-    }
-    const std::string near = nearestWord(s, words);
-    return "is one of " + list(words) + ", not '" + s + "'" +
-      (near.empty() ? "" : "; did you mean '" + near + "'?");
-  };
-}
-
-std::string setMapSize(Options& o, const std::string& s)
-{
-  o.mapSize = 0;
-  return s == "auto" || parseInteger(s, 16, 16384, o.mapSize)
-    ? ""
-    : "needs auto or a whole number of pixels from 16 to 16384, not '" + s + "'";
-}
-
-std::string setTransfer(Options& o, const std::string& s)
-{
-  return parseTransfer(s, o.transfer);
-}
-
-std::string setBandPass(Options& o, const std::string& s)
-{
-  const std::size_t comma = s.find(',');
-  return comma != std::string::npos && parseNumber(s.substr(0, comma), o.bandPass[0]) &&
-      parseNumber(s.substr(comma + 1), o.bandPass[1]) && o.bandPass[0] >= 0 &&
-      o.bandPass[0] < o.bandPass[1] && o.bandPass[1] <= 100
-    ? ""
-    : "needs FINE,COARSE with 0 <= FINE < COARSE <= 100, not '" + s + "'";
-}
-
-std::string setPanel(Options& o, const std::string& s)
-{
-  const std::vector<std::string> words = { "all", "before", "charts", "maps", "samples", "after",
-    "each" };
-  const auto found = std::find(words.begin(), words.end(), s);
-  o.panel = static_cast<PicturePanel>(found - words.begin());
-  return found == words.end() ? "is one of " + list(words) + ", not '" + s + "'" : "";
-}
-
-Setter flag(bool Options::*member)
-{
-  return [member](Options& o, const std::string&) {
-    o.*member = true;
-    return std::string();
-  };
-}
-
-const std::vector<Group>& groups()
-{
-  static const std::vector<Group> table = {
-    { "Sampling",
-      { { "--points", "N",
-          "exact number of output points, 1 to 10000000\n(default: as many as the input has after "
-          "welding)",
-          integer(&Options::points, 1, MaximumNumberOfPoints) },
-        { "--importance", "KIND",
-          "what attracts samples: uniform, mean, gaussian, minimum,\nmaximum, total (curvatures), "
-          "l2, "
-          "image or array (default: uniform)",
-          choice(&Options::importance, importanceNames()) },
-        { "--importance-image", "FILE",
-          "the image for --importance image (PNG, JPEG, TIFF, VTI, ...)",
-          text(&Options::importanceImage) },
-        { "--importance-array", "NAME", "the input's point or cell array for --importance array",
-          text(&Options::importanceArray) },
-        { "--image-projection", "HOW",
-          "chart: the image is pasted in every chart; x, y or z: it\nis projected along that axis "
-          "through the whole surface\n(default: chart)",
-          choice(&Options::imageProjection, { "chart", "x", "y", "z" }) },
-        { "--band-pass", "FINE,COARSE",
-          "only the importance's detail of sizes between, in % of the\nbounding-box diagonal "
-          "(default: all)",
-          setBandPass },
-        { "--gamma", "G", "exponent on the importance, 0 (uniform) to 100 (default: 1)",
-          number(&Options::gamma, &Options::hasGamma, 0, 100, "from 0 to 100") },
-        { "--transfer", "X0:Y0,X1:Y1,...",
-          "piecewise linear curve on the importance; X ascending, X and Y 0 to 1", setTransfer },
-        { "--gradation", "SIGMA",
-          "low-pass of the density, 0 to 100 % of the bounding-box\ndiagonal (default: 0, none)",
-          number(&Options::gradation, &Options::hasGradation, 0, 100, "from 0 to 100") },
-        { "--minimum-density", "D", "least density, 0 to 1 of the maximum (default: 0.02)",
-          number(&Options::minimumDensity, &Options::hasMinimumDensity, 0, 1, "from 0 to 1") },
-        { "--strokes", "FILE",
-          "painted density: x y z radius strength a line; strength > 0\nadds, -1 to 0 erases",
-          text(&Options::strokes) },
-        { "--diffusion", "METHOD",
-          "whose coefficients of error diffusion: ostromoukhov or\nzhou-fang (default: "
-          "ostromoukhov)",
-          choice(&Options::diffusion, { "ostromoukhov", "zhou-fang" }) } } },
-    { "Features and charts",
-      { { "--feature-angle", "DEG",
-          "an edge bent by more is a feature, 0 to 180 degrees\n(default: 40; 180: none)",
-          number(&Options::featureAngle, &Options::hasFeatureAngle, 0, 180, "from 0 to 180") },
-        { "--feature-edges", "FILE", "more feature edges: two input point ids a line, from 0",
-          text(&Options::featureEdges) },
-        { "--feature-curves", "FILE",
-          "polylines on the surface that become features (.vtp, .vtk,\n.obj); densely pointed "
-          "where "
-          "it is folded",
-          text(&Options::featureCurves) },
-        { "--constraints", "FILE", "positions that must become vertices: x y z a line",
-          text(&Options::constraints) },
-        { "--charts", "K", "at least so many charts (default: 1)",
-          integer(&Options::charts, 1, 100000) },
-        { "--map-size", "auto|S",
-          "pixels along the longer side of a map, 16 to 16384\n(default: auto)", setMapSize },
-        { "--map-backend", "NAME", "what renders the maps: auto, opengl or cpu (default: auto)",
-          choice(&Options::mapBackend, { "auto", "opengl", "cpu" }) } } },
-    { "Mesh",
-      { { "--preset", "NAME",
-          "uniform (whatever the importance), adaptive or rib (two\nneighbours on each side of "
-          "features); each with --connectivity\nregularity and --smoothing lloyd unless others are "
-          "given\n(default: adaptive)",
-          choice(&Options::preset, { "uniform", "adaptive", "rib" }) },
-        { "--placement", "KIND",
-          "points on the surface, or least-squares: off it, where\ntriangles fit it best (default: "
-          "surface)",
-          choice(&Options::placement, { "surface", "least-squares" }) },
-        { "--connectivity", "KIND", "edge swaps: none, regularity or aspect\n(default: regularity)",
-          choice(&Options::connectivity, { "none", "regularity", "aspect" }) },
-        { "--smoothing", "KIND", "none, area, density or lloyd (default: lloyd)",
-          choice(&Options::smoothing, { "none", "area", "density", "lloyd" }) },
-        { "--iterations", "I", "rounds of optimisation, 0 to 10000 (default: 42)",
-          integer(&Options::iterations, 0, 10000) },
-        { "--pattern", "KIND",
-          "triangles, quads (regular in every chart) or semiregular\n(triangles split 1 to 4; N is "
-          "the base mesh's) (default: triangles)",
-          choice(&Options::pattern, { "triangles", "quads", "semiregular" }) },
-        { "--subdivisions", "L", "levels of --pattern semiregular, 0 to 8 (default: 2)",
-          integer(&Options::subdivisions, 0, 8) } } },
-    { "Files beside the output",
-      { { "--report", "FILE.json", "counts, seconds, repairs and quality figures",
-          text(&Options::report) },
-        { "--picture", "FILE.png", "a sheet: before, charts, maps, samples, after",
-          text(&Options::picture) },
-        { "--picture-panel", "NAME",
-          "only one of it: before, charts, maps, samples or after;\neach: all of it, and each one "
-          "as FILE-NAME.png\n(default: all)",
-          setPanel },
-        { "--save-charts", "FILE", "charts with their parameters (.vtpc, or .vtp in one piece)",
-          text(&Options::saveCharts) },
-        { "--save-maps", "DIR", "the maps of every chart: a PNG a map, one .vti of floats",
-          text(&Options::saveMaps) },
-        { "--save-samples", "FILE", "samples before they are meshed (.vtp, .vtk or .ply)",
-          text(&Options::saveSamples) } } },
-    { "General",
-      { { "--session", "FILE.json",
-          "parameters that stipple-view saved, and its model if there\nis no INPUT; other options "
-          "override them",
-          text(&Options::session) },
-        { "--threads", "T",
-          "threads to use, 1 to 1024 (default: all); the output is\nthe same for any",
-          integer(&Options::threads, 1, 1024) },
-        { "--quiet", "", "no progress, no warnings", flag(&Options::quiet) },
-        { "--verbose", "", "warnings, seconds and repairs, on stderr", flag(&Options::verbose) },
-        { "--version", "", "versions of Stipple, VTK, CGAL and the GL renderer", {} },
-        { "--help", "", "this text", {} } } }
-  };
-  return table;
-}
-
-const Entry* findEntry(const std::string& name)
-{
-  for (const Group& group : groups())
-  {
-    for (const Entry& entry : group.entries)
-    {
-      if (entry.name == name)
-      {
-        return &entry;
-      }
+      options.push_back(option);
     }
   }
-  return nullptr;
-}
-
-std::string unknownOption(const std::string& name)
-{
-  std::vector<std::string> names;
-  for (const Group& group : groups())
-  {
-    for (const Entry& entry : group.entries)
-    {
-      names.push_back(entry.name);
-    }
-  }
-  const std::string near = nearestWord(name, names);
-  return "unknown option '" + name + "'" +
-    (near.empty() ? "; --help lists them all" : "; did you mean '" + near + "'?");
+  const auto add = [&options](Group group, Kind kind, const char* name, const char* argument,
+                     const char* help, const std::vector<std::string>& endings = {}) -> Option& {
+    Option option;
+    option.kind = kind;
+    option.group = group;
+    option.name = name;
+    option.argument = argument;
+    option.help = help;
+    option.endings = endings;
+    option.initial = std::string();
+    option.places = Option::CommandLine;
+    options.push_back(option);
+    return options.back();
+  };
+  add(Group::Files, Kind::File, "output", "FILE", "the mesh to write", meshFileExtensions());
+  add(Group::Files, Kind::File, "report", "FILE.json",
+    "counts, seconds, repairs and quality figures");
+  add(Group::Files, Kind::File, "picture", "FILE.png",
+    "a sheet: before, charts, maps, samples, after", { ".png" });
+  Option& panel = add(Group::Files, Kind::Choice, "picture_panel", "NAME",
+    "only one of it; each: all of it, and each one as FILE-NAME.png");
+  panel.choices = { "all", "before", "charts", "maps", "samples", "after", "each" };
+  panel.initial = std::string("all");
+  add(Group::Files, Kind::File, "save_charts", "FILE",
+    "charts with their parameters (.vtpc, or .vtp in one piece)", { ".vtpc", ".vtp" });
+  add(Group::Files, Kind::File, "save_maps", "DIR",
+    "the maps of every chart: a PNG a map, one .vti of floats");
+  add(Group::Files, Kind::File, "save_samples", "FILE",
+    "samples before they are meshed (.vtp, .vtk or .ply)", { ".vtp", ".vtk", ".ply" });
+  add(Group::General, Kind::File, "session", "FILE.json",
+    "parameters that stipple-view saved, and its model if there is no INPUT; other options "
+    "override them",
+    { ".json" });
+  add(Group::General, Kind::Flag, "quiet", "", "no progress, no warnings");
+  add(Group::General, Kind::Flag, "verbose", "", "warnings, seconds and repairs, on stderr");
+  add(Group::General, Kind::Flag, "version", "",
+    "versions of Stipple, VTK, CGAL and the GL renderer");
+  add(Group::General, Kind::Flag, "help", "", "this text (--help=readme: README's table)");
+  return options;
 }
 
 /// What no single option can tell.
-std::string checkTogether(Options& o, bool importanceGiven)
+std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
 {
-  if (o.input.empty() && o.session.empty())
+  if (!o.has("model") && !o.has("session"))
   {
-    return "no input file; usage: stipple INPUT -o OUTPUT [options]";
+    return NoInput;
   }
-  if (o.output.empty())
+  if (!o.has("output"))
   {
     return "no output file; say -o FILE";
   }
-  if (!importanceGiven && (!o.importanceImage.empty() || !o.importanceArray.empty()))
+  if (!o.has("importance") && (o.has("importance_image") || o.has("importance_array")))
   {
-    o.importance = o.importanceImage.empty() ? "array" : "image";
+    o.set("importance", o.has("importance_image") ? "image" : "array");
   }
-  if ((o.importance == "image") != !o.importanceImage.empty())
+  for (const std::string kind : { "image", "array" })
   {
-    return "--importance image and --importance-image FILE go together";
+    const std::string option = "importance_" + kind;
+    if ((o.has("importance") && o.text("importance") == kind) != o.has(option))
+    {
+      return "--importance " + kind + " and --importance-" + kind + " " +
+        findOption(option)->argument + " go together";
+    }
   }
-  if ((o.importance == "array") != !o.importanceArray.empty())
-  {
-    return "--importance array and --importance-array NAME go together";
-  }
-  if (o.imageProjection != "chart" && o.importance != "image")
+  if (o.text("image_projection") != "chart" && !o.has("importance_image"))
   {
     return "--image-projection needs --importance-image FILE";
   }
-  if (o.quiet && o.verbose)
+  if (o.flag("quiet") && o.flag("verbose"))
   {
     return "--quiet and --verbose exclude each other";
   }
-  if (o.panel != PicturePanel::All && o.picture.empty())
+  if (o.has("picture_panel") && o.text("picture_panel") != "all" && !o.has("picture"))
   {
     return "--picture-panel needs --picture FILE.png";
   }
-  const auto wrongExtension = [](const std::string& option, const std::string& file,
-                                const std::vector<std::string>& extensions) -> std::string {
-    if (file.empty() ||
-      std::find(extensions.begin(), extensions.end(), fileExtension(file)) != extensions.end())
-    {
-      return {};
-    }
-    return option + " '" + file + "' must end in " + list(extensions);
+  const auto wrongEnding = [&o](const std::string& name, const std::string& called,
+                             const std::vector<std::string>& endings) -> std::string {
+    const bool good = !o.has(name) || endings.empty() ||
+      std::find(endings.begin(), endings.end(), fileExtension(o.text(name))) != endings.end();
+    return good ? "" : called + " '" + o.text(name) + "' must end in " + listed(endings, ", ");
   };
-  for (const std::string& wrong : { wrongExtension("the input", o.input, meshFileExtensions()),
-         wrongExtension("--session", o.session, { ".json" }),
-         wrongExtension("the output", o.output, meshFileExtensions()),
-         wrongExtension("--feature-curves", o.featureCurves, { ".vtp", ".vtk", ".obj" }),
-         wrongExtension("--picture", o.picture, { ".png" }),
-         wrongExtension("--save-charts", o.saveCharts, { ".vtpc", ".vtp" }),
-         wrongExtension("--save-samples", o.saveSamples, { ".vtp", ".vtk", ".ply" }) })
-  {
-    if (!wrong.empty())
-    {
-      return wrong;
-    }
-  }
+  std::string wrong = wrongEnding("model", "the input", meshFileExtensions());
   std::set<std::string> files;
-  for (const std::string& file :
-    { o.output, o.report, o.picture, o.saveCharts, o.saveMaps, o.saveSamples })
+  for (const Option& option : table)
   {
-    if (!file.empty() && !files.insert(file).second)
+    wrong = !wrong.empty()
+      ? wrong
+      : wrongEnding(
+          option.name, option.name == "output" ? "the output" : option.flag(), option.endings);
+    if (wrong.empty() && option.group == Group::Files && option.kind == Kind::File &&
+      o.has(option.name) && !files.insert(o.text(option.name)).second)
     {
-      return "'" + file + "' is named as the output of two options";
+      wrong = "'" + o.text(option.name) + "' is named as the output of two options";
     }
   }
-  return {};
+  return wrong;
+}
+
+/// Reads options until one is wrong.
+class Parser
+{
+public:
+  CommandLine Line;
+  const std::vector<Option> Table = programOptions();
+
+  void parse(const std::vector<std::string>& arguments)
+  {
+    bool onlyFiles = false; // after "--"
+    for (std::size_t i = 0; i < arguments.size() && this->Line.action == CommandLine::Action::Run;
+         ++i)
+    {
+      const std::string& argument = arguments[i];
+      if (onlyFiles || argument.size() < 2 || argument[0] != '-')
+      {
+        this->complainIf(this->Line.options.has("model"),
+          "two input files, '" + this->Line.options.text("model") + "' and '" + argument + "'");
+        this->Line.options.set("model", argument);
+      }
+      else if (argument == "--")
+      {
+        onlyFiles = true;
+      }
+      else
+      {
+        this->option(arguments, i);
+      }
+    }
+    if (this->Line.action == CommandLine::Action::Run)
+    {
+      this->complainIf(arguments.empty(), NoInput);
+      if (this->Line.message.empty())
+      {
+        this->Line.message = checkTogether(this->Line.options, this->Table);
+      }
+      this->Line.action =
+        this->Line.message.empty() ? CommandLine::Action::Run : CommandLine::Action::UsageError;
+    }
+  }
+
+private:
+  void complainIf(bool wrong, const std::string& sentence)
+  {
+    this->Line.message = wrong && this->Line.message.empty() ? sentence : this->Line.message;
+  }
+
+  void option(const std::vector<std::string>& arguments, std::size_t& i)
+  {
+    const std::string& argument = arguments[i];
+    const std::size_t equals =
+      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
+    const std::string typed = argument.substr(0, equals);
+    const std::string name = typed == "-o" ? "--output" : (typed == "-h" ? "--help" : typed);
+    const bool hasValue = equals != std::string::npos;
+    if (name == "--help" || name == "--version")
+    {
+      this->Line.action = name == "--version" ? CommandLine::Action::Version
+        : argument == "--help=readme"         ? CommandLine::Action::HelpForReadme
+                                              : CommandLine::Action::Help;
+      return;
+    }
+    const auto found = std::find_if(this->Table.begin(), this->Table.end(),
+      [&name](const Option& option) { return option.flag() == name; });
+    if (found == this->Table.end())
+    {
+      std::vector<std::string> names;
+      for (const Option& option : this->Table)
+      {
+        names.push_back(option.flag());
+      }
+      this->complainIf(true, unknownOption(name, names));
+      return;
+    }
+    std::string value;
+    if (found->kind == Kind::Flag)
+    {
+      this->complainIf(hasValue, typed + " takes no value");
+    }
+    else if (!hasValue && i + 1 == arguments.size())
+    {
+      this->complainIf(true, typed + " needs " + found->argument);
+      return;
+    }
+    else
+    {
+      value = hasValue ? argument.substr(equals + 1) : arguments[++i];
+    }
+    const std::string wrong = parseOption(*found, value, this->Line.options);
+    this->complainIf(!wrong.empty(), typed + " " + wrong);
+  }
+};
+
+/// Calls back with every group's title and options.
+template <typename Call>
+void forEachGroup(const Call& call)
+{
+  const std::vector<Option> table = programOptions();
+  for (int group = 0; group <= static_cast<int>(Group::General); ++group)
+  {
+    std::vector<Option> options;
+    std::copy_if(
+      table.begin(), table.end(), std::back_inserter(options), [group](const Option& option) {
+        return static_cast<int>(option.group) == group && option.name != "output";
+      });
+    call(GroupTitles[group], options);
+  }
+}
+
+/// What it means, its range and its default.
+std::string description(const Option& option)
+{
+  std::string columns;
+  for (const Option::Column& column : option.columns)
+  {
+    columns += (columns.empty() ? "; " : " ") + column.name;
+  }
+  const std::string range = option.range();
+  const std::string initial = option.initialText();
+  const bool words = option.kind == Kind::Choice;
+  return (words ? range + ": " : "") + option.help + (option.fromFile ? columns + " a line" : "") +
+    (words || range.empty() ? "" : "; " + range) +
+    (initial.empty() ? "" : " (default: " + initial + ")");
 }
 }
 
 CommandLine parseCommandLine(const std::vector<std::string>& arguments)
 {
-  CommandLine result;
-  Options& o = result.options;
-  bool importanceGiven = false;
-  bool onlyFiles = false; // after "--"
-  std::string problem;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-  {
-    const std::string& argument = arguments[i];
-    if (onlyFiles || argument.size() < 2 || argument[0] != '-')
-    {
-      if (problem.empty() && !o.input.empty())
-      {
-        problem = "two input files, '" + o.input + "' and '" + argument + "'";
-      }
-      o.input = argument;
-      continue;
-    }
-    if (argument == "--")
-    {
-      onlyFiles = true;
-      continue;
-    }
-    const std::size_t equals =
-      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
-    const std::string name = argument.substr(0, equals);
-    if (name == "--help" || name == "-h" || name == "--version")
-    {
-      result.action =
-        name == "--version" ? CommandLine::Action::Version : CommandLine::Action::Help;
-      return result;
-    }
-    const bool isOutput = name == "-o" || name == "--output";
-    const Entry* entry = isOutput ? nullptr : findEntry(name);
-    if (!entry && !isOutput)
-    {
-      problem = problem.empty() ? unknownOption(name) : problem;
-      continue;
-    }
-    std::string value;
-    if (isOutput || !entry->argument.empty())
-    {
-      if (equals == std::string::npos && i + 1 == arguments.size())
-      {
-        problem =
-          problem.empty() ? name + " needs " + (isOutput ? "FILE" : entry->argument) : problem;
-        break;
-      }
-      value = equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1);
-    }
-    else if (equals != std::string::npos && problem.empty())
-    {
-      problem = name + " takes no value";
-    }
-    importanceGiven |= name == "--importance";
-    const std::string wrong = isOutput ? text(&Options::output)(o, value) : entry->set(o, value);
-    if (!wrong.empty() && problem.empty())
-    {
-      problem = name + " " + wrong;
-    }
-  }
-  if (problem.empty())
-  {
-    problem = arguments.empty() ? "no input file; usage: stipple INPUT -o OUTPUT [options]"
-                                : checkTogether(o, importanceGiven);
-  }
-  if (!problem.empty())
-  {
-    result.action = CommandLine::Action::UsageError;
-    result.message = problem;
-  }
-  return result;
+  Parser parser;
+  parser.parse(arguments);
+  return parser.Line;
 }
 
 std::string helpText()
@@ -419,29 +269,42 @@ std::string helpText()
   std::string help = "usage: stipple INPUT -o OUTPUT [options]\n\n"
                      "Remeshes a triangle surface: charts, maps, halftoned samples, triangles.\n"
                      "Meshes are read and written as " +
-    list(meshFileExtensions()) + ".\n\n  -o, --output FILE           the mesh to write\n";
-  for (const Group& group : groups())
-  {
-    help += "\n" + group.title + ":\n";
-    for (const Entry& entry : group.entries)
+    listed(meshFileExtensions(), ", ") + ".\n\n" +
+    helpEntry("-o, --output FILE", "the mesh to write", Indent);
+  forEachGroup([&help](const char* title, const std::vector<Option>& options) {
+    help += std::string("\n") + title + ":\n";
+    for (const Option& option : options)
     {
-      std::string line = "  " + entry.name + (entry.argument.empty() ? "" : " " + entry.argument);
-      line += line.size() + 2 > Indent ? "\n" + std::string(Indent, ' ')
-                                       : std::string(Indent - line.size(), ' ');
-      for (char c : entry.help)
-      {
-        line += c;
-        if (c == '\n')
-        {
-          line += std::string(Indent, ' ');
-        }
-      }
-      help += line + "\n";
+      help += helpEntry(option.flag() + (option.argument.empty() ? "" : " " + option.argument),
+        description(option), Indent);
     }
-  }
-  help +=
+  });
+  return help +
     "\nExit status: 0 written, 1 could not be done (one sentence on stderr, no output file),\n"
     "2 wrong usage.\n";
-  return help;
+}
+
+std::string readmeTable()
+{
+  std::string text = "| | |\n|---|---|\n";
+  forEachGroup([&text](const char* title, const std::vector<Option>& options) {
+    std::string row;
+    for (const Option& option : options)
+    {
+      std::string argument = option.choices.empty() ? option.argument : "";
+      for (const std::string& choice : option.choices)
+      {
+        argument += (argument.empty() ? "" : "|") + choice;
+      }
+      row += (row.empty() ? "`" : " · `") + option.flag() + (argument.empty() ? "" : " ");
+      for (const char c : argument)
+      {
+        row += c == '|' ? std::string("\\|") : std::string(1, c); // or it would end the cell
+      }
+      row += "`";
+    }
+    text += std::string("| ") + title + " | " + row + " |\n";
+  });
+  return text;
 }
 }

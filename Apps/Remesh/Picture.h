@@ -4,7 +4,6 @@
 #ifndef stipple_Picture_h
 #define stipple_Picture_h
 
-#include "CommandLine.h"
 #include "Progress.h"
 
 #include <string>
@@ -14,6 +13,17 @@ class vtkPolyData;
 
 namespace stipple
 {
+/// As --picture-panel has them, by index.
+enum class PicturePanel
+{
+  All,
+  Before,
+  Charts,
+  Maps,
+  Samples,
+  After
+};
+
 struct PictureContent
 {
   std::string name; ///< of the input

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Session.h"
 #include "TextNumbers.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace stipple
 {
@@ -40,30 +40,6 @@ private:
   std::string Indent;
   std::string Members;
 };
-
-std::string quoted(const std::string& text)
-{
-  std::string json = "\"";
-  for (const char c : text)
-  {
-    char buffer[8];
-    if (c == '"' || c == '\\')
-    {
-      json += '\\';
-      json += c;
-    }
-    else if (static_cast<unsigned char>(c) < 0x20)
-    {
-      std::snprintf(buffer, sizeof(buffer), "\\u%04x", static_cast<unsigned>(c));
-      json += buffer;
-    }
-    else
-    {
-      json += c;
-    }
-  }
-  return json + '"';
-}
 
 /// The names of the figures that this project's measurements use everywhere.
 std::string qualityJson(const MeshQuality& q, const MeshDistance& d)
@@ -117,9 +93,9 @@ std::string toJson(const Report& report)
     repairs.add(repair.first, repair.second);
   }
   JsonObject json(0);
-  json.add("stipple", quoted(STIPPLE_VERSION));
-  json.add("input", quoted(report.input));
-  json.add("output", quoted(report.output));
+  json.add("stipple", quotedJson(STIPPLE_VERSION));
+  json.add("input", quotedJson(report.input));
+  json.add("output", quotedJson(report.output));
   json.add("input_points", report.inputPoints);
   json.add("input_faces", report.inputFaces);
   json.add("points", report.quality.numberOfPoints);
@@ -128,7 +104,7 @@ std::string toJson(const Report& report)
   json.add("components", report.quality.components);
   json.add("boundary_loops", report.quality.boundaryLoops);
   json.add("euler_characteristic", report.quality.euler);
-  json.add("map_backend", quoted(report.mapBackend));
+  json.add("map_backend", quotedJson(report.mapBackend));
   json.add("seconds", seconds.text());
   json.add("repairs", repairs.text());
   json.add("quality", qualityJson(report.quality, report.distance));

@@ -5,32 +5,30 @@
 #include "CommandLine.h"
 #include "MeshFile.h"
 #include "Messages.h"
+#include "OptionText.h"
 #include "OutputFiles.h"
 #include "Picture.h"
 #include "PolyDataConversion.h"
 #include "Report.h"
 #include "SavedFiles.h"
 #include "Session.h"
-#include "SessionFile.h"
-#include "SessionParameters.h"
 #include "Terminal.h"
-#include "TextNumbers.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"
+#include "vtkControlMap.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
-#include "vtkRemeshOptimizer.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <map>
 
 namespace stipple
 {
@@ -72,164 +70,101 @@ private:
   ProgressBar& Bar;
 };
 
-Status checkOutputs(const Options& o)
+Status checkOutputs(const OptionValues& o)
 {
-  for (const std::string& file : { o.output, o.report, o.picture, o.saveCharts, o.saveSamples })
+  for (const char* name :
+    { "output", "report", "picture", "save_charts", "save_maps", "save_samples" })
   {
-    if (!file.empty())
+    if (o.has(name))
     {
-      if (Status status = OutputFiles::check(file); !status.ok())
+      if (Status status = OutputFiles::check(o.text(name), std::string(name) == "save_maps");
+          !status.ok())
       {
         return status;
       }
     }
   }
-  return o.saveMaps.empty() ? Status::success() : OutputFiles::check(o.saveMaps, true);
+  return Status::success();
 }
 
 /// The session's parameters, overridden by the options that were given.
-Status makeSession(const Options& o, Session& session)
+Status makeSession(const OptionValues& o, Session& session)
 {
-  if (!o.session.empty())
+  if (o.has("session"))
   {
-    if (Status status = readSession(o.session, session); !status.ok())
+    if (Status status = readSession(o.text("session"), session); !status.ok())
     {
       return status;
     }
   }
-  if (!o.input.empty())
+  if (o.has("importance"))
   {
-    session.model = o.input;
+    for (const char* name : { "importance_image", "importance_array", "image_projection" })
+    {
+      session.reset(name); // they belong to the session's importance
+    }
   }
-  if (session.model.empty())
-  {
-    return Status::error("the session '" + o.session + "' names no model: say which INPUT");
-  }
-  session.points = o.points > 0 ? o.points : session.points;
-  if (!o.importance.empty())
-  {
-    session.importance = o.importance;
-    session.importanceImage = o.importanceImage;
-    session.importanceArray = o.importanceArray;
-    session.imageProjection = o.imageProjection;
-  }
-  session.bandPass = o.bandPass[1] > 0 ? o.bandPass : session.bandPass;
-  session.gamma = o.hasGamma ? o.gamma : session.gamma;
-  session.transfer = o.transfer.empty() ? session.transfer : o.transfer;
-  session.gradation = o.hasGradation ? o.gradation : session.gradation;
-  session.minimumDensity = o.hasMinimumDensity ? o.minimumDensity : session.minimumDensity;
-  session.featureAngle = o.hasFeatureAngle ? o.featureAngle : session.featureAngle;
-  session.charts = o.charts > 0 ? o.charts : session.charts;
-  return Status::success();
+  session.setAll(o);
+  return session.text("model").empty()
+    ? Status::error("the session '" + o.text("session") + "' names no model: say which INPUT")
+    : Status::success();
 }
 
-/// Small files that the options name, in place of what the session has.
-Status readSmallFiles(const Options& o, vtkPolyData* mesh, Session& session)
+/// Rows of numbers whose files the options name.
+Status readSmallFiles(vtkPolyData* mesh, Session& session)
 {
-  if (!o.constraints.empty())
+  for (Option option : optionTable())
   {
-    session.constraints.clear();
-    if (Status status = readPositions(o.constraints, session.constraints); !status.ok())
+    const std::string file = session.text(option.name);
+    if (option.kind != Option::Kind::Rows || file.empty())
+    {
+      continue;
+    }
+    if (option.name == "feature_edges")
+    {
+      for (Option::Column& column : option.columns)
+      {
+        column.high = static_cast<double>(mesh->GetNumberOfPoints()) - 1;
+      }
+    }
+    std::vector<double> rows;
+    if (Status status = readRows(option, file, rows); !status.ok())
     {
       return status;
     }
-  }
-  if (!o.featureEdges.empty())
-  {
-    session.featureEdges.clear();
-    if (Status status = readEdges(o.featureEdges, mesh->GetNumberOfPoints(), session.featureEdges);
-        !status.ok())
-    {
-      return status;
-    }
-  }
-  if (!o.strokes.empty())
-  {
-    return readStrokes(o.strokes, session.strokes);
+    session.setList(option.name, rows);
   }
   return Status::success();
 }
 
-/// What is not in a session.
-void applyOptions(const Options& o, vtkGeometryRemesher* remesher)
+/// All parameters of the filter.
+Status setUp(Session& session, vtkPolyData* input, vtkGeometryRemesher* remesher)
 {
-  static const std::map<std::string, int> backends = { { "auto", vtkGeometryMapRenderer::AUTO },
-    { "opengl", vtkGeometryMapRenderer::OPENGL }, { "cpu", vtkGeometryMapRenderer::CPU } };
-  static const std::map<std::string, int> swaps = { { "none",
-                                                      vtkRemeshOptimizer::CONNECTIVITY_NONE },
-    { "regularity", vtkRemeshOptimizer::REGULARITY }, { "aspect", vtkRemeshOptimizer::ASPECT } };
-  static const std::map<std::string, int> moves = { { "none", vtkRemeshOptimizer::SMOOTHING_NONE },
-    { "area", vtkRemeshOptimizer::AREA }, { "density", vtkRemeshOptimizer::DENSITY },
-    { "lloyd", vtkRemeshOptimizer::LLOYD } };
-  if (o.diffusion == "zhou-fang")
-  {
-    remesher->SetDiffusionMethodToZhouFang();
-  }
-  remesher->SetMapSize(o.mapSize);
-  remesher->SetBackend(backends.at(o.mapBackend));
-  if (o.preset == "uniform")
-  {
-    remesher->SetPresetToUniform();
-  }
-  else if (o.preset == "rib")
-  {
-    remesher->SetPresetToRib();
-  }
-  else if (o.preset == "adaptive")
-  {
-    remesher->SetPresetToAdaptive();
-  }
-  if (o.placement == "least-squares")
-  {
-    remesher->SetPlacementToLeastSquares();
-  }
-  if (!o.connectivity.empty())
-  {
-    remesher->SetConnectivity(swaps.at(o.connectivity));
-  }
-  if (!o.smoothing.empty())
-  {
-    remesher->SetSmoothing(moves.at(o.smoothing));
-  }
-  if (o.iterations >= 0)
-  {
-    remesher->SetNumberOfIterations(o.iterations);
-  }
-  remesher->SetPattern(o.pattern == "quads" ? vtkGeometryRemesher::QUADS
-      : o.pattern == "semiregular"          ? vtkGeometryRemesher::SEMIREGULAR
-                                            : vtkGeometryRemesher::TRIANGLES);
-  if (o.subdivisions >= 0)
-  {
-    remesher->SetNumberOfSubdivisions(o.subdivisions);
-  }
-}
-
-/// All parameters of the filter, from the session and the options.
-Status setUp(const Options& o, Session& session, vtkPolyData* input, vtkGeometryRemesher* remesher)
-{
-  Status status = readSmallFiles(o, input, session);
+  Status status = readSmallFiles(input, session);
   if (status.ok())
   {
     status = checkSession(session, input);
   }
-  if (status.ok() && !session.importanceImage.empty())
+  if (status.ok() && !session.text("importance_image").empty())
   {
     vtkSmartPointer<vtkImageData> image;
-    status = readImage(session.importanceImage, image);
-    remesher->SetImportanceImage(image);
+    status = readImage(session.text("importance_image"), image);
+    remesher->GetControlMap()->SetImportanceImage(image);
   }
-  if (status.ok() && !o.featureCurves.empty())
+  if (status.ok() && session.has("feature_curves"))
   {
     vtkSmartPointer<vtkPolyData> curves;
-    status = readCurves(o.featureCurves, curves);
-    remesher->SetFeatureCurves(curves);
+    status = readCurves(session.text("feature_curves"), curves);
+    remesher->GetAtlas()->SetFeatureCurves(curves);
   }
-  applySession(session, remesher);
-  applyOptions(o, remesher);
+  if (status.ok())
+  {
+    applyOptions(session, remesher);
+  }
   return status;
 }
 
-Status remesh(vtkPolyData* input, const Options& o, vtkGeometryRemesher* remesher, ProgressBar& bar)
+Status remesh(vtkPolyData* input, const Session& o, vtkGeometryRemesher* remesher, ProgressBar& bar)
 {
   ProgressObserver progress(remesher, bar);
   ErrorCollector errors(remesher);
@@ -246,18 +181,18 @@ Status remesh(vtkPolyData* input, const Options& o, vtkGeometryRemesher* remeshe
   }
   if (remesher->GetOutput()->GetNumberOfPolys() == 0)
   {
-    return Status::error("'" + o.input + "' has no triangle with an area");
+    return Status::error("'" + o.text("model") + "' has no triangle with an area");
   }
   return Status::success();
 }
 
 Report makeReport(
-  const Options& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load, double write)
+  const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load, double write)
 {
   vtkConformalAtlas* atlas = remesher->GetAtlas();
   Report report;
-  report.input = o.input;
-  report.output = o.output;
+  report.input = o.text("model");
+  report.output = o.text("output");
   report.inputPoints = input->GetNumberOfPoints();
   report.inputFaces = input->GetNumberOfPolys() + input->GetNumberOfStrips();
   report.charts =
@@ -327,36 +262,36 @@ Status writeText(const std::string& text, const std::string& now, const std::str
 }
 
 /// All but the picture, which may fail alone.
-Status writeFiles(const Options& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load,
+Status writeFiles(const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load,
   OutputFiles& files)
 {
   const Stopwatch watch;
   vtkPolyData* mesh = remesher->GetOutput();
-  Status status = writeMesh(mesh, files.aside(o.output), fileExtension(o.output));
+  Status status = writeMesh(mesh, files.aside(o.text("output")), fileExtension(o.text("output")));
   Report report = makeReport(o, input, remesher, load, watch.seconds());
-  if (status.ok() && !o.saveCharts.empty())
+  if (status.ok() && o.has("save_charts"))
   {
     status =
       saveCharts(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2)),
-        o.saveCharts, files);
+        o.text("save_charts"), files);
   }
-  if (status.ok() && !o.saveMaps.empty())
+  if (status.ok() && o.has("save_maps"))
   {
     status =
       saveMaps(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4)),
-        o.saveMaps, files);
+        o.text("save_maps"), files);
   }
-  if (status.ok() && !o.saveSamples.empty())
+  if (status.ok() && o.has("save_samples"))
   {
     status = saveSamples(
-      vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5)), o.saveSamples, files);
+      vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5)), o.text("save_samples"), files);
   }
-  if (status.ok() && !o.report.empty())
+  if (status.ok() && o.has("report"))
   {
     measure(report, input, remesher);
-    status = writeText(toJson(report), files.aside(o.report), o.report);
+    status = writeText(toJson(report), files.aside(o.text("report")), o.text("report"));
   }
-  if (status.ok() && o.verbose)
+  if (status.ok() && o.flag("verbose"))
   {
     report.quality.numberOfPoints = static_cast<int>(mesh->GetNumberOfPoints());
     report.quality.numberOfTriangles = static_cast<int>(mesh->GetNumberOfPolys());
@@ -366,10 +301,10 @@ Status writeFiles(const Options& o, vtkPolyData* input, vtkGeometryRemesher* rem
 }
 
 Status drawPicture(
-  const Options& o, vtkPolyData* input, vtkGeometryRemesher* remesher, OutputFiles& files)
+  const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, OutputFiles& files)
 {
   PictureContent content;
-  content.name = o.input;
+  content.name = o.text("model");
   content.before = input;
   content.after = remesher->GetOutput();
   content.lines = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1));
@@ -377,60 +312,58 @@ Status drawPicture(
   content.graph = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
   content.maps = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
   content.samples = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5));
-  if (o.panel != PicturePanel::Each)
+  const std::vector<std::string> names = { "all", "before", "charts", "maps", "samples", "after" };
+  const std::string wanted = o.has("picture_panel") ? o.text("picture_panel") : names.front();
+  const std::string picture = o.text("picture");
+  if (wanted != "each")
   {
-    return writePicture(content, o.panel, files.aside(o.picture), o.picture);
+    const auto panel = std::find(names.begin(), names.end(), wanted) - names.begin();
+    return writePicture(content, static_cast<PicturePanel>(panel), files.aside(picture), picture);
   }
-  Status status = writePicture(content, PicturePanel::All, files.aside(o.picture), o.picture);
-  const std::string stem = o.picture.substr(0, o.picture.rfind('.'));
-  const std::pair<PicturePanel, const char*> panels[] = { { PicturePanel::Before, "before" },
-    { PicturePanel::Charts, "charts" }, { PicturePanel::Maps, "maps" },
-    { PicturePanel::Samples, "samples" }, { PicturePanel::After, "after" } };
-  for (const auto& [panel, name] : panels)
+  Status status = writePicture(content, PicturePanel::All, files.aside(picture), picture);
+  for (std::size_t panel = 1; panel < names.size(); ++panel)
   {
-    const std::string file = stem + "-" + name + ".png";
+    const std::string file = picture.substr(0, picture.rfind('.')) + "-" + names[panel] + ".png";
     if (status.ok())
     {
       status = OutputFiles::check(file);
     }
     if (status.ok())
     {
-      status = writePicture(content, panel, files.aside(file), file);
+      status = writePicture(content, static_cast<PicturePanel>(panel), files.aside(file), file);
     }
   }
   return status;
 }
 }
 
-Status run(const Options& given)
+Status run(const OptionValues& given)
 {
-  if (given.threads > 0)
+  if (given.has("threads"))
   {
-    vtkSMPTools::Initialize(given.threads);
+    vtkSMPTools::Initialize(given.integer("threads"));
   }
   if (Status status = checkOutputs(given); !status.ok())
   {
     return status;
   }
-  ProgressBar bar(!given.quiet);
+  ProgressBar bar(!given.flag("quiet"));
   bar.show(0, "reading");
   const Stopwatch watch;
   vtkSmartPointer<vtkPolyData> input;
-  Session session;
-  Status status = makeSession(given, session);
+  Session o;
+  Status status = makeSession(given, o);
   if (status.ok())
   {
-    status = readMesh(session.model, input);
+    status = readMesh(o.text("model"), input);
   }
   if (!status.ok())
   {
     return status;
   }
-  Options o = given;
-  o.input = session.model;
   const double load = watch.seconds();
   vtkNew<vtkGeometryRemesher> remesher;
-  status = setUp(o, session, input, remesher);
+  status = setUp(o, input, remesher);
   if (status.ok())
   {
     status = remesh(input, o, remesher, bar);
@@ -444,7 +377,7 @@ Status run(const Options& given)
   }
   OutputFiles pictureFile;
   Status picture = Status::success();
-  if (status.ok() && !o.picture.empty())
+  if (status.ok() && o.has("picture"))
   {
     picture = drawPicture(o, input, remesher, pictureFile);
   }

@@ -8,10 +8,10 @@
 
 namespace stipple
 {
-struct Options;
+class OptionValues;
 
 /// An error is the one sentence for stderr.
-[[nodiscard]] Status run(const Options& options);
+[[nodiscard]] Status run(const OptionValues& options);
 }
 
 #endif

@@ -17,6 +17,8 @@ int main(int argc, char* argv[])
   {
     case stipple::CommandLine::Action::Help:
       return program.print(stipple::helpText());
+    case stipple::CommandLine::Action::HelpForReadme:
+      return program.print(stipple::readmeTable());
     case stipple::CommandLine::Action::Version:
       return program.print(stipple::versionText());
     case stipple::CommandLine::Action::UsageError:

@@ -277,7 +277,7 @@ void BeforeScene::setMarks(const Session& session)
 {
   vtkNew<vtkPoints> positions;
   vtkNew<vtkCellArray> vertices;
-  for (const Vec3& p : session.constraints)
+  for (const auto& p : session.rows<3>("constraints"))
   {
     const vtkIdType id = positions->InsertNextPoint(p.data());
     vertices->InsertNextCell(1, &id);
@@ -286,9 +286,9 @@ void BeforeScene::setMarks(const Session& session)
   points->SetPoints(positions);
   points->SetVerts(vertices);
   static_cast<vtkPolyDataMapper*>(this->Points->GetMapper())->SetInputData(points);
-  this->Points->SetVisibility(!session.constraints.empty());
+  this->Points->SetVisibility(vertices->GetNumberOfCells() > 0);
   vtkNew<vtkCellArray> lines;
-  for (const auto& edge : session.featureEdges)
+  for (const auto& edge : session.rows<2>("feature_edges"))
   {
     const vtkIdType ids[2] = { static_cast<vtkIdType>(edge[0]), static_cast<vtkIdType>(edge[1]) };
     lines->InsertNextCell(2, ids);
@@ -297,7 +297,7 @@ void BeforeScene::setMarks(const Session& session)
   edges->SetPoints(this->Input->GetPoints());
   edges->SetLines(lines);
   static_cast<vtkPolyDataMapper*>(this->Edges->GetMapper())->SetInputData(edges);
-  this->Edges->SetVisibility(!session.featureEdges.empty());
+  this->Edges->SetVisibility(lines->GetNumberOfCells() > 0);
 }
 
 void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radius)

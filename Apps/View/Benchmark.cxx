@@ -72,7 +72,7 @@ Frame timeFrame(Viewer& viewer)
 Status runBenchmark(Viewer& viewer, const std::string& file)
 {
   viewer.settle();
-  viewer.edit([](Session& s) { s.importance = "total"; }, true);
+  viewer.edit([](Session& s) { s.set("importance", "total"); }, true);
   viewer.settle();
 
   Times preview;
@@ -80,14 +80,14 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   for (int i = 0; i < PreviewFrames; ++i)
   {
     const double gamma = 0.1 + 1.4 * i / PreviewFrames;
-    viewer.edit([gamma](Session& s) { s.gamma = gamma; }, false);
+    viewer.edit([gamma](Session& s) { s.set("gamma", gamma); }, false);
     preview.add(timeFrame(viewer));
     sampling.add({ viewer.previewSeconds(), 0 });
   }
 
   // The slider rests: the mesh is computed while the camera turns.
   Times camera;
-  viewer.edit([](Session& s) { s.gamma = 0.7; }, true);
+  viewer.edit([](Session& s) { s.set("gamma", 0.7); }, true);
   const Session wanted = viewer.session();
   viewer.tick();
   while (viewer.busy())
@@ -109,7 +109,8 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   OutputFiles files;
   std::ofstream stream(files.aside(file));
   stream << "{\n  \"window\": [" << size[0] << ", " << size[1]
-         << "],\n  \"points\": " << wanted.points << ",\n  \"preview_ms\": " << preview.json()
+         << "],\n  \"points\": " << wanted.integer("points")
+         << ",\n  \"preview_ms\": " << preview.json()
          << ",\n  \"preview_sampling_ms\": " << sampling.json()
          << ",\n  \"camera_while_meshing_ms\": " << camera.json()
          << ",\n  \"camera_ms\": " << idle.json() << "\n}\n";

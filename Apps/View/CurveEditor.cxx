@@ -13,19 +13,19 @@ constexpr double LeastGap = 0.01; // between neighbours, in x
 
 double valueAt(const CurveEditor::Points& curve, double x)
 {
-  if (x <= curve.front().first)
+  if (x <= curve.front()[0])
   {
-    return curve.front().second;
+    return curve.front()[1];
   }
   for (std::size_t i = 1; i < curve.size(); ++i)
   {
-    if (x <= curve[i].first)
+    if (x <= curve[i][0])
     {
-      const double t = (x - curve[i - 1].first) / (curve[i].first - curve[i - 1].first);
-      return curve[i - 1].second + t * (curve[i].second - curve[i - 1].second);
+      const double t = (x - curve[i - 1][0]) / (curve[i][0] - curve[i - 1][0]);
+      return curve[i - 1][1] + t * (curve[i][1] - curve[i - 1][1]);
     }
   }
-  return curve.back().second;
+  return curve.back()[1];
 }
 }
 
@@ -46,14 +46,13 @@ Rect CurveEditor::plot() const
     this->Box.h - 4.4F * margin };
 }
 
-std::pair<float, float> CurveEditor::placeOf(const std::pair<double, double>& point) const
+std::pair<float, float> CurveEditor::placeOf(const std::array<double, 2>& point) const
 {
   const Rect p = this->plot();
-  return { p.x + p.w * static_cast<float>(point.first),
-    p.y + p.h * static_cast<float>(point.second) };
+  return { p.x + p.w * static_cast<float>(point[0]), p.y + p.h * static_cast<float>(point[1]) };
 }
 
-std::pair<double, double> CurveEditor::pointAt(const Pointer& pointer) const
+std::array<double, 2> CurveEditor::pointAt(const Pointer& pointer) const
 {
   const Rect p = this->plot();
   return { std::clamp<double>((pointer.x - p.x) / p.w, 0, 1),
@@ -156,9 +155,9 @@ void CurveEditor::drag(const Pointer& pointer)
   }
   auto moved = this->pointAt(pointer);
   const int last = static_cast<int>(this->Curve.size()) - 1;
-  const double low = this->Held > 0 ? this->Curve[this->Held - 1].first + LeastGap : 0;
-  const double high = this->Held < last ? this->Curve[this->Held + 1].first - LeastGap : 1;
-  moved.first = low <= high ? std::clamp(moved.first, low, high) : 0.5 * (low + high);
+  const double low = this->Held > 0 ? this->Curve[this->Held - 1][0] + LeastGap : 0;
+  const double high = this->Held < last ? this->Curve[this->Held + 1][0] - LeastGap : 1;
+  moved[0] = low <= high ? std::clamp(moved[0], low, high) : 0.5 * (low + high);
   if (moved != this->Curve[this->Held])
   {
     this->Curve[this->Held] = moved;

@@ -16,7 +16,7 @@ namespace stipple
 class CurveEditor : public Control
 {
 public:
-  using Points = std::vector<std::pair<double, double>>;
+  using Points = std::vector<std::array<double, 2>>;
   using Change = std::function<void(const Points& points, bool rests)>;
 
   explicit CurveEditor(Change change);
@@ -35,8 +35,8 @@ public:
 
 private:
   Rect plot() const;
-  std::pair<float, float> placeOf(const std::pair<double, double>& point) const;
-  std::pair<double, double> pointAt(const Pointer& pointer) const;
+  std::pair<float, float> placeOf(const std::array<double, 2>& point) const;
+  std::array<double, 2> pointAt(const Pointer& pointer) const;
   int nearest(const Pointer& pointer) const; ///< -1: none is near
 
   Change Changed;

@@ -3,7 +3,6 @@
 #include "MeshWorker.h"
 
 #include "Messages.h"
-#include "SessionParameters.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"
@@ -39,10 +38,9 @@ void lowerPriority()
 #endif
 }
 
-bool sameAtlas(const Session& a, const Session& b)
+bool sameMaps(const Session& a, const Session& b)
 {
-  return a.featureAngle == b.featureAngle && a.charts == b.charts &&
-    a.featureEdges == b.featureEdges && a.constraints == b.constraints;
+  return sameForStage(a, b, "vtkConformalAtlas") && sameForStage(a, b, "vtkGeometryMapRenderer");
 }
 
 template <typename T>
@@ -58,10 +56,10 @@ MeshWorker::MeshWorker(vtkPolyData* input, vtkImageData* importanceImage)
   : Remesher(vtkSmartPointer<vtkGeometryRemesher>::New())
 {
   this->Remesher->SetInputData(copyOf<vtkPolyData>(input));
-  this->Remesher->SetBackendToCPU(); // OpenGL belongs to the window's thread
+  this->Remesher->GetMapRenderer()->SetBackendToCPU(); // OpenGL belongs to the window's thread
   if (importanceImage)
   {
-    this->Remesher->SetImportanceImage(copyOf<vtkImageData>(importanceImage));
+    this->Remesher->GetControlMap()->SetImportanceImage(copyOf<vtkImageData>(importanceImage));
   }
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
@@ -88,7 +86,7 @@ void MeshWorker::start(const Session& session)
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Next = std::make_unique<Session>(session);
     this->StopAsked =
-      std::max<int>(this->StopAsked, sameAtlas(this->Current, session) ? BeforeTheMesh : AtOnce);
+      std::max<int>(this->StopAsked, sameMaps(this->Current, session) ? BeforeTheMesh : AtOnce);
     this->Mesh.reset();
     this->Error.clear();
     this->Busy = true;
@@ -158,7 +156,7 @@ void MeshWorker::perform(const Session& session)
 {
   const double begin = vtkTimerLog::GetUniversalTime();
   ErrorCollector errors(this->Remesher);
-  applySession(session, this->Remesher);
+  applyOptions(session, this->Remesher);
   this->Remesher->Update();
   if (this->StopAsked != GoOn)
   {

@@ -64,8 +64,10 @@ void Panel::row(std::vector<Control*> controls, float height, float space)
 
 void Panel::addSampling(Commands& commands, bool hasImage)
 {
-  this->Number = this->make<NumberField>("Number of points", 1, MostPoints,
-    [&commands](int points) { commands.edit([points](Session& s) { s.points = points; }, true); });
+  this->Number =
+    this->make<NumberField>("Number of points", 1, MostPoints, [&commands](int points) {
+      commands.edit([points](Session& s) { s.set("points", points); }, true);
+    });
   Slider::Range range{ 100, SliderPoints };
   range.logarithmic = true;
   this->PointsSlider = this->make<Slider>(
@@ -74,8 +76,12 @@ void Panel::addSampling(Commands& commands, bool hasImage)
       const int points = static_cast<int>(rounded(value));
       // A press that moves nothing keeps a number that was typed.
       commands.edit(
-        [points, value](
-          Session& s) { s.points = std::abs(value - s.points) < 1 ? s.points : points; },
+        [points, value](Session& s) {
+          if (std::abs(value - s.number("points")) >= 1)
+          {
+            s.set("points", points);
+          }
+        },
         rests);
     });
   this->Importance = this->make<Choice>(Choice::Kind::One,
@@ -86,17 +92,18 @@ void Panel::addSampling(Commands& commands, bool hasImage)
         [this, word, hasImage](Session& s) {
           if (word < ArrayWord)
           {
-            s.importance = importanceNames()[word];
+            s.set("importance", findOption("importance")->choices[word]);
             return;
           }
-          s.importance = hasImage ? "image" : "array";
+          s.set("importance", hasImage ? "image" : "array");
           if (!hasImage)
           {
             // One more press, the next array.
-            const auto now = std::find(this->Arrays.begin(), this->Arrays.end(), s.importanceArray);
-            s.importanceArray = now == this->Arrays.end() || now + 1 == this->Arrays.end()
-              ? this->Arrays.front()
-              : *(now + 1);
+            const auto now =
+              std::find(this->Arrays.begin(), this->Arrays.end(), s.text("importance_array"));
+            s.set("importance_array",
+              now == this->Arrays.end() || now + 1 == this->Arrays.end() ? this->Arrays.front()
+                                                                         : *(now + 1));
           }
         },
         true);
@@ -104,15 +111,15 @@ void Panel::addSampling(Commands& commands, bool hasImage)
   this->Importance->setEnabled(ArrayWord, hasImage || !this->Arrays.empty());
   this->Gamma = this->make<Slider>("Gamma", Slider::Range{ 0, 3, 1, false, 0.01 }, format("%.2f"),
     [&commands](double value, bool rests) {
-      commands.edit([value](Session& s) { s.gamma = value; }, rests);
+      commands.edit([value](Session& s) { s.set("gamma", value); }, rests);
     });
   this->Gradation = this->make<Slider>("Gradation", Slider::Range{ 0, 10, 2, false, 0.05 },
     format("%.2f %%"), [&commands](double value, bool rests) {
-      commands.edit([value](Session& s) { s.gradation = value; }, rests);
+      commands.edit([value](Session& s) { s.set("gradation", value); }, rests);
     });
   this->Floor = this->make<Slider>("Least density", Slider::Range{ 0, 1, 2, false, 0.005 },
     format("%.3f"), [&commands](double value, bool rests) {
-      commands.edit([value](Session& s) { s.minimumDensity = value; }, rests);
+      commands.edit([value](Session& s) { s.set("minimum_density", value); }, rests);
     });
   this->row({ this->Number }, 27, 2);
   this->row({ this->PointsSlider }, 20, 12);
@@ -129,14 +136,14 @@ void Panel::addFeatures(Commands& commands)
     "Feature angle", Slider::Range{ 0, 180, 1, false, 1 },
     [](double value) { return value >= 180 ? std::string("none") : format("%.0f\u00b0")(value); },
     [&commands](double value, bool rests) {
-      commands.edit([value](Session& s) { s.featureAngle = value; }, rests);
+      commands.edit([value](Session& s) { s.set("feature_angle", value); }, rests);
     });
   Slider::Range range{ 1, 200 };
   range.logarithmic = true;
   range.step = 1;
   this->Charts = this->make<Slider>(
     "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
-      commands.edit([value](Session& s) { s.charts = static_cast<int>(value); }, rests);
+      commands.edit([value](Session& s) { s.set("charts", std::trunc(value)); }, rests);
     });
   this->heading("Features and charts");
   this->row({ this->Angle }, 34);
@@ -236,35 +243,36 @@ void Panel::setBox(const Rect& box, float scale)
 
 void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRedo)
 {
-  this->Number->setValue(s.points);
-  Slider::Range range{ 100, std::max<double>(SliderPoints, s.points) };
+  this->Number->setValue(s.integer("points"));
+  Slider::Range range{ 100, std::max<double>(SliderPoints, s.number("points")) };
   range.logarithmic = true;
   this->PointsSlider->setRange(range);
-  this->PointsSlider->setValue(s.points);
-  const auto& names = importanceNames();
+  this->PointsSlider->setValue(s.number("points"));
+  const std::string& importance = s.text("importance");
+  const auto& names = findOption("importance")->choices;
   const auto kind =
-    static_cast<int>(std::find(names.begin(), names.end(), s.importance) - names.begin());
+    static_cast<int>(std::find(names.begin(), names.end(), importance) - names.begin());
   this->Importance->choose(std::min(kind, ArrayWord));
-  if (s.importance == "array")
+  if (importance == "array")
   {
-    this->Importance->setWord(ArrayWord, s.importanceArray);
+    this->Importance->setWord(ArrayWord, s.text("importance_array"));
   }
-  const bool uniform = s.importance == "uniform";
+  const bool uniform = importance == "uniform";
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {
     slider->setEnabled(!uniform);
   }
-  this->Gamma->setValue(s.gamma);
-  this->Gradation->setValue(s.gradation);
-  this->Floor->setValue(s.minimumDensity);
-  this->Angle->setValue(s.featureAngle);
-  this->Charts->setValue(s.charts);
+  this->Gamma->setValue(s.number("gamma"));
+  this->Gradation->setValue(s.number("gradation"));
+  this->Floor->setValue(s.number("minimum_density"));
+  this->Angle->setValue(s.number("feature_angle"));
+  this->Charts->setValue(s.number("charts"));
   this->Tools->choose(static_cast<int>(v.tool));
   this->Radius->setValue(v.brushRadius);
   this->Strength->setValue(v.brushStrength);
-  this->Clearing->setEnabled(0, !s.strokes.empty());
-  this->Clearing->setEnabled(1, !s.constraints.empty());
-  this->Clearing->setEnabled(2, !s.featureEdges.empty());
+  this->Clearing->setEnabled(0, !s.list("strokes").empty());
+  this->Clearing->setEnabled(1, !s.list("constraints").empty());
+  this->Clearing->setEnabled(2, !s.list("feature_edges").empty());
   this->Displays->choose(static_cast<int>(v.display));
   this->Overlays->setOn(0, v.features);
   this->Overlays->setOn(1, v.seams);

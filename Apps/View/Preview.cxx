@@ -4,7 +4,7 @@
 
 #include "MeshWorker.h"
 #include "Messages.h"
-#include "SessionParameters.h"
+#include "Session.h"
 
 #include "vtkControlMap.h"
 #include "vtkErrorDiffusionSampler.h"
@@ -45,7 +45,7 @@ void Preview::setImportanceImage(vtkImageData* image)
 
 Status Preview::update(const Session& session, int points)
 {
-  applyControl(session, this->Control);
+  applyOptions(session, this->Control);
   this->Sampler->SetNumberOfSamples(points);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);
@@ -78,13 +78,13 @@ std::vector<double> Preview::importanceHistogram(const Session& session, int bar
     return histogram;
   }
   Session raw;
-  raw.importance = session.importance;
-  raw.importanceArray = session.importanceArray;
-  raw.importanceImage = session.importanceImage;
-  raw.imageProjection = session.imageProjection;
-  raw.bandPass = session.bandPass;
-  raw.minimumDensity = 0;
-  applyControl(raw, this->RawImportance);
+  for (const char* name : { "importance", "importance_array", "image_projection" })
+  {
+    raw.set(name, session.text(name));
+  }
+  raw.setList("band_pass", session.list("band_pass"));
+  raw.set("minimum_density", 0);
+  applyOptions(raw, this->RawImportance);
   ErrorCollector errors(this->RawImportance);
   this->RawImportance->Update();
   auto* images =

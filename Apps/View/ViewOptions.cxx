@@ -4,8 +4,8 @@
 
 #include "HelpText.h"
 #include "MeshFile.h"
+#include "OptionText.h"
 #include "TextNumbers.h"
-#include "Words.h"
 
 #include <algorithm>
 
@@ -82,9 +82,7 @@ std::string unknown(const std::string& name)
   {
     names.emplace_back(entry.name);
   }
-  const std::string near = nearestWord(name, names);
-  return "unknown option '" + name + "'" +
-    (near.empty() ? "; --help lists them all" : "; did you mean '" + near + "'?");
+  return unknownOption(name, names);
 }
 
 std::string checkExtensions(const ViewOptions& o)

@@ -7,8 +7,7 @@
 #include "MeshFile.h"
 #include "OutputFiles.h"
 #include "Script.h"
-#include "SessionFile.h"
-#include "SessionParameters.h"
+#include "Session.h"
 #include "ViewOptions.h"
 #include "Viewer.h"
 
@@ -30,8 +29,8 @@ constexpr int DefaultPoints = 5000;
 Status makeSession(const ViewOptions& o, Session& session)
 {
   // Something to see when gamma is moved.
-  session.importance = "total";
-  session.gamma = 0.5;
+  session.set("importance", "total");
+  session.set("gamma", 0.5);
   if (!o.session.empty())
   {
     if (Status status = readSession(o.session, session); !status.ok())
@@ -39,19 +38,22 @@ Status makeSession(const ViewOptions& o, Session& session)
       return status;
     }
   }
-  session.model = o.input.empty() ? session.model : o.input;
-  if (session.model.empty())
+  if (!o.input.empty())
+  {
+    session.set("model", o.input);
+  }
+  if (session.text("model").empty())
   {
     return Status::error("the session '" + o.session + "' names no model: say which FILE");
   }
-  session.points = o.points > 0 ? o.points : session.points;
-  session.points = session.points > 0 ? session.points : DefaultPoints;
+  const int points = o.points > 0 ? o.points : session.integer("points");
+  session.set("points", points > 0 ? points : DefaultPoints);
   return Status::success();
 }
 
 ViewerFiles filesOf(const ViewOptions& o, const Session& session)
 {
-  const std::string stem = std::filesystem::path(session.model).stem().string();
+  const std::string stem = std::filesystem::path(session.text("model")).stem().string();
   ViewerFiles files;
   files.mesh = o.output.empty() ? stem + "-remeshed.ply" : o.output;
   files.picture = o.picture.empty() ? stem + "-view.png" : o.picture;
@@ -118,16 +120,16 @@ Status runViewer(const ViewOptions& o)
   vtkSmartPointer<vtkPolyData> input;
   if (status.ok())
   {
-    status = readMesh(session.model, input);
+    status = readMesh(session.text("model"), input);
   }
   if (status.ok())
   {
     status = checkSession(session, input);
   }
   vtkSmartPointer<vtkImageData> image;
-  if (status.ok() && !session.importanceImage.empty())
+  if (status.ok() && !session.text("importance_image").empty())
   {
-    status = readImage(session.importanceImage, image);
+    status = readImage(session.text("importance_image"), image);
   }
   if (status.ok())
   {

@@ -82,8 +82,8 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   , BeforeSide(this->Window.renderer(ViewerWindow::Before), input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(input)
-  , Controls(*this, std::filesystem::path(session.model).filename().string(), arraysOf(input),
-      image != nullptr)
+  , Controls(*this, std::filesystem::path(session.text("model")).filename().string(),
+      arraysOf(input), image != nullptr)
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -95,7 +95,7 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
     }
   })
   , Curve([this](const CurveEditor::Points& points, bool rests) {
-    this->edit([&points](Session& s) { s.transfer = points; }, rests);
+    this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
   , Worker(input, image)
@@ -285,7 +285,7 @@ void Viewer::updatePreview()
 {
   const auto begin = Clock::now();
   this->PreviewIsOld = false;
-  const Status status = this->Sampling.update(this->Now, this->Now.points);
+  const Status status = this->Sampling.update(this->Now, this->Now.integer("points"));
   this->PreviewProblem = status.ok() ? "" : status.message();
   if (status.ok())
   {
@@ -293,7 +293,8 @@ void Viewer::updatePreview()
       this->Sampling.samples(), this->Sampling.halftones(), this->Sampling.controls());
     this->Sheet.setControls(this->Sampling.controls());
   }
-  const std::string importance = this->Now.importance + " " + this->Now.importanceArray;
+  const std::string importance =
+    this->Now.text("importance") + " " + this->Now.text("importance_array");
   if (importance != this->HistogramOf)
   {
     this->HistogramOf = importance;
@@ -330,8 +331,8 @@ void Viewer::showSession()
 {
   this->Controls.show(
     this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
-  this->Curve.setPoints(this->Now.transfer);
-  this->Curve.setGamma(this->Now.gamma);
+  this->Curve.setPoints(this->Now.rows<2>("transfer"));
+  this->Curve.setGamma(this->Now.number("gamma"));
   this->BeforeSide.setMarks(this->Now);
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before | ViewerWindow::PanelPart);

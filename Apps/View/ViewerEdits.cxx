@@ -6,7 +6,7 @@
 #include "MeshFile.h"
 #include "OutputFiles.h"
 #include "SceneActors.h"
-#include "SessionFile.h"
+#include "Session.h"
 
 #include "vtkPolyData.h"
 
@@ -78,13 +78,13 @@ void Viewer::clear(Clear what)
       switch (what)
       {
         case Clear::Paint:
-          s.strokes.clear();
+          s.reset("strokes");
           break;
         case Clear::Points:
-          s.constraints.clear();
+          s.reset("constraints");
           break;
         case Clear::Edges:
-          s.featureEdges.clear();
+          s.reset("feature_edges");
           break;
       }
     },

@@ -105,8 +105,8 @@ void Viewer::paintStrip(Canvas& canvas)
   };
   const Cell cells[] = { { l.sheet, "control map", "dark: many samples; paint here too",
                            this->Sheet },
-    { l.curve, "transfer function", this->Now.importance == "uniform" ? "not for uniform" : "",
-      this->Curve },
+    { l.curve, "transfer function",
+      this->Now.text("importance") == "uniform" ? "not for uniform" : "", this->Curve },
     { l.figures, "mesh quality", "", this->Figures } };
   // One of the cells that have changed, where it does not have to be all: the next frame, and the
   // frame of a preview, come the sooner.

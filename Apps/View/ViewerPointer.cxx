@@ -172,7 +172,9 @@ void Viewer::paint(const Vec3& position, bool begins)
   const double strength = this->View.brushStrength;
   this->edit(
     [&](Session& s) {
-      s.strokes.push_back({ { position[0], position[1], position[2], radius, strength } });
+      auto strokes = s.list("strokes");
+      strokes.insert(strokes.end(), { position[0], position[1], position[2], radius, strength });
+      s.setList("strokes", std::move(strokes));
     },
     false);
 }
@@ -182,16 +184,18 @@ void Viewer::togglePoint(const SurfacePlace& place)
   const double near = NearPoint * this->Diagonal;
   this->edit(
     [&](Session& s) {
-      const auto old = std::find_if(s.constraints.begin(), s.constraints.end(),
-        [&](const Vec3& p) { return (p - place.position).norm() < near; });
-      if (old != s.constraints.end())
+      auto constraints = s.rows<3>("constraints");
+      const auto old = std::find_if(constraints.begin(), constraints.end(),
+        [&](const auto& p) { return (Vec3(p.data()) - place.position).norm() < near; });
+      if (old != constraints.end())
       {
-        s.constraints.erase(old);
+        constraints.erase(old);
       }
       else
       {
-        s.constraints.push_back(place.position);
+        constraints.push_back({ place.position[0], place.position[1], place.position[2] });
       }
+      s.setRows("constraints", constraints);
     },
     true);
 }
@@ -206,19 +210,22 @@ void Viewer::tagEdges(const SurfacePlace& place, bool path)
   this->LastTagged = place.point;
   this->edit(
     [&](Session& s) {
+      auto tags = s.rows<2>("feature_edges");
       for (const auto& edge : edges)
       {
-        const std::array<long long, 2> tag = { { edge[0], edge[1] } };
-        const auto old = std::find(s.featureEdges.begin(), s.featureEdges.end(), tag);
-        if (old == s.featureEdges.end())
+        const std::array<double, 2> tag = { static_cast<double>(edge[0]),
+          static_cast<double>(edge[1]) };
+        const auto old = std::find(tags.begin(), tags.end(), tag);
+        if (old == tags.end())
         {
-          s.featureEdges.push_back(tag);
+          tags.push_back(tag);
         }
         else if (!path)
         {
-          s.featureEdges.erase(old);
+          tags.erase(old);
         }
       }
+      s.setRows("feature_edges", tags);
     },
     true);
 }

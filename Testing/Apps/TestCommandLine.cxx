@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
+#include "OptionText.h"
 #include "TextNumbers.h"
-#include "Words.h"
 
 #include <gtest/gtest.h>
 
@@ -17,27 +17,25 @@ TEST(CommandLine, Values)
     "--gamma=0.25", "--transfer", "0:1,0.5:0,1:.5", "--map-size", "auto", "--picture", "p.png",
     "--picture-panel", "samples", "--iterations", "0" });
   ASSERT_EQ(line.action, CommandLine::Action::Run) << line.message;
-  EXPECT_EQ(line.options.input, "in.off");
-  EXPECT_EQ(line.options.output, "out.ply");
-  EXPECT_EQ(line.options.points, 500);
-  EXPECT_TRUE(line.options.hasGamma);
-  EXPECT_EQ(line.options.gamma, 0.25);
-  EXPECT_FALSE(line.options.hasGradation);
-  ASSERT_EQ(line.options.transfer.size(), 3u);
-  EXPECT_EQ(line.options.transfer[2], (std::pair<double, double>(1., 0.5)));
-  EXPECT_EQ(line.options.mapSize, 0);
-  EXPECT_EQ(line.options.panel, PicturePanel::Samples);
-  EXPECT_EQ(line.options.iterations, 0);
+  EXPECT_EQ(line.options.text("model"), "in.off");
+  EXPECT_EQ(line.options.text("output"), "out.ply");
+  EXPECT_EQ(line.options.integer("points"), 500);
+  EXPECT_EQ(line.options.number("gamma"), 0.25);
+  EXPECT_FALSE(line.options.has("gradation"));
+  EXPECT_EQ(line.options.list("transfer"), (std::vector<double>{ 0, 1, 0.5, 0, 1, 0.5 }));
+  EXPECT_TRUE(line.options.has("map_size"));
+  EXPECT_EQ(line.options.integer("map_size"), 0);
+  EXPECT_EQ(line.options.text("picture_panel"), "samples");
+  EXPECT_EQ(line.options.integer("iterations"), 0);
 }
 
 TEST(CommandLine, AnArrayImpliesItsImportance)
 {
-  EXPECT_EQ(
-    parseCommandLine({ "a.off", "-o", "b.off", "--importance-array", "heat" }).options.importance,
-    "array");
-  EXPECT_EQ(
-    parseCommandLine({ "a.off", "-o", "b.off", "--importance-image", "i.png" }).options.importance,
-    "image");
+  for (const std::string kind : { "array", "image" })
+  {
+    const auto line = parseCommandLine({ "a.off", "-o", "b.off", "--importance-" + kind, "c" });
+    EXPECT_EQ(line.options.text("importance"), kind);
+  }
 }
 
 TEST(CommandLine, TheFirstMistakeIsTold)
@@ -86,9 +84,8 @@ TEST(TextNumbers, FilesNameTheLine)
 {
   const std::string file = testing::TempDir() + "stipple-positions.txt";
   std::ofstream(file) << "# positions\n1 2 3 # one\r\n\n4 5\n";
-  std::vector<Vec3> positions;
-  const Status status = readPositions(file, positions);
-  EXPECT_EQ(status.message(), file + ":4: a constraint is three finite numbers, x y z");
-  ASSERT_EQ(positions.size(), 1u);
-  EXPECT_EQ(positions[0], Vec3(1, 2, 3));
+  std::vector<double> positions;
+  const Status status = readRows(*findOption("constraints"), file, positions);
+  EXPECT_EQ(status.message(), file + ":4: needs 3 numbers: x, y, z");
+  EXPECT_EQ(positions, (std::vector<double>{ 1, 2, 3 }));
 }

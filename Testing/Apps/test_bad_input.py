@@ -105,15 +105,15 @@ class BadInput(ProgramTest):
         cube = self.cube()
         out = self.folder / "out.ply"
         cases = [
-            ("--constraints", "0 0 0\n\n# here\n1 2\n", r"extra:4: a constraint is three finite numbers"),
-            ("--constraints", "0 0 nan\n", r"extra:1: a constraint"),
-            ("--feature-edges", "0 1\n0 8\n", r"extra:2: a feature edge is two point ids from 0 to 7"),
+            ("--constraints", "0 0 0\n\n# here\n1 2\n", r"extra:4: needs 3 numbers: x, y, z"),
+            ("--constraints", "0 0 nan\n", r"extra:1: needs 3 numbers"),
+            ("--feature-edges", "0 1\n0 8\n", r"extra:2: needs a whole number for id from 0 to 7, not 8"),
             ("--feature-edges", "3 3\n", r"extra:1: .* two different points"),
             ("--feature-edges", "0 6\n", "no edge of the input"),
             ("--importance-image", "no image", "cannot read the image"),
-            ("--strokes", "0 0 0 1 1\n0 0 0 1\n", r"extra:2: is no stroke 'x y z radius strength'"),
-            ("--strokes", "0 0 0 0 1\n", r"extra:1: needs a positive radius"),
-            ("--strokes", "0 0 0 1 -2\n", r"extra:1: .* strength of at least -1"),
+            ("--strokes", "0 0 0 1 1\n0 0 0 1\n", r"extra:2: needs 5 numbers: x, y, z, radius, strength"),
+            ("--strokes", "0 0 0 0 1\n", r"extra:1: needs .* radius above 0, not 0"),
+            ("--strokes", "0 0 0 1 -2\n", r"extra:1: needs .* strength of at least -1, not -2"),
         ]
         for option, content, pattern in cases:
             with self.subTest(option=option, content=content):

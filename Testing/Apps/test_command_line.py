@@ -58,7 +58,7 @@ class CommandLine(ProgramTest):
             ([cube, "-o", out, "--transfer", "0:1"], "at least two points"),
             ([cube, "-o", out, "--transfer", "0:0,1"], "'1' is no X:Y"),
             ([cube, "-o", out, "--transfer", "0:0,0:1"], "ascending"),
-            ([cube, "-o", out, "--transfer", "0:0,2:1"], "outside"),
+            ([cube, "-o", out, "--transfer", "0:0,2:1"], "for X from 0 to 1, not 2"),
             ([cube, "-o", out, "--gradation", "-1"], "from 0 to 100"),
             ([cube, "-o", out, "--minimum-density", "1.5"], "from 0 to 1"),
             ([cube, "-o", out, "--band-pass", "3"], "FINE,COARSE"),

@@ -67,11 +67,11 @@ class Documentation(unittest.TestCase):
                     self.assertTrue(os.path.exists(os.path.join(os.path.dirname(path), target)), f"{path}: {target}")
 
     def test_options(self):
-        help_ = subprocess.run([PROGRAM, "--help"], check=True, capture_output=True, text=True).stdout
-        options = set(re.findall(r"--[a-z][a-z-]+", help_)) - {"--output"}
+        """Where it fails, put what `stipple --help=readme` prints into README.md."""
+        table = subprocess.run([PROGRAM, "--help=readme"], check=True, capture_output=True, text=True).stdout
+        self.assertGreater(table.count("`--"), 40)
         with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
-            text = re.search(r"^## The command line\n(.*?)^## ", file.read(), re.S | re.M).group(1)
-        self.assertEqual(set(re.findall(r"--[a-z][a-z-]+", text)), options)
+            self.assertIn(f"\n{table}\n", file.read())
 
 
 if __name__ == "__main__":

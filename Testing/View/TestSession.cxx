@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sessions, their files and their undo.
 #include "History.h"
-#include "SessionFile.h"
-#include "SessionParameters.h"
+#include "Session.h"
 
+#include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
@@ -18,21 +18,21 @@ namespace
 Session full()
 {
   Session s;
-  s.model = "/a \"quoted\" name/\u00e9.off";
-  s.points = 1234;
-  s.importance = "array";
-  s.importanceArray = "heat";
-  s.imageProjection = "y";
-  s.bandPass = { { 0.1, 1. / 3 } };
-  s.gamma = 0.1;
-  s.transfer = { { 0, 0.25 }, { 1. / 3, 1 }, { 1, 0 } };
-  s.gradation = 2.5;
-  s.minimumDensity = 1e-3;
-  s.strokes = { { { 1e-300, -2. / 3, 3, 0.5, -1 } }, { { 1, 2, 3, 4, 5 } } };
-  s.featureAngle = 33.3;
-  s.charts = 7;
-  s.featureEdges = { { { 3, 9007199254740991LL - 1 } } };
-  s.constraints = { Vec3(0.1, 0.2, 0.3) };
+  s.set("model", "/a \"quoted\" name/\u00e9.off");
+  s.set("points", 1234);
+  s.set("importance", "array");
+  s.set("importance_array", "heat");
+  s.set("image_projection", "y");
+  s.setList("band_pass", { 0.1, 1. / 3 });
+  s.set("gamma", 0.1);
+  s.setList("transfer", { 0, 0.25, 1. / 3, 1, 1, 0 });
+  s.set("gradation", 2.5);
+  s.set("minimum_density", 1e-3);
+  s.setList("strokes", { 1e-300, -2. / 3, 3, 0.5, -1, 1, 2, 3, 4, 5 });
+  s.set("feature_angle", 33.3);
+  s.set("charts", 7);
+  s.setList("feature_edges", { 3, 9007199254740990. });
+  s.setList("constraints", { 0.1, 0.2, 0.3 });
   return s;
 }
 }
@@ -49,27 +49,33 @@ TEST(Session, ReadsBackTheVerySameNumbers)
 TEST(Session, EveryEntryCounts)
 {
   // Equality is what undo and "the mesh is up to date" hang on: no entry may be left out of it.
-  const auto differs = [](auto change) {
+  for (const Option& option : optionTable())
+  {
+    if (!option.in(Option::Session))
+    {
+      continue;
+    }
     Session s = full();
-    change(s);
-    return s != full() && toJson(s) != toJson(full());
-  };
-  EXPECT_TRUE(differs([](Session& s) { s.model = "b"; }));
-  EXPECT_TRUE(differs([](Session& s) { s.points = 1; }));
-  EXPECT_TRUE(differs([](Session& s) { s.importance = "mean"; }));
-  EXPECT_TRUE(differs([](Session& s) { s.importanceArray = "b"; }));
-  EXPECT_TRUE(differs([](Session& s) { s.importanceImage = "b"; }));
-  EXPECT_TRUE(differs([](Session& s) { s.imageProjection = "x"; }));
-  EXPECT_TRUE(differs([](Session& s) { s.bandPass[0] = 0; }));
-  EXPECT_TRUE(differs([](Session& s) { s.gamma = 2; }));
-  EXPECT_TRUE(differs([](Session& s) { s.transfer.pop_back(); }));
-  EXPECT_TRUE(differs([](Session& s) { s.gradation = 0; }));
-  EXPECT_TRUE(differs([](Session& s) { s.minimumDensity = 0; }));
-  EXPECT_TRUE(differs([](Session& s) { s.strokes[1][4] = 0; }));
-  EXPECT_TRUE(differs([](Session& s) { s.featureAngle = 0; }));
-  EXPECT_TRUE(differs([](Session& s) { s.charts = 1; }));
-  EXPECT_TRUE(differs([](Session& s) { s.featureEdges.clear(); }));
-  EXPECT_TRUE(differs([](Session& s) { s.constraints[0][2] = 0; }));
+    if (option.kind == Option::Kind::Integer || option.kind == Option::Kind::Number)
+    {
+      s.set(option.name, s.number(option.name) + 1);
+    }
+    else if (option.kind == Option::Kind::Rows)
+    {
+      std::vector<double> rows = s.list(option.name);
+      rows.resize(option.columns.size());
+      rows.back() = 0.5 * rows.back() + 1;
+      s.setList(option.name, rows);
+    }
+    else
+    {
+      s.set(option.name, s.text(option.name) + "x");
+    }
+    EXPECT_TRUE(s != full() && toJson(s) != toJson(full())) << option.name;
+  }
+  Session s;
+  s.set("gamma", 1);
+  EXPECT_TRUE(s == Session()) << "what is set to its default is as if it were not set";
 }
 
 TEST(Session, RefusesWhatIsWrongAndNamesIt)
@@ -98,25 +104,38 @@ TEST(Session, RefusesWhatIsWrongAndNamesIt)
 TEST(Session, ParametersThatDoNotChangeModifyNothing)
 {
   vtkNew<vtkGeometryRemesher> remesher;
-  applySession(full(), remesher);
+  applyOptions(full(), remesher);
   EXPECT_EQ(remesher->GetNumberOfPoints(), 1234);
-  EXPECT_EQ(remesher->GetImportance(), vtkControlMap::ARRAY);
+  EXPECT_EQ(remesher->GetControlMap()->GetImportance(), vtkControlMap::ARRAY);
+  EXPECT_EQ(remesher->GetControlMap()->GetImageProjection(), vtkControlMap::Y_AXIS);
+  EXPECT_EQ(remesher->GetAtlas()->GetFeatureAngle(), 33.3);
   EXPECT_EQ(remesher->GetControlMap()->GetNumberOfStrokes(), 2);
   const vtkMTimeType time = remesher->GetMTime();
-  applySession(full(), remesher);
+  applyOptions(full(), remesher);
   EXPECT_EQ(remesher->GetMTime(), time);
   Session s = full();
-  s.gamma = 3;
-  applySession(s, remesher);
+  s.set("gamma", 3);
+  applyOptions(s, remesher);
   EXPECT_GT(remesher->GetMTime(), time);
 }
 
-TEST(Session, NamesOfImportancesAreTheFilters)
+TEST(Session, OfBeforeThereWereAllOptions)
 {
-  ASSERT_EQ(importanceNames().size(), static_cast<std::size_t>(vtkControlMap::ARRAY) + 1);
-  EXPECT_EQ(importanceNames()[vtkControlMap::GAUSSIAN], "gaussian");
-  EXPECT_EQ(importanceNames()[vtkControlMap::IMAGE], "image");
-  EXPECT_EQ(imageProjectionNames()[vtkControlMap::Z_AXIS], "z");
+  Session s;
+  const Status status = fromJson(R"({
+    "stipple_session": 1, "model": "a.off", "points": 0, "importance": "image", "importance_array": "",
+    "importance_image": "b.png", "image_projection": "chart", "band_pass": [0, 0], "gamma": 1,
+    "transfer": [], "gradation": 0, "minimum_density": 0.02, "strokes": [[0, 0, 0, 1, -1]],
+    "feature_angle": 40, "charts": 1, "feature_edges": [[0, 1]], "constraints": [] })",
+    s);
+  ASSERT_TRUE(status.ok()) << status.message();
+  Session wanted;
+  wanted.set("model", "a.off");
+  wanted.set("importance", "image");
+  wanted.set("importance_image", "b.png");
+  wanted.setList("strokes", { 0, 0, 0, 1, -1 });
+  wanted.setList("feature_edges", { 0, 1 });
+  EXPECT_TRUE(s == wanted);
 }
 
 TEST(History, GoesBackAndForth)
@@ -125,10 +144,10 @@ TEST(History, GoesBackAndForth)
   Session now = full();
   const Session first = now;
   history.add(now);
-  now.gamma = 2;
+  now.set("gamma", 2);
   const Session second = now;
   history.add(now);
-  now.points = 9;
+  now.set("points", 9);
   const Session third = now;
   history.undo(now);
   EXPECT_TRUE(now == second);

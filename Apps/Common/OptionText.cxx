@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionText.h"
+
+#include "TextNumbers.h"
+
+#include <algorithm>
+#include <climits>
+#include <fstream>
+#include <sstream>
+
+namespace stipple
+{
+namespace
+{
+/// Number of insertions, deletions, replacements and swaps of neighbours between two words.
+int editDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+  {
+    for (std::size_t j = 0; j <= b.size(); ++j)
+    {
+      if (i == 0 || j == 0)
+      {
+        d[i][j] = static_cast<int>(i + j);
+        continue;
+      }
+      d[i][j] =
+        std::min({ d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]) });
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+      {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+std::vector<std::string> parted(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// Appends the numbers of one row; false if they are none, or not as many as there are columns.
+bool parseRow(
+  const Option& option, const std::vector<std::string>& words, std::vector<double>& values)
+{
+  bool good = words.size() == option.columns.size();
+  for (std::size_t i = 0; good && i < words.size(); ++i)
+  {
+    values.push_back(0);
+    good = parseNumber(words[i], values.back());
+  }
+  return good;
+}
+
+/// "0:1,0.5:0.2,1:1", or one row with commas.
+std::string parseRows(const Option& option, const std::string& text, OptionValues& values)
+{
+  std::vector<std::string> names;
+  for (const Option::Column& column : option.columns)
+  {
+    names.push_back(column.name);
+  }
+  std::vector<double> numbers;
+  const std::vector<std::string> items =
+    option.oneRow ? std::vector<std::string>{ text } : parted(text, ',');
+  for (const std::string& item : items)
+  {
+    if (!parseRow(option, parted(item, option.oneRow ? ',' : ':'), numbers))
+    {
+      return "needs " + option.argument + ", but '" + item + "' is no " +
+        listed(names, option.oneRow ? "," : ":");
+    }
+  }
+  if (!option.oneRow && items.size() < 2)
+  {
+    return "needs at least two points " + option.argument;
+  }
+  const std::string wrong = option.wrongRows(numbers);
+  values.setList(option.name, std::move(numbers));
+  return wrong.empty() ? "" : "needs " + wrong;
+}
+
+std::string didYouMean(const std::string& typed, const std::vector<std::string>& words)
+{
+  const std::string near = nearestWord(typed, words);
+  return near.empty() ? "" : "; did you mean '" + near + "'?";
+}
+}
+
+std::string parseOption(const Option& option, const std::string& text, OptionValues& values)
+{
+  using Kind = Option::Kind;
+  const std::string quoted = ", not '" + text + "'";
+  double number = 1;
+  int whole = 0;
+  switch (option.kind)
+  {
+    case Kind::Flag:
+      break;
+    case Kind::Integer:
+      if (text == option.automaticWord && !text.empty())
+      {
+        number = 0;
+        break;
+      }
+      [[fallthrough]];
+    case Kind::Number:
+      // A whole number is written as one: no point, no exponent.
+      if (!parseNumber(text, number) || !option.allows(number) ||
+        (option.kind == Kind::Integer && !parseInteger(text, INT_MIN, INT_MAX, whole)))
+      {
+        return "needs " + option.wanted() + quoted;
+      }
+      break;
+    case Kind::Choice:
+      values.set(option.name, text);
+      return std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()
+        ? ""
+        : "is one of " + listed(option.choices, ", ") + quoted + didYouMean(text, option.choices);
+    case Kind::Rows:
+      if (!option.fromFile)
+      {
+        return parseRows(option, text, values);
+      }
+      [[fallthrough]];
+    case Kind::Text:
+    case Kind::File:
+      values.set(option.name, text);
+      return text.empty() ? (option.kind == Kind::Text ? "needs a name" : "needs a file name") : "";
+  }
+  values.set(option.name, number);
+  return "";
+}
+
+Status readRows(const Option& option, const std::string& file, std::vector<double>& values)
+{
+  std::ifstream stream(file);
+  if (!stream)
+  {
+    return Status::error("cannot read '" + file + "'");
+  }
+  values.clear();
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    std::istringstream text(line.substr(0, line.find('#')));
+    std::vector<std::string> words;
+    for (std::string word; text >> word;)
+    {
+      words.push_back(word);
+    }
+    std::vector<double> row;
+    const bool good = words.empty() || parseRow(option, words, row);
+    const std::string wrong = option.wrongRows(good ? row : std::vector<double>{ 0 });
+    if (!wrong.empty())
+    {
+      return Status::error(file + ":" + std::to_string(number) + ": needs " + wrong);
+    }
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return stream.bad() ? Status::error("cannot read '" + file + "'") : Status::success();
+}
+
+std::string unknownOption(const std::string& typed, const std::vector<std::string>& names)
+{
+  const std::string near = didYouMean(typed, names);
+  return "unknown option '" + typed + "'" + (near.empty() ? "; --help lists them all" : near);
+}
+
+std::string nearestWord(const std::string& typed, const std::vector<std::string>& words)
+{
+  std::string best;
+  int bestDistance = std::max<int>(2, static_cast<int>(typed.size()) / 3) + 1;
+  for (const std::string& word : words)
+  {
+    const bool beginning = typed.size() >= 4 && word.compare(0, typed.size(), typed) == 0;
+    const int distance = beginning ? 1 : editDistance(typed, word);
+    if (distance < bestDistance)
+    {
+      bestDistance = distance;
+      best = word;
+    }
+  }
+  return best;
+}
+
+std::string helpEntry(const std::string& left, const std::string& right, std::size_t indent)
+{
+  constexpr std::size_t Width = 90;
+  std::string text = "  " + left;
+  std::size_t column = text.size();
+  const auto newLine = [&] {
+    text += "\n" + std::string(indent, ' ');
+    column = indent;
+  };
+  if (column + 2 > indent)
+  {
+    newLine();
+  }
+  text += std::string(indent - column, ' ');
+  column = indent;
+  for (const std::string& word : parted(right, ' '))
+  {
+    if (column > indent && column + 1 + word.size() > Width)
+    {
+      newLine();
+    }
+    text += (column > indent ? " " : "") + word;
+    column += (column > indent ? 1 : 0) + word.size();
+  }
+  return text + "\n";
+}
+}
