@@ -4,7 +4,9 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -16,15 +18,22 @@ namespace
 {
 constexpr int numberOfDefaults = 7;
 
-void copyTuples(vtkDataArray* array, std::vector<double>& values)
+/// An array's own values where they are doubles one behind the other, else copies.
+void takeValues(vtkDataArray* array, MapValues& result)
 {
+  result.components = array->GetNumberOfComponents();
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    result.values = doubles->GetPointer(0);
+    return;
+  }
   const vtkIdType n = array->GetNumberOfTuples();
-  const int components = array->GetNumberOfComponents();
-  values.resize(static_cast<std::size_t>(n) * components);
+  result.made.resize(static_cast<std::size_t>(n) * result.components);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    array->GetTuple(i, values.data() + i * components);
+    array->GetTuple(i, result.made.data() + i * result.components);
   }
+  result.values = result.made.data();
 }
 
 std::string arrayNames(vtkPolyData* chart)
@@ -116,13 +125,7 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
   result = {};
   if (name == "Position")
   {
-    vtkPolyData* chart = this->Surface.charts[c];
-    result.components = 3;
-    result.values.resize(3 * static_cast<std::size_t>(chart->GetNumberOfPoints()));
-    for (vtkIdType p = 0; p < chart->GetNumberOfPoints(); ++p)
-    {
-      chart->GetPoint(p, result.values.data() + 3 * p);
-    }
+    takeValues(this->Surface.charts[c]->GetPoints()->GetData(), result);
     return Status::success();
   }
   if (name == "Normal")
@@ -155,17 +158,19 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
   // The principal curvatures are those of the points, H -+ R, and linear in between. From H and K
   // of a pixel, H^2 - K would cancel where the surface is like a sphere.
   result.kind = total ? MapKind::TotalCurvature : MapKind::Linear;
-  result.values.reserve((total ? 2 : 1) * mean.values.size());
-  for (std::size_t p = 0; p < mean.values.size(); ++p)
+  const std::size_t points = this->Charts[c].uv.size();
+  result.made.reserve((total ? 2 : 1) * points);
+  for (std::size_t p = 0; p < points; ++p)
   {
     const double h = mean.values[p];
     const double r = std::sqrt(std::max(h * h - gaussian.values[p], 0.));
-    result.values.push_back(h + sign * r);
+    result.made.push_back(h + sign * r);
     if (total)
     {
-      result.values.push_back(r);
+      result.made.push_back(r);
     }
   }
+  result.values = result.made.data();
   return Status::success();
 }
 
@@ -193,8 +198,7 @@ Status MapCatalogue::findArray(const std::string& name, int c, MapValues& result
       " components, and a map has 1 to 4: split the array.");
   }
   result.kind = point ? MapKind::Linear : MapKind::Constant;
-  result.components = array->GetNumberOfComponents();
-  copyTuples(array, result.values);
+  takeValues(array, result);
   return Status::success();
 }
 
@@ -208,7 +212,7 @@ void MapCatalogue::findNormals(int c, MapValues& result)
   vtkDataArray* given = s.charts[c]->GetPointData()->GetNormals();
   if (given && given->GetNumberOfComponents() == 3)
   {
-    copyTuples(given, result.values);
+    takeValues(given, result);
     return;
   }
   if (this->Normals.empty())
@@ -230,14 +234,15 @@ void MapCatalogue::findNormals(int c, MapValues& result)
       normal = length > 0. ? Vec3(normal / length) : Vec3(Vec3::Zero());
     }
   }
-  result.values.assign(3 * this->Charts[c].uv.size(), 0.);
+  result.made.assign(3 * this->Charts[c].uv.size(), 0.);
   for (int f = s.chartBegin[c]; f < s.chartBegin[c + 1]; ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
       const Vec3& normal = this->Normals[s.triangles[f][k]];
-      std::copy(normal.data(), normal.data() + 3, result.values.data() + 3 * s.chartPoints[f][k]);
+      std::copy(normal.data(), normal.data() + 3, result.made.data() + 3 * s.chartPoints[f][k]);
     }
   }
+  result.values = result.made.data();
 }
 } // namespace stipple

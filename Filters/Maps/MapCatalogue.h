@@ -19,7 +19,8 @@ struct MapValues
 {
   MapKind kind = MapKind::Linear;
   int components = 1;
-  std::vector<double> values;
+  const double* values = nullptr; ///< the chart's own if they are doubles, else those of `made`
+  std::vector<double> made;
 };
 
 class STIPPLEFILTERSMAPS_EXPORT MapCatalogue

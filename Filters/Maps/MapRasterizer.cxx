@@ -282,12 +282,9 @@ double squaredDistance(const Vec2& p, const Vec2 (&t)[3])
   for (int k = 0; k < 3; ++k)
   {
     const Vec2& a = t[k];
-    const Vec2 ab = t[(k + 1) % 3] - a;
-    const Vec2 ap = p - a;
-    inside = inside && cross2(ab, ap) >= 0;
-    const double length = ab.squaredNorm();
-    const double s = length > 0 ? std::clamp(ap.dot(ab) / length, 0., 1.) : 0.;
-    best = std::min(best, (ap - s * ab).squaredNorm());
+    const Vec2& b = t[(k + 1) % 3];
+    inside = inside && orient2(a, b, p) >= 0;
+    best = std::min(best, (nearestOnSegment<2>(p, a, b) - p).squaredNorm());
   }
   return inside ? 0. : best;
 }

@@ -204,8 +204,8 @@ stipple::Status vtkGeometryMapRenderer::Internals::drawChart(
     array->SetNumberOfComponents(values.back().components);
     array->SetNumberOfTuples(pixels);
     arrays.push_back(array);
-    requests.push_back({ values.back().kind, values.back().components, values.back().values.data(),
-      array->GetPointer(0) });
+    requests.push_back(
+      { values.back().kind, values.back().components, values.back().values, array->GetPointer(0) });
   }
   const stipple::Status status =
     this->Renderer->DrawMaps(chart, width, height, images.faces->GetPointer(0), requests, progress);
@@ -258,7 +258,6 @@ vtkGeometryMapRenderer::vtkGeometryMapRenderer()
 
 vtkGeometryMapRenderer::~vtkGeometryMapRenderer()
 {
-  delete this->Internal;
   this->MapSelection->Delete();
 }
 

@@ -45,6 +45,8 @@
 #include "StippleFiltersMapsModule.h" // for export macro
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
 class vtkDataArraySelection;
 class vtkWindow;
 
@@ -147,7 +149,7 @@ private:
   vtkDataArraySelection* MapSelection;
 
   struct Internals;
-  Internals* Internal;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

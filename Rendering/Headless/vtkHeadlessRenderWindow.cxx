@@ -40,8 +40,7 @@ vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
   {
     renderer->SetRenderWindow(nullptr);
   }
-  delete this->Internal;
-  this->Internal = nullptr;
+  this->Internal.reset(); // the superclasses' destructors ask whether the context is current
 }
 
 void vtkHeadlessRenderWindow::SetPlatform(int platform)

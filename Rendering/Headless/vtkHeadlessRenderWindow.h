@@ -35,6 +35,8 @@
 #include "StippleRenderingHeadlessModule.h" // for export macro
 #include "vtkGenericOpenGLRenderWindow.h"
 
+#include <memory> // for std::unique_ptr
+
 class STIPPLERENDERINGHEADLESS_EXPORT vtkHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
@@ -116,7 +118,7 @@ private:
 
   int Platform = AUTO;
   struct Internals;
-  Internals* Internal;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapRasterizer.h"
-#include "MapSizing.h"
 #include "SyntheticMapChart.h"
 
 #include <gtest/gtest.h>
@@ -253,46 +252,5 @@ TEST(MapRasterizer, AnAbortIsHonoured)
   const stipple::Status status = stipple::rasterizeMaps(sheet.chart, 16, 16, faces.data(),
     { { MapKind::Linear, 1, values.data(), map.data() } }, [](double) { return false; });
   EXPECT_TRUE(status.isAbort());
-}
-
-TEST(MapSizing, PixelsFollowSamplesAndDensity)
-{
-  stipple::MapDemand demand;
-  demand.extent = { 1., 0.5 };
-  demand.area = 10.;
-  demand.densityRatio = 10.;
-  for (const double samples : { 100., 1000., 12345., 50000. })
-  {
-    const auto size = stipple::automaticMapSize(demand, samples);
-    const double pixels = static_cast<double>(size[0]) * size[1];
-    EXPECT_GE(pixels, 0.98 * 2. * samples * 10.) << samples;
-    EXPECT_LE(pixels, 2.1 * 2. * samples * 10.) << samples;
-    EXPECT_NEAR(size[0], 2. * size[1], 1.);
-  }
-  EXPECT_EQ(stipple::automaticMapSize(demand, 5000.), stipple::automaticMapSize(demand, 5200.));
-  EXPECT_EQ(stipple::automaticMapSize(demand, 0.), (std::array<int, 2>{ 32, 32 }));
-  EXPECT_EQ(stipple::automaticMapSize(demand, 1e9), (std::array<int, 2>{ 4096, 2048 }));
-  EXPECT_EQ(stipple::fixedMapSize({ 0.25, 1. }, 400), (std::array<int, 2>{ 100, 400 }));
-  EXPECT_EQ(stipple::fixedMapSize({ 1., 1e-6 }, 400), (std::array<int, 2>{ 400, 2 }));
-}
-
-TEST(MapSizing, TheDensityRatioForgetsTheDensestThousandth)
-{
-  // Four equal triangles of the square, three of them of area 1 in space, the last one of area a.
-  MapChart chart;
-  chart.uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0.5, 0.5 } };
-  chart.triangles = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
-  chart.area = { 1.f, 1.f, 1.f, 5.f };
-  EXPECT_NEAR(stipple::densityRatio(chart), 5. / 2., 1e-6); // mean density 8 / 4 quarters
-  // A tiny but very dense triangle of less than a thousandth of the surface does not count.
-  chart.uv.push_back({ 0.5, 0.4999 });
-  chart.triangles.push_back({ 4, 5, 4 });
-  chart.triangles.back() = { 0, 5, 4 };
-  chart.area = { 1.f, 1.f, 1.f, 1.f, 0.003f };
-  const double plane = 0.5 * stipple::orient2(chart.uv[0], chart.uv[5], chart.uv[4]);
-  ASSERT_GT(0.003 / plane, 50.) << "it is dense";
-  EXPECT_LT(stipple::densityRatio(chart), 1.1);
-  chart.area.back() = 0.006f;
-  EXPECT_GT(stipple::densityRatio(chart), 50.);
 }
 } // namespace
