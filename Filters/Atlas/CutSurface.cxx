@@ -64,7 +64,7 @@ int CutSurface::splitEdge(int h, double t)
     this->triangles.push_back({ m, this->triangles[f][(k + 1) % 3], apex });
     this->triangles[f][(k + 1) % 3] = m;
     this->sourceCell.push_back(int(this->sourceCell[f]));
-    this->twin.resize(added + 3, -1);
+    this->twin.resize(added + 3);
     this->cut.resize(added + 3, 0);
     this->sharp.resize(added + 3, 0);
     this->cut[added] = this->cut[g];

@@ -30,6 +30,7 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
 
   void setCut(int h, bool isCut);
   void setSharp(int h, bool isSharp);
+  using TriangleSurface::isBoundary;
   bool isBoundary(int h) const { return this->twin[h] < 0; }
 
   /// Splits the edge of h at tail + t (head - tail); returns the new point. New triangles are

@@ -210,7 +210,7 @@ private:
     const int tail = this->Surface.tail(h);
     const int head = this->Surface.head(h);
     const int point = this->Surface.splitEdge(h, t);
-    this->Outgoing.push_back(added); // to the head
+    this->Outgoing.push_back(Halfedge(added)); // to the head
     this->Outgoing[tail] = h;
     this->Outgoing[head] = added + 1;
     const auto adopt = [&](int parent) {
@@ -230,7 +230,7 @@ private:
   vtkSmartPointer<vtkPolyData> Whole;
   vtkNew<vtkStaticCellLocator> Locator;
   vtkNew<vtkGenericCell> Cell;
-  std::vector<int> Outgoing;                        // a halfedge that leaves each vertex
+  ElementArray<Vertex, Halfedge> Outgoing;          // a halfedge that leaves each vertex
   std::vector<int> InputTriangle;                   // of each face, the face before any split
   std::unordered_map<int, std::vector<int>> Pieces; // faces that splits made of an input triangle
 };

@@ -56,7 +56,7 @@ std::string shortNumber(double x)
 /// at the same place: then the surface wants nothing of other points that are there, too.
 std::vector<char> haveClosedFans(const TriangleSurface& surface)
 {
-  const std::vector<int> twin = halfedgeTwins(surface.triangles);
+  const auto twin = halfedgeTwins(surface.triangles);
   const std::size_t n = surface.points.size();
   std::vector<int> outgoing(n, -1);
   std::vector<int> number(n, 0);

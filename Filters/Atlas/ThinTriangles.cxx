@@ -278,7 +278,8 @@ private:
   TriangleSurface& Surface;
   double Rounding;
   std::vector<char> Dropped;
-  std::vector<int> First; // a halfedge that leaves each point, as vertexHalfedges() has it
+  ElementArray<Vertex, Halfedge> First; // a halfedge that leaves each point, as vertexHalfedges()
+                                        // has it
   std::deque<int> Queue;
 };
 }

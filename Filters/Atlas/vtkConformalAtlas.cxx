@@ -35,7 +35,7 @@ namespace
 stipple::Status tagFeatureEdges(
   vtkIdTypeArray* edges, const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
 {
-  const std::vector<int> first = surface.vertexHalfedges();
+  const auto first = surface.vertexHalfedges();
   const auto number = static_cast<vtkIdType>(repaired.pointOfInput.size());
   for (vtkIdType i = 0; i < edges->GetNumberOfTuples(); ++i)
   {
@@ -44,14 +44,18 @@ stipple::Status tagFeatureEdges(
     bool found = false;
     if (a >= 0 && b >= 0 && a < number && b < number)
     {
-      const int p = repaired.pointOfInput[a];
-      const int q = repaired.pointOfInput[b];
-      const int along = p >= 0 && q >= 0 ? stipple::findHalfedge(surface, first, p, q) : -1;
-      const int against = p >= 0 && q >= 0 ? stipple::findHalfedge(surface, first, q, p) : -1;
-      found = along >= 0 || against >= 0;
+      const stipple::Vertex p{ repaired.pointOfInput[a] };
+      const stipple::Vertex q{ repaired.pointOfInput[b] };
+      stipple::Halfedge h;
+      if (p.valid() && q.valid())
+      {
+        h = stipple::findHalfedge(surface, first, p, q);
+        h = h.valid() ? h : stipple::findHalfedge(surface, first, q, p);
+      }
+      found = h.valid();
       if (found)
       {
-        surface.setSharp(along >= 0 ? along : against, true);
+        surface.setSharp(h.index(), true);
       }
     }
     if (!found)

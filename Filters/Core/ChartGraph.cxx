@@ -34,7 +34,7 @@ Vec2 BackboneTrace::parameter(const AtlasSurface& surface, const Place& place, i
 Status traceBackbones(
   const AtlasSurface& surface, const FeatureGraph& graph, std::vector<BackboneTrace>& traces)
 {
-  const std::vector<int> first = surface.vertexHalfedges();
+  const auto first = surface.vertexHalfedges();
   const int numberOfPoints = static_cast<int>(surface.points.size());
   traces.assign(graph.backbones.size(), {});
   for (std::size_t b = 0; b < graph.backbones.size(); ++b)
@@ -50,8 +50,8 @@ Status traceBackbones(
       std::array<int, 2> h = { { -1, -1 } };
       if (p < numberOfPoints && q < numberOfPoints)
       {
-        h[0] = findHalfedge(surface, first, p, q);
-        h[1] = findHalfedge(surface, first, q, p);
+        h[0] = findHalfedge(surface, first, Vertex(p), Vertex(q)).index();
+        h[1] = findHalfedge(surface, first, Vertex(q), Vertex(p)).index();
       }
       if (h[0] < 0 && h[1] < 0)
       {

@@ -24,14 +24,9 @@ void unite(std::vector<int>& parent, int a, int b)
 {
   parent[findRoot(parent, a)] = findRoot(parent, b);
 }
-
-int nextCorner(int k)
-{
-  return k == 2 ? 0 : k + 1;
-}
 }
 
-std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
+HalfedgeTwins halfedgeTwins(const std::vector<Triangle>& triangles)
 {
   // Halfedges bucketed by their smaller end point: linear time, and the order does not depend on
   // hashing.
@@ -44,7 +39,7 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
   struct Entry
   {
     int far; ///< the larger end point
-    int halfedge;
+    Halfedge halfedge;
     bool leaves; ///< from the smaller end point
     bool operator<(const Entry& e) const { return this->far < e.far; }
   };
@@ -59,23 +54,23 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Entry> bucket(n);
   std::vector<int> fill(begin.begin(), begin.end() - 1);
-  int h = 0;
-  for (const Triangle& t : triangles)
+  for (const Face f : ElementRange<Face>(0, static_cast<int>(triangles.size())))
   {
-    for (int k = 0; k < 3; ++k, ++h)
+    const Triangle& t = triangles[f.index()];
+    for (int k = 0; k < 3; ++k)
     {
       const int p = t[k];
       const int q = t[nextCorner(k)];
-      bucket[fill[std::min(p, q)]++] = { std::max(p, q), h, p <= q };
+      bucket[fill[std::min(p, q)]++] = { std::max(p, q), halfedgeOf(f, k), p <= q };
     }
   }
-  std::vector<int> twin(n, -1);
+  HalfedgeTwins twin(n);
   const auto match = [&](const Entry* first, const Entry* last) {
     for (const Entry* e = first; e != last; ++e)
     {
       int same = 0;
       int opposite = 0;
-      int other = -1;
+      Halfedge other;
       for (const Entry* g = first; g != last; ++g)
       {
         if (g->far == e->far && g->leaves == e->leaves)
@@ -88,7 +83,7 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
           other = g->halfedge;
         }
       }
-      twin[e->halfedge] = same > 1 || opposite > 1 ? -2 : other;
+      twin[e->halfedge] = same > 1 || opposite > 1 ? NonManifoldTwin : other;
     }
   };
   constexpr int Many = 32; // the hub of a fan: every pair of its edges would be too much
@@ -112,11 +107,12 @@ std::vector<int> halfedgeTwins(const std::vector<Triangle>& triangles)
   return twin;
 }
 
-int findHalfedge(const TriangleSurface& surface, const std::vector<int>& first, int p, int q)
+Halfedge findHalfedge(
+  const TriangleSurface& surface, const ElementArray<Vertex, Halfedge>& first, Vertex p, Vertex q)
 {
-  const int start = first[p];
-  int h = start;
-  while (h >= 0)
+  const Halfedge start = first[p];
+  Halfedge h = start;
+  while (h.valid())
   {
     if (surface.head(h) == q)
     {
@@ -128,10 +124,10 @@ int findHalfedge(const TriangleSurface& surface, const std::vector<int>& first, 
       break;
     }
   }
-  return -1;
+  return {};
 }
 
-Vec3 TriangleSurface::faceNormal(int face) const
+Vec3 TriangleSurface::faceNormal(Face face) const
 {
   const Vec3 n = (this->point(face, 1) - this->point(face, 0))
                    .cross(this->point(face, 2) - this->point(face, 0));
@@ -142,7 +138,7 @@ Vec3 TriangleSurface::faceNormal(int face) const
 double TriangleSurface::area() const
 {
   double sum = 0;
-  for (int f = 0; f < this->numberOfFaces(); ++f)
+  for (const Face f : this->faces())
   {
     sum += this->faceArea(f);
   }
@@ -155,7 +151,7 @@ double TriangleSurface::boundingBoxDiagonal() const
   {
     return 0;
   }
-  Vec3 low = this->point(0, 0);
+  Vec3 low = this->point(Face(0), 0);
   Vec3 high = low;
   for (const Triangle& t : this->triangles)
   {
@@ -168,14 +164,14 @@ double TriangleSurface::boundingBoxDiagonal() const
   return (high - low).norm();
 }
 
-std::vector<int> TriangleSurface::vertexHalfedges() const
+ElementArray<Vertex, Halfedge> TriangleSurface::vertexHalfedges() const
 {
-  std::vector<int> first(this->points.size(), -1);
-  for (int h = 0; h < 3 * this->numberOfFaces(); ++h)
+  ElementArray<Vertex, Halfedge> first(this->points.size());
+  for (const Halfedge h : this->halfedges())
   {
-    int& slot = first[this->tail(h)];
+    Halfedge& slot = first[this->tail(h)];
     // On a boundary, start where turning counterclockwise about the vertex reaches every triangle.
-    if (slot < 0 || this->twin[h] < 0)
+    if (!slot.valid() || this->isBoundary(h))
     {
       slot = h;
     }
@@ -187,40 +183,41 @@ SurfaceTopology TriangleSurface::topology() const
 {
   SurfaceTopology result;
   result.manifold = true;
-  const int n = 3 * this->numberOfFaces();
   std::vector<int> component(this->points.size());
   std::iota(component.begin(), component.end(), 0);
   std::vector<int> loop = component;
-  std::vector<char> onBoundary(this->points.size(), 0);
+  ElementArray<Vertex, char> onBoundary(this->points.size(), 0);
   int edges = 0;
-  for (int h = 0; h < n; ++h)
+  for (const Halfedge h : this->halfedges())
   {
-    const int t = this->twin[h];
+    const Halfedge t = this->twin[h];
     if (t > h)
     {
       continue; // the edge's turn comes
     }
     ++edges;
-    unite(component, this->tail(h), this->head(h));
-    if (t < 0)
+    const Vertex p = this->tail(h);
+    const Vertex q = this->head(h);
+    unite(component, p.index(), q.index());
+    if (!t.valid())
     {
-      result.manifold = result.manifold && t != -2;
-      unite(loop, this->tail(h), this->head(h));
-      onBoundary[this->tail(h)] = onBoundary[this->head(h)] = 1;
+      result.manifold = result.manifold && t != NonManifoldTwin;
+      unite(loop, p.index(), q.index());
+      onBoundary[p] = onBoundary[q] = 1;
     }
   }
   // The corners about a point are one fan: turning one way and the other from any of them reaches
   // all.
-  std::vector<char> visited(n, 0);
-  std::vector<char> hasFan(this->points.size(), 0);
+  ElementArray<Halfedge, char> visited(this->twin.size(), 0);
+  ElementArray<Vertex, char> hasFan(this->points.size(), 0);
   int vertices = 0;
-  for (int h = 0; h < n; ++h)
+  for (const Halfedge h : this->halfedges())
   {
     if (visited[h])
     {
       continue;
     }
-    const int p = this->tail(h);
+    const Vertex p = this->tail(h);
     if (hasFan[p])
     {
       result.manifold = false;
@@ -229,16 +226,16 @@ SurfaceTopology TriangleSurface::topology() const
     {
       hasFan[p] = 1;
       ++vertices;
-      result.components += findRoot(component, p) == p;
-      result.boundaryLoops += onBoundary[p] && findRoot(loop, p) == p;
+      result.components += findRoot(component, p.index()) == p.index();
+      result.boundaryLoops += onBoundary[p] && findRoot(loop, p.index()) == p.index();
     }
-    int g = h;
+    Halfedge g = h;
     do
     {
       visited[g] = 1;
       g = this->twin[previousHalfedge(g)];
-    } while (g >= 0 && g != h);
-    for (g = this->twin[h]; g >= 0 && !visited[nextHalfedge(g)]; g = this->twin[nextHalfedge(g)])
+    } while (g.valid() && g != h);
+    for (g = this->twin[h]; g.valid() && !visited[nextHalfedge(g)]; g = this->twin[nextHalfedge(g)])
     {
       visited[nextHalfedge(g)] = 1;
     }

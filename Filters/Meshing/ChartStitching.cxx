@@ -126,7 +126,7 @@ Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Ve
     }
     for (int h = 0; h < chart.numberOfHalfedges(); ++h)
     {
-      this->Mesh.twin.push_back(chart.twin[h] < 0 ? -1 : chart.twin[h] + firstHalfedge);
+      this->Mesh.twin.push_back(Halfedge(chart.twin[h] < 0 ? -1 : chart.twin[h] + firstHalfedge));
       this->Mesh.label.push_back(chart.label[h] < 0 ? -1 : this->rootOf(chart.label[h]));
       if (chart.twin[h] < 0 && chart.label[h] >= 0)
       {

@@ -14,7 +14,7 @@ namespace stipple
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// The four vertices of an edge's two triangles: (a, b, c) and (b, a, d).
 struct Quad
@@ -26,8 +26,8 @@ struct Quad
   Quad(const OptimizedMesh& mesh, int edge)
   {
     const auto& graph = mesh.graph();
-    const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-    const Halfedge g = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 1);
+    const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+    const HalfedgeHandle g = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 1);
     this->a = graph.to_vertex_handle(g).idx();
     this->b = graph.to_vertex_handle(h).idx();
     this->c = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
@@ -136,8 +136,8 @@ int swapLocallyWhile(OptimizedMesh& mesh, int maximumNumberOfPasses, const Wish&
         answer[e] = Answer::Unknown;
         for (int side = 0; side < 2; ++side)
         {
-          const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(e), side);
-          const Halfedge next = graph.next_halfedge_handle(h);
+          const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(e), side);
+          const HalfedgeHandle next = graph.next_halfedge_handle(h);
           answer[graph.edge_handle(next).idx()] = Answer::Unknown;
           answer[graph.edge_handle(graph.next_halfedge_handle(next)).idx()] = Answer::Unknown;
         }
@@ -181,15 +181,16 @@ namespace
 {
 /// Triangles of the sector of v between creases or boundaries that start is in, and its angle, if
 /// that is wanted.
-std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start, bool withAngle = true)
+std::pair<int, double> sectorOf(
+  const OptimizedMesh& mesh, HalfedgeHandle start, bool withAngle = true)
 {
   const auto& graph = mesh.graph();
   const OptimizedMesh::Vertex v = graph.from_vertex_handle(start);
   // Turn clockwise to the first edge of the sector, then count and measure counterclockwise.
-  Halfedge first = start;
+  HalfedgeHandle first = start;
   while (!mesh.isFeature(graph.edge_handle(first).idx()))
   {
-    const Halfedge right = graph.opposite_halfedge_handle(first);
+    const HalfedgeHandle right = graph.opposite_halfedge_handle(first);
     if (graph.is_boundary(right))
     {
       break;
@@ -202,10 +203,10 @@ std::pair<int, double> sectorOf(const OptimizedMesh& mesh, Halfedge start, bool 
   }
   int triangles = 0;
   double angle = 0;
-  Halfedge h = first;
+  HalfedgeHandle h = first;
   do
   {
-    const Halfedge last = graph.prev_halfedge_handle(h);
+    const HalfedgeHandle last = graph.prev_halfedge_handle(h);
     if (withAngle)
     {
       angle += angleAt(mesh.position(v), mesh.position(graph.to_vertex_handle(h)),
@@ -227,7 +228,7 @@ bool isOrdinary(const OptimizedMesh& mesh, OptimizedMesh::Vertex v)
 }
 }
 
-int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
+int valenceExcess(const OptimizedMesh& mesh, HalfedgeHandle start)
 {
   const OptimizedMesh::Vertex v = mesh.graph().from_vertex_handle(start);
   if (isOrdinary(mesh, v))
@@ -238,7 +239,7 @@ int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
   return triangles - std::max(1, static_cast<int>(std::lround(angle / (Pi / 3.))));
 }
 
-int ribExcess(const OptimizedMesh& mesh, Halfedge start)
+int ribExcess(const OptimizedMesh& mesh, HalfedgeHandle start)
 {
   const OptimizedMesh::Vertex v = mesh.graph().from_vertex_handle(start);
   return mesh.freedom(v.idx()) == Freedom::Backbone ? sectorOf(mesh, start, false).first - 3
@@ -254,8 +255,8 @@ int irregularity(int excess)
 int dispersionChange(const OptimizedMesh& mesh, int edge)
 {
   const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  const Halfedge g = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 1);
+  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const HalfedgeHandle g = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 1);
   const int a = valenceExcess(mesh, h);
   const int b = valenceExcess(mesh, g);
   const int c = valenceExcess(mesh, graph.prev_halfedge_handle(h));

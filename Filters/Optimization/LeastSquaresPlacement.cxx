@@ -14,7 +14,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Weight of staying where a vertex is, over the area about it.
 constexpr double Inertia = 0.01;
@@ -35,7 +35,7 @@ Foot footOn(const OptimizedMesh& mesh, int v, const Vec3& p)
   const auto& graph = mesh.graph();
   Foot best;
   double least = 1e300;
-  mesh.forEachHalfedge(v, [&](Halfedge h) {
+  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
     const int q = graph.to_vertex_handle(h).idx();
     const int r = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
     const Vec3& a = mesh.position(v);

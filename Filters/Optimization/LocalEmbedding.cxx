@@ -15,7 +15,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 constexpr int RelaxationRounds = 60;
 constexpr int ImprovementRounds = 6;
@@ -151,7 +151,7 @@ void LocalEmbedding::improve()
     for (int v : this->Vertices)
     {
       mesh.forEachHalfedge(
-        v, [&](Halfedge h) { edges.push_back(mesh.graph().edge_handle(h).idx()); });
+        v, [&](HalfedgeHandle h) { edges.push_back(mesh.graph().edge_handle(h).idx()); });
     }
     makeUnique(edges);
     for (int edge : edges)

@@ -15,7 +15,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Vertices of worse triangles (radians) may have got to the wrong side of a crease.
 constexpr double SliverAngle = 0.003;
@@ -26,7 +26,7 @@ constexpr double PromisedAngle = 0.05;
 bool improveBySwap(OptimizedMesh& mesh, int f)
 {
   const auto& graph = mesh.graph();
-  Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+  HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
   for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
   {
     const int edge = graph.edge_handle(h).idx();
@@ -34,7 +34,7 @@ bool improveBySwap(OptimizedMesh& mesh, int f)
     {
       continue;
     }
-    const Halfedge g = graph.opposite_halfedge_handle(h);
+    const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
     const int a = graph.from_vertex_handle(h).idx();
     const int b = graph.to_vertex_handle(h).idx();
     const int c = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
@@ -262,8 +262,8 @@ constexpr double LeastQuality = 0.05;
 bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
 {
   const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  const Halfedge g = graph.opposite_halfedge_handle(h);
+  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
   const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
     graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
     graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
@@ -358,9 +358,9 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
       {
         continue;
       }
-      const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-      const Halfedge g = graph.opposite_halfedge_handle(h);
-      const std::array<Halfedge, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
+      const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+      const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
+      const std::array<HalfedgeHandle, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
         graph.prev_halfedge_handle(g) } };
       std::array<int, 4> quad;
       for (int i = 0; i < 4; ++i)

@@ -125,7 +125,7 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
 /// triangles.
 Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
 {
-  const std::vector<int> twin = halfedgeTwins(triangles);
+  const auto twin = halfedgeTwins(triangles);
   const int n = static_cast<int>(triangles.size());
   this->Graph.clear();
   this->Graph.reserve(this->Position.size(), twin.size() / 2 + 1, triangles.size());

@@ -11,7 +11,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Calls visit(f, q, r, wall) for every triangle f = (v, q, r) about v; wall: the edge qr bounds
 /// the surface, or is a crease.
@@ -19,11 +19,11 @@ template <typename Visit>
 void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
 {
   const auto& graph = mesh.graph();
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
+  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  HalfedgeHandle h = first;
   do
   {
-    const Halfedge g = graph.next_halfedge_handle(h);
+    const HalfedgeHandle g = graph.next_halfedge_handle(h);
     if (!graph.is_boundary(h))
     {
       visit(graph.face_handle(h).idx(), graph.to_vertex_handle(h).idx(),
@@ -271,7 +271,7 @@ bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share)
 {
   // The shortest edge is no longer than the mean, and costs no roots.
   double shortest = 1e300;
-  mesh.forEachHalfedge(v, [&](Halfedge h) {
+  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
     const int q = mesh.graph().to_vertex_handle(h).idx();
     shortest = std::min(shortest, (mesh.position(q) - mesh.position(v)).squaredNorm());
   });

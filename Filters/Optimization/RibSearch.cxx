@@ -16,7 +16,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// What a side with other than two neighbours weighs against irregular vertices elsewhere.
 constexpr int RibWeight = 8;
@@ -43,7 +43,7 @@ int costOf(bool onCrease, int excess)
 /// How swapping an edge changes the cost of its four vertices.
 int changeOfCost(const OptimizedMesh& mesh, int edge)
 {
-  const std::array<Halfedge, 4> corner = cornersAbout(mesh, edge);
+  const std::array<HalfedgeHandle, 4> corner = cornersAbout(mesh, edge);
   int change = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -73,9 +73,9 @@ std::uint64_t outcomeOf(const OptimizedMesh& mesh, int edge)
     return x ^ x >> 31;
   };
   std::array<int, 4> v;
-  const std::array<Halfedge, 4> corner = cornersAbout(mesh, edge);
+  const std::array<HalfedgeHandle, 4> corner = cornersAbout(mesh, edge);
   std::transform(corner.begin(), corner.end(), v.begin(),
-    [&](Halfedge h) { return mesh.graph().from_vertex_handle(h).idx(); });
+    [&](HalfedgeHandle h) { return mesh.graph().from_vertex_handle(h).idx(); });
   return numberOf(v[0], v[1]) ^ numberOf(v[2], v[3]);
 }
 }
@@ -89,7 +89,7 @@ RibSearch::RibSearch(OptimizedMesh& mesh, const SurfaceProximity& proximity, int
 {
 }
 
-bool RibSearch::mend(Halfedge h, const RibDemand& demand)
+bool RibSearch::mend(HalfedgeHandle h, const RibDemand& demand)
 {
   const bool isFree = demand.sequences == 1;
   if (ribExcess(this->Mesh, h) == 0 || (!isFree && this->Budget <= 0))
@@ -124,7 +124,7 @@ bool RibSearch::hasChanged(const Attempt& attempt) const
     [&](int v) { return this->LastChange[v] > attempt.time; });
 }
 
-bool RibSearch::search(Halfedge h, const RibDemand& demand)
+bool RibSearch::search(HalfedgeHandle h, const RibDemand& demand)
 {
   Attempt attempt;
   attempt.time = this->Time;
@@ -201,7 +201,7 @@ std::vector<int> RibSearch::edgesOf(const std::vector<Sequence>& sequences, int 
 /// That a search depends on the vertices about an edge.
 void RibSearch::note(int edge, Attempt& attempt)
 {
-  for (const Halfedge h : cornersAbout(this->Mesh, edge))
+  for (const HalfedgeHandle h : cornersAbout(this->Mesh, edge))
   {
     const int v = this->Mesh.graph().from_vertex_handle(h).idx();
     if (this->Seen[v] != this->Searches)
@@ -212,13 +212,13 @@ void RibSearch::note(int edge, Attempt& attempt)
   }
 }
 
-bool RibSearch::isWall(Halfedge h) const
+bool RibSearch::isWall(HalfedgeHandle h) const
 {
   return !this->Mesh.isSwappable(this->Mesh.graph().edge_handle(h).idx());
 }
 
 /// Turns h clockwise to the crease that its side begins at.
-Halfedge RibSearch::beginOfSide(Halfedge h) const
+HalfedgeHandle RibSearch::beginOfSide(HalfedgeHandle h) const
 {
   while (!this->isWall(h))
   {
@@ -229,14 +229,14 @@ Halfedge RibSearch::beginOfSide(Halfedge h) const
 
 /// The edges that meet at the vertex of h on the side that h begins (at an inner vertex, all of
 /// them), or those opposite to it there.
-void RibSearch::addEdges(Halfedge h, bool opposite, std::vector<int>& edges) const
+void RibSearch::addEdges(HalfedgeHandle h, bool opposite, std::vector<int>& edges) const
 {
   const auto& graph = this->Mesh.graph();
-  const Halfedge first = h;
+  const HalfedgeHandle first = h;
   do
   {
-    const Halfedge last = graph.prev_halfedge_handle(h);
-    const Halfedge edge = opposite ? graph.next_halfedge_handle(h) : last;
+    const HalfedgeHandle last = graph.prev_halfedge_handle(h);
+    const HalfedgeHandle edge = opposite ? graph.next_halfedge_handle(h) : last;
     if (!this->isWall(edge))
     {
       edges.push_back(graph.edge_handle(edge).idx());
@@ -247,7 +247,7 @@ void RibSearch::addEdges(Halfedge h, bool opposite, std::vector<int>& edges) con
 
 /// Edges whose swap brings the side that h begins nearer to two neighbours, or gives a neighbour
 /// on the crease one that it can hand on; or brings an inner vertex nearer to six.
-void RibSearch::addHelpfulSwaps(Halfedge h, std::vector<int>& edges) const
+void RibSearch::addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const
 {
   const auto& graph = this->Mesh.graph();
   const bool isInner = this->Mesh.freedom(graph.from_vertex_handle(h).idx()) != Freedom::Backbone;
@@ -268,7 +268,7 @@ void RibSearch::addHelpfulSwaps(Halfedge h, std::vector<int>& edges) const
   {
     for (int side = 0; side < 2; ++side)
     {
-      const Halfedge g = graph.halfedge_handle(OpenMesh::EdgeHandle(edges[i]), side);
+      const HalfedgeHandle g = graph.halfedge_handle(OpenMesh::EdgeHandle(edges[i]), side);
       if (this->Mesh.freedom(graph.from_vertex_handle(g).idx()) == Freedom::Backbone)
       {
         this->addEdges(this->beginOfSide(g), true, edges);
@@ -283,7 +283,7 @@ void RibSearch::addSwapsAfter(const std::vector<int>& sequence, std::vector<int>
   std::vector<int> sides;
   for (int edge : sequence)
   {
-    for (const Halfedge h : cornersAbout(this->Mesh, edge))
+    for (const HalfedgeHandle h : cornersAbout(this->Mesh, edge))
     {
       const OptimizedMesh::Vertex v = this->Mesh.graph().from_vertex_handle(h);
       const Freedom freedom = this->Mesh.freedom(v.idx());
@@ -300,7 +300,7 @@ void RibSearch::addSwapsAfter(const std::vector<int>& sequence, std::vector<int>
   makeUnique(sides);
   for (int side : sides)
   {
-    this->addHelpfulSwaps(Halfedge(side), edges);
+    this->addHelpfulSwaps(HalfedgeHandle(side), edges);
   }
   makeUnique(edges);
 }

@@ -26,14 +26,14 @@ struct RibDemand
 class RibSearch
 {
 public:
-  using Halfedge = OptimizedMesh::Halfedge;
+  using HalfedgeHandle = OptimizedMesh::Halfedge;
 
   /// Borrows both. The budget is of sequences.
   RibSearch(OptimizedMesh& mesh, const SurfaceProximity& proximity, int budget);
 
   /// The side to the left of a halfedge along a crease, about the vertex that it leaves. Returns
   /// whether it was mended. Once the budget is spent, it is not but by a single swap.
-  bool mend(Halfedge h, const RibDemand& demand);
+  bool mend(HalfedgeHandle h, const RibDemand& demand);
 
   /// The vertices about all swaps that were made, some more than once.
   const std::vector<int>& moved() const { return this->Moved; }
@@ -58,13 +58,13 @@ private:
   };
 
   bool hasChanged(const Attempt& attempt) const;
-  bool search(Halfedge h, const RibDemand& demand);
+  bool search(HalfedgeHandle h, const RibDemand& demand);
   std::vector<int> edgesOf(const std::vector<Sequence>& sequences, int index) const;
   void note(int edge, Attempt& attempt);
-  bool isWall(Halfedge h) const;
-  Halfedge beginOfSide(Halfedge h) const;
-  void addEdges(Halfedge h, bool opposite, std::vector<int>& edges) const;
-  void addHelpfulSwaps(Halfedge h, std::vector<int>& edges) const;
+  bool isWall(HalfedgeHandle h) const;
+  HalfedgeHandle beginOfSide(HalfedgeHandle h) const;
+  void addEdges(HalfedgeHandle h, bool opposite, std::vector<int>& edges) const;
+  void addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const;
   void addSwapsAfter(const std::vector<int>& sequence, std::vector<int>& edges) const;
   bool settles(const std::vector<int>& edges, const RibDemand& demand);
 

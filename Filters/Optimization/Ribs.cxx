@@ -16,7 +16,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Angles (radians) that triangles keep when vertices get two neighbours on each side: what can be
 /// had at a good angle is not had at a lesser one. Where creases are one edge apart, nothing but
@@ -56,17 +56,17 @@ constexpr int EveningRounds = 7;
 constexpr int EveningRings = 2;
 
 /// The halfedges along creases, each with a side to its left, about the vertex that it leaves.
-std::vector<Halfedge> sidesOf(const OptimizedMesh& mesh)
+std::vector<HalfedgeHandle> sidesOf(const OptimizedMesh& mesh)
 {
   const auto& graph = mesh.graph();
-  std::vector<Halfedge> sides;
+  std::vector<HalfedgeHandle> sides;
   for (int v = 0; v < mesh.numberOfVertices(); ++v)
   {
     if (mesh.freedom(v) != Freedom::Backbone)
     {
       continue;
     }
-    mesh.forEachHalfedge(v, [&](Halfedge h) {
+    mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
       if (mesh.isFeature(graph.edge_handle(h).idx()) && !graph.is_boundary(h))
       {
         sides.push_back(h);
@@ -76,13 +76,13 @@ std::vector<Halfedge> sidesOf(const OptimizedMesh& mesh)
   return sides;
 }
 
-int mendAll(RibSearch& search, const std::vector<Halfedge>& sides, const RibDemand& demand)
+int mendAll(RibSearch& search, const std::vector<HalfedgeHandle>& sides, const RibDemand& demand)
 {
   int total = 0;
   for (int pass = 0; pass < MostPasses; ++pass)
   {
     int mended = 0;
-    for (const Halfedge h : sides)
+    for (const HalfedgeHandle h : sides)
     {
       mended += search.mend(h, demand) ? 1 : 0;
     }
@@ -135,10 +135,10 @@ void repair(OptimizedMesh& mesh, const std::vector<int>& vertices, SurfaceLeash&
 
 int makeRibs(OptimizedMesh& mesh)
 {
-  const std::vector<Halfedge> sides = sidesOf(mesh);
+  const std::vector<HalfedgeHandle> sides = sidesOf(mesh);
   const auto numberLeft = [&]() {
     return static_cast<std::size_t>(std::count_if(
-      sides.begin(), sides.end(), [&](Halfedge h) { return ribExcess(mesh, h) != 0; }));
+      sides.begin(), sides.end(), [&](HalfedgeHandle h) { return ribExcess(mesh, h) != 0; }));
   };
   if (numberLeft() == 0)
   {

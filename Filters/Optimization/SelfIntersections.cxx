@@ -22,7 +22,7 @@ namespace stipple
 namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 Kernel::Point_3 exact(const Vec3& p)
 {
@@ -362,7 +362,7 @@ bool partBySwap(
   {
     return false;
   }
-  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
   const std::vector<int> faces = { graph.face_handle(h).idx(),
     graph.face_handle(graph.opposite_halfedge_handle(h)).idx() };
   const int before = intersections.count(faces);
@@ -426,7 +426,7 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
       {
         changed = partByMove(mesh, intersections, v, minimumAngle) || changed;
       }
-      Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+      HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
       for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
       {
         if (partBySwap(mesh, intersections, graph.edge_handle(h).idx(), minimumAngle))

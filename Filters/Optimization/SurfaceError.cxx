@@ -17,7 +17,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi region of the triangle that p is in.
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
@@ -137,12 +137,12 @@ SurfaceError::Measure SurfaceError::at(int v) const
   Measure result;
   const auto& graph = this->Mesh.graph();
   const Vec3& x = this->Mesh.position(v);
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
   for (int k = this->Begin[v]; k < this->Begin[v + 1]; ++k)
   {
     const Vec3& p = this->Mesh.atlas().surface().points[this->Point[k]];
     double least = 1e300;
-    Halfedge h = first;
+    HalfedgeHandle h = first;
     do
     {
       if (!graph.is_boundary(h))
@@ -173,8 +173,8 @@ SurfaceError::Measure SurfaceError::aboutUpTo(int v, const Measure& bound) const
 {
   Measure result = this->at(v);
   const auto& graph = this->Mesh.graph();
-  const Halfedge first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  Halfedge h = first;
+  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
+  HalfedgeHandle h = first;
   do
   {
     const Measure m = this->at(graph.to_vertex_handle(h).idx());
@@ -308,8 +308,8 @@ bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
   {
     return false;
   }
-  const Halfedge h = graph.halfedge_handle(e, 0);
-  const Halfedge g = graph.halfedge_handle(e, 1);
+  const HalfedgeHandle h = graph.halfedge_handle(e, 0);
+  const HalfedgeHandle g = graph.halfedge_handle(e, 1);
   const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
     graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
     graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
@@ -382,7 +382,7 @@ std::vector<int> edgesAbout(const OptimizedMesh& mesh, int v)
 {
   const auto& graph = mesh.graph();
   std::vector<int> edges;
-  mesh.forEachHalfedge(v, [&](Halfedge h) {
+  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
     edges.push_back(graph.edge_handle(h).idx());
     if (!graph.is_boundary(h))
     {

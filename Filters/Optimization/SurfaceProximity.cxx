@@ -17,7 +17,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Cosine between the normals of a triangle and of the surface below it: less, and it may be
 /// flipped.
@@ -66,7 +66,7 @@ SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
   {
     for (std::size_t i = 1; i < chains[b].size(); ++i)
     {
-      const Halfedge h = mesh.graph().find_halfedge(
+      const HalfedgeHandle h = mesh.graph().find_halfedge(
         OptimizedMesh::Vertex(chains[b][i - 1]), OptimizedMesh::Vertex(chains[b][i]));
       this->CreaseOf[mesh.graph().edge_handle(h).idx()] = { static_cast<int>(b), chains[b][i - 1],
         chains[b][i] };
@@ -85,7 +85,7 @@ Vec3 SurfaceProximity::centroid(int face) const
 Vec3 SurfaceProximity::middle(int edge) const
 {
   const auto& graph = this->Mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
   return 0.5 *
     (this->Mesh.position(graph.from_vertex_handle(h)) +
       this->Mesh.position(graph.to_vertex_handle(h)));
@@ -112,7 +112,7 @@ bool SurfaceProximity::isNear(const std::vector<int>& faces, const SurfaceReach&
   std::vector<int> edges;
   for (int f : faces)
   {
-    Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+    HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
     for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
     {
       edges.push_back(graph.edge_handle(h).idx());
@@ -135,7 +135,7 @@ bool SurfaceProximity::isNear(const std::vector<int>& faces, const SurfaceReach&
 double SurfaceProximity::distanceAbout(int v) const
 {
   double largest = 0;
-  this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
+  this->Mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
     const int edge = this->Mesh.graph().edge_handle(h).idx();
     largest = std::max(largest, this->Surface->nearest(this->middle(edge)).distance);
   });
@@ -264,7 +264,7 @@ bool SurfaceLeash::allows(int v)
 {
   const auto& graph = this->Mesh.graph();
   bool isNear = true;
-  this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
+  this->Mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
     isNear =
       isNear && this->Proximity.distanceOfCrease(graph.edge_handle(h).idx()) <= this->Reach.creases;
   });

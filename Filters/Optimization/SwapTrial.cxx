@@ -12,7 +12,7 @@ namespace stipple
 {
 namespace
 {
-using Halfedge = OptimizedMesh::Halfedge;
+using HalfedgeHandle = OptimizedMesh::Halfedge;
 
 /// Rounds of moves after swaps.
 constexpr int SpreadingRounds = 3;
@@ -23,11 +23,11 @@ constexpr double LeastQuality = 0.05;
 constexpr double LeastBend = 0.5;
 }
 
-std::array<Halfedge, 4> cornersAbout(const OptimizedMesh& mesh, int edge)
+std::array<HalfedgeHandle, 4> cornersAbout(const OptimizedMesh& mesh, int edge)
 {
   const auto& graph = mesh.graph();
-  const Halfedge h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  const Halfedge g = graph.opposite_halfedge_handle(h);
+  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
   return { { h, g, graph.prev_halfedge_handle(h), graph.prev_halfedge_handle(g) } };
 }
 
@@ -53,7 +53,7 @@ SwapTrial::SwapTrial(OptimizedMesh& mesh, const std::vector<int>& edges)
 {
   for (int e : edges)
   {
-    for (const Halfedge h : cornersAbout(mesh, e))
+    for (const HalfedgeHandle h : cornersAbout(mesh, e))
     {
       this->Inner.push_back(mesh.graph().from_vertex_handle(h).idx());
     }
@@ -135,10 +135,10 @@ double SwapTrial::worstBend() const
     {
       continue;
     }
-    Halfedge h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
+    HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
     for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
     {
-      const Halfedge g = graph.opposite_halfedge_handle(h);
+      const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
       if (this->Mesh.isSwappable(graph.edge_handle(h).idx()))
       {
         worst = std::min(
@@ -155,7 +155,7 @@ void SwapTrial::slideToMiddle(int v)
   const auto& graph = this->Mesh.graph();
   const auto unevenness = [&]() {
     std::vector<double> length;
-    this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
+    this->Mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
       if (this->Mesh.isFeature(graph.edge_handle(h).idx()))
       {
         length.push_back(

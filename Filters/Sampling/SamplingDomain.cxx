@@ -267,7 +267,7 @@ Status readSamplingDomain(
   {
     domain.metric[f] = firstFundamentalForm(s, f);
   }
-  const std::vector<int> first = s.vertexHalfedges();
+  const auto first = s.vertexHalfedges();
   for (int node : domain.graph.nodes())
   {
     Sample sample;

@@ -201,7 +201,7 @@ TriangleComplex starWithTwoEdgesToOneVertex()
   {
     c.triangles.push_back({ 6, ring[i], ring[(i + 1) % 8] });
   }
-  c.twin.assign(24, -1);
+  c.twin.assign(24, stipple::Halfedge());
   c.label.assign(24, -1);
   for (int i = 0; i < 8; ++i)
   {

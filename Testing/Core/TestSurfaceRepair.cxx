@@ -265,7 +265,7 @@ TEST(SurfaceRepair, NeedlesAreCollapsed)
   // Some points doubled, a hair apart: two needles between the two copies.
   TriangleSurface s = shapes::torus(2, 0.7, 40, 20);
   const TriangleSurface good = s;
-  const std::vector<int> first = good.vertexHalfedges();
+  const auto first = good.vertexHalfedges();
   int needles = 0;
   for (int p = 0; p < 800; p += 90)
   {

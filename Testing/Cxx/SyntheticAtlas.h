@@ -295,7 +295,7 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
     const Vec3 p = s.position(x.face, x.bary);
     where[{ cell(p, 0), cell(p, 1), cell(p, 2) }].push_back(p);
   };
-  const std::vector<int> first = s.vertexHalfedges();
+  const auto first = s.vertexHalfedges();
   for (int p : graph.nodes())
   {
     Sample x;
