@@ -108,6 +108,12 @@ void MeshWorker::cancel()
   this->StopAsked = AtOnce;
 }
 
+bool MeshWorker::idle()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return !this->Busy && !this->Atlas && !this->Mesh && this->Error.empty();
+}
+
 std::unique_ptr<AtlasResult> MeshWorker::takeAtlas()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -60,6 +60,8 @@ public:
   void cancel();
 
   [[nodiscard]] bool busy() const { return this->Busy; }
+  /// Nothing runs, and all that was done has been taken: not the same, as work may end at any time.
+  [[nodiscard]] bool idle();
   [[nodiscard]] double progress() const { return this->Fraction; }
 
   /// What is done since it was asked last; null if nothing.

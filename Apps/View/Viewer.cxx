@@ -212,8 +212,10 @@ void Viewer::tick()
   const double progress = this->Worker.busy() ? this->Worker.progress() : -1;
   if (std::abs(progress - this->ShownProgress) > 0.005)
   {
+    // The mesh's note says whether a newer one is on its way.
+    const bool ends = progress < 0 && !this->meshIsCurrent();
     this->ShownProgress = progress;
-    this->Window.touch(ViewerWindow::Status);
+    this->Window.touch(ViewerWindow::Status | (ends ? ViewerWindow::After : 0));
   }
   // A frame with a new preview draws one other part at most: the sum would be felt.
   if (this->StaleIsOld && (!previews || Clock::now() - this->LastStrip > 0.5 * StripTime))
@@ -238,15 +240,22 @@ void Viewer::tick()
   }
 }
 
+bool Viewer::atRest()
+{
+  const bool previewIsDue = this->PreviewIsOld && this->Sampling.hasAtlas();
+  const bool showsProgress = this->ShownProgress >= 0;
+  return !this->MeshWanted && this->Worker.idle() && !previewIsDue && !showsProgress &&
+    !this->StripIsOld && !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
+}
+
 void Viewer::settle()
 {
-  do
+  // No turn comes after the question: a mesh that it took would be drawn, but not smoothly.
+  while (!this->atRest())
   {
     this->tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  } while (this->MeshWanted || this->Worker.busy() || this->Window.dirty() || this->StripIsOld ||
-    this->StaleIsOld || this->Window.rough());
-  this->tick();
+  }
 }
 
 void Viewer::takeResults()

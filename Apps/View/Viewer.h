@@ -57,7 +57,7 @@ public:
   void open();
   /// One turn of the loop: takes what the worker has done, previews, starts meshing, draws.
   void tick();
-  /// Ticks until the mesh is that of the session, or failed, and everything is drawn.
+  /// Ticks until it is at rest.
   void settle();
   /// The window's picture as it is.
   [[nodiscard]] Status writePicture(const std::string& file);
@@ -92,6 +92,9 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
+
+  /// The mesh is that of the session, or failed or was stopped, and all is drawn as it will stay.
+  [[nodiscard]] bool atRest();
 
   // The session and what follows from it
   void changed(bool rests);

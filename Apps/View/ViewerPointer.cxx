@@ -301,6 +301,7 @@ bool Viewer::key(const KeyStroke& stroke)
       this->Worker.cancel();
       this->MeshWanted = false;
       this->SaveWhenDone = false;
+      this->Window.touch(ViewerWindow::After);
       this->say("Stopped. Return makes the mesh.");
     }
   }

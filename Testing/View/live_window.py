@@ -11,6 +11,8 @@ X11 = ctypes.CDLL("libX11.so.6")
 XTEST = ctypes.CDLL("libXtst.so.6")
 ALL_PLANES = ctypes.c_ulong(~0)
 ZPIXMAP = 2
+STATUS_ROWS = 26  # at the bottom of a window of 1280x800
+PROGRESS = (184, 98, 38)  # blue, green, red of the bar there while a mesh is made
 for function, result in (("XOpenDisplay", ctypes.c_void_p), ("XDefaultRootWindow", ctypes.c_ulong)):
     getattr(X11, function).restype = result
 X11.XGetImage.restype = ctypes.c_void_p
@@ -25,14 +27,20 @@ class ImageHead(ctypes.Structure):
 class LiveWindow:
     """The program runs while the context is entered. Places are pixels from the upper left corner of a window there."""
 
-    def __init__(self, *command, size=(1000, 500)):
+    def __init__(self, *command, size=(1280, 800)):
         self.command = list(map(str, command))
         self.size = size
+        self.rest = 0.5  # seconds without a change after which a picture is taken to stay
 
     def __enter__(self):
         self.display = ctypes.c_void_p(X11.XOpenDisplay(None))
         self.root = ctypes.c_ulong(X11.XDefaultRootWindow(self.display))
+        begin = time.monotonic()
         self.program = subprocess.Popen(self.command)
+        while self.program.poll() is None and np.ptp(self.picture()) == 0:
+            time.sleep(0.05)
+        # A busy machine takes as much longer over each frame as over the first one.
+        self.rest += time.monotonic() - begin
         return self
 
     def __exit__(self, *_):
@@ -51,7 +59,7 @@ class LiveWindow:
         time.sleep(0.1)
 
     def picture(self):
-        """rows x columns x 3, of the screen's upper left part."""
+        """rows x columns x 3 (blue, green, red), of the screen's upper left part."""
         width, height = self.size
         image = X11.XGetImage(self.display, self.root, 0, 0, width, height, ALL_PLANES, ZPIXMAP)
         head = ctypes.cast(image, ctypes.POINTER(ImageHead)).contents
@@ -59,13 +67,21 @@ class LiveWindow:
         X11.XDestroyImage(ctypes.c_void_p(image))
         return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[..., :3].astype(int)
 
-    def settle(self, rest=1.5, limit=60.0):
-        """Waits until the picture is not all of one color and has not changed for so many seconds; the picture."""
-        picture, since, end = self.picture(), time.monotonic(), time.monotonic() + limit
-        while time.monotonic() - since < rest or picture.min() == picture.max():
+    def settle(self, after=None, rest=None, limit=120.0):
+        """Waits until the picture is not all of one color, differs from that of before, if given, shows no progress of
+        a mesh, and has not changed for so many seconds (as long as this machine needs); the picture."""
+        rest = self.rest if rest is None else rest
+        end = time.monotonic() + limit
+        picture, since = self.picture(), time.monotonic()
+        while (
+            np.ptp(picture) == 0
+            or (after is not None and not (picture != after).any())
+            or (picture[-STATUS_ROWS:] == PROGRESS).all(axis=2).any()
+            or time.monotonic() - since < rest
+        ):
             if time.monotonic() > end:
-                raise TimeoutError("the window does not come to rest")
-            time.sleep(0.1)
+                raise TimeoutError("the window does not come to rest" if after is None else "the window stays as it was")
+            time.sleep(0.05)
             new = self.picture()
             if (new != picture).any():
                 picture, since = new, time.monotonic()

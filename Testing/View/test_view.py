@@ -10,7 +10,7 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
+import tempfile
 import time
 import unittest
 
@@ -18,9 +18,8 @@ import numpy as np
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import MODELS, ProgramTest, mesh_check, run
+from stipple_program import MODELS, VIEW, ProgramTest, mesh_check, points_of, run
 
-VIEW = os.environ["STIPPLE_VIEW"]
 HERE = pathlib.Path(__file__).parent
 SOURCE = HERE.parent.parent
 TEMPORARY = pathlib.Path(os.environ["TEMPORARY"])
@@ -31,47 +30,68 @@ MOMENTS = ["open", "gamma", "number", "paint", "points", "curve", "help"]
 PLAYED = [None, "gamma", "number", "paint", "point", "curve", "help"]
 
 
-def view(*arguments, **keywords):
-    done = subprocess.run(
-        [VIEW, *map(str, arguments)], capture_output=True, text=True, timeout=300, check=False, **keywords
-    )
-    return done.returncode, done.stdout, done.stderr
-
-
 class ViewTest(ProgramTest):
-    def view(self, *arguments):
-        self.assertEqual(view(*arguments), (0, "", ""), arguments)
+    program = VIEW
 
-    def play(self, *names, model=BUNNY, begin=(), size=SMALL):
-        """Plays recordings; returns the session that is left, as text. The mesh, if saved, is self.folder/mesh.off."""
-        left = self.folder / "left.json"
-        left.unlink(missing_ok=True)
-        steps = [a for name in (*names, "session") for a in ("--play", HERE / "Recordings" / size / f"{name}.log")]
-        self.view(*([model] if model else []), *begin, "-o", self.folder / "mesh.off", "--save-session", left, *steps)
-        return left.read_text()
+    def view(self, *arguments):
+        self.assertEqual(self.succeed(*arguments), "", arguments)
+
+    @staticmethod
+    def played(*names, size=SMALL):
+        return [a for name in names for a in ("--play", HERE / "Recordings" / size / f"{name}.log")]
 
 
 class Interaction(ViewTest):
+    @classmethod
+    def setUpClass(cls):
+        """A bunny of few points: cutting the whole one into charts is most of what a run takes."""
+        folder = tempfile.TemporaryDirectory(prefix="stipple-test-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.bunny = pathlib.Path(folder.name) / "bunny.off"
+        status = run(BUNNY, "-o", cls.bunny, "--points", 1500, "--quiet")
+        if status != (0, "", ""):
+            raise AssertionError(status)
+
+    def play(self, *names, model=None, begin=("--points", 1500)):
+        """Plays recordings; returns the session that is left, as text. The mesh, if saved, is self.folder/mesh.off."""
+        left = self.folder / "left.json"
+        left.unlink(missing_ok=True)
+        (self.folder / "mesh.off").unlink(missing_ok=True)
+        model = [] if "--session" in begin else [model or self.bunny]
+        self.view(*model, *begin, "-o", self.folder / "mesh.off", "--save-session", left, *self.played(*names, "session"))
+        return left.read_text()
+
+    def untouched(self):
+        """The session of the small bunny before anything is done."""
+        if not hasattr(Interaction, "at_first"):
+            Interaction.at_first = self.play()
+        return json.loads(Interaction.at_first)
+
+    def assert_one_entry_changes(self, after, entry):
+        """One entry of the session is another one now, and no other; what it was."""
+        before = self.untouched()
+        self.assertEqual({key for key in before if after[key] != before[key]}, {entry})
+        self.assertEqual(after.keys(), before.keys())
+        return before[entry]
+
     def test_gamma_slider(self):
-        before, after = json.loads(self.play()), json.loads(self.play("gamma"))
-        self.assertEqual(before["gamma"], 0.5)
+        after = json.loads(self.play("gamma"))
+        self.assertEqual(self.assert_one_entry_changes(after, "gamma"), 0.5)
         self.assertGreater(after["gamma"], 0.9)
-        after["gamma"] = before["gamma"]
-        self.assertEqual(after, before, "nothing else changed")
 
     def test_number_is_typed_exactly(self):
         session = json.loads(self.play("number", "save"))
         self.assertEqual(session["points"], 8000)
-        self.assertEqual(mesh_check(self.folder / "mesh.off", BUNNY)["points"], 8000)
+        self.assertEqual(mesh_check(self.folder / "mesh.off", self.bunny)["points"], 8000)
 
     def test_all_edits_and_the_saved_mesh(self):
-        text = self.play("gamma", "number", "paint", "point", "curve", "save")
+        text = self.play("gamma", "fewer", "paint", "point", "curve", "save")
         session = json.loads(text)
         self.assertGreater(len(session["strokes"]), 3)
         self.assertEqual(len(session["constraints"]), 2)
         self.assertEqual(len(session["transfer"]), 3)
-        found = mesh_check(self.folder / "mesh.off", BUNNY)
-        self.assertEqual(found["points"], 8000)
+        found = mesh_check(self.folder / "mesh.off", self.bunny)
+        self.assertEqual(found["points"], 800)
         # The program without a window makes the same mesh of the session, byte for byte.
         other = self.folder / "other.off"
         file = self.file("saved.json", text)
@@ -82,21 +102,23 @@ class Interaction(ViewTest):
         for wanted in session["constraints"]:
             nearest = min(sum((a - b) ** 2 for a, b in zip(p, wanted)) for p in positions) ** 0.5
             self.assertLess(nearest, 1e-6)
+        # Opened again, the session is the same.
+        self.assertEqual(self.play(begin=("--session", file)), text)
 
     def test_undo_gives_the_same_bytes(self):
-        short = self.play("gamma")
-        long = self.play("gamma", "number", "paint", "point")  # four edits
-        self.assertNotEqual(long, short)
-        self.assertEqual(self.play("gamma", "number", "paint", "point", "undo", "undo"), short)
-        self.assertEqual(self.play("gamma", "number", "paint", "point", "undo", "undo", "redo", "redo"), long)
-        self.play("gamma", "save")
+        short = self.play("gamma", "save")
         mesh = (self.folder / "mesh.off").read_bytes()
-        self.play("gamma", "number", "paint", "point", "undo", "undo", "save")
+        edits = "gamma", "fewer", "paint", "point"
+        long = self.play(*edits)
+        self.assertNotEqual(long, short)
+        self.assertEqual(self.play(*edits, "undo", "undo", "save"), short)
         self.assertEqual((self.folder / "mesh.off").read_bytes(), mesh)
+        self.assertEqual(self.play(*edits, "undo", "undo", "redo", "redo"), long)
 
     def test_the_camera_follows_a_live_pointer(self):
         """With events of the X server instead of recordings: timers run, and the window draws by them."""
-        with LiveWindow(VIEW, FANDISK) as window:
+        views = np.s_[:500, :1000]
+        with LiveWindow(VIEW, FANDISK, "--points", 500) as window:
             window.settle()
             for button in (1, 2, 3):
                 with self.subTest(button=button):
@@ -105,19 +127,19 @@ class Interaction(ViewTest):
                     window.button(button, True)
                     for x in range(252, 292, 4):
                         window.move(x, 430)
-                    held = window.settle()
-                    self.assertGreater(np.abs(held - before).max(), 50, "drawn while the button is down")
+                    held = window.settle(after=before)
+                    self.assertGreater(np.abs(held - before)[views].max(), 50, "drawn while the button is down")
                     time.sleep(0.5)
-                    self.assertEqual(np.abs(window.picture() - held).max(), 0, "nothing moves by itself")
+                    self.assertEqual(np.abs(window.picture() - held)[views].max(), 0, "nothing moves by itself")
                     window.button(button, False)
-                    self.assertLess(np.abs(window.settle() - held).mean(), 1, "nor when the button goes up")
+                    self.assertLess(np.abs(window.settle() - held)[views].mean(), 1, "nor when the button goes up")
 
     def test_painting_on_the_map_and_clearing(self):
         painted = json.loads(self.play("map", "point"))
         self.assertGreater(len(painted["strokes"]), 0)
         self.assertEqual(len(painted["constraints"]), 2)
         # A dab on the map lies on the surface.
-        low, high = bounds(BUNNY)
+        low, high = bounds(self.bunny)
         for stroke in painted["strokes"]:
             self.assertTrue(all(a <= x <= b for a, x, b in zip(low, stroke, high)), stroke)
         cleared = json.loads(self.play("map", "point", "clear"))
@@ -131,14 +153,14 @@ class Interaction(ViewTest):
         self.assertTrue(all(set(a) & set(b) for a, b in zip(edges[1:], edges[2:])))
 
     def test_escape_and_return(self):
-        self.play("gamma", "escape", "save")
+        whole = {"model": BUNNY, "begin": ()}  # takes long enough to be stopped
+        self.play("gamma", "escape", "save", **whole)
         self.assertFalse((self.folder / "mesh.off").exists(), "there is no mesh to save")
-        self.play("gamma", "escape", "return", "save")
+        self.play("gamma", "escape", "return", "save", **whole)
         self.assertEqual(mesh_check(self.folder / "mesh.off", BUNNY)["points"], 5000)
 
     def test_every_slider_and_choice(self):
         """Each changes its own entry of the session and no other."""
-        before = json.loads(self.play())
         for name, entry, low, high in (
             ("gradation", "gradation", 0.5, 9),
             ("floor", "minimum_density", 0.05, 0.9),
@@ -149,56 +171,58 @@ class Interaction(ViewTest):
                 after = json.loads(self.play(name))
                 self.assertGreater(after[entry], low)
                 self.assertLess(after[entry], high)
-                after[entry] = before[entry]
-                self.assertEqual(after, before, "nothing else changed")
+                self.assert_one_entry_changes(after, entry)
         after = json.loads(self.play("importance"))
-        self.assertEqual((before["importance"], after["importance"]), ("total", "mean"))
-        after["importance"] = before["importance"]
-        self.assertEqual(after, before)
+        self.assertEqual((self.assert_one_entry_changes(after, "importance"), after["importance"]), ("total", "mean"))
 
     def test_curve_points_are_taken_away(self):
-        before = self.play()
         self.assertEqual(len(json.loads(self.play("curve"))["transfer"]), 3)
         after = json.loads(self.play("curve", "uncurve"))
         self.assertEqual(len(after["transfer"]) % 2, 0, "the two ends, or none")
         after["transfer"] = []
-        self.assertEqual(after, json.loads(before))
+        self.assertEqual(after, self.untouched())
 
     def test_erasing_brush(self):
         strokes = json.loads(self.play("erase"))["strokes"]
         self.assertGreater(len(strokes), 2)
         self.assertEqual({stroke[4] for stroke in strokes}, {-1})
 
-    def shot(self, *names):
-        path = self.folder / "shot.png"
-        steps = [a for name in names for a in ("--play", HERE / "Recordings" / SMALL / f"{name}.log")]
-        self.view(BUNNY, *steps, "--shot", path)
-        return pictures.read(path)
+    def shots(self, model, *steps):
+        """Pictures after each step, which plays recordings; and the session that is left."""
+        arguments, paths = [], []
+        for names in steps:
+            paths.append(self.folder / f"shot{len(paths)}.png")
+            arguments += [*self.played(*names), "--shot", paths[-1]]
+        left = self.folder / "left.json"
+        self.view(*model, *arguments, "--save-session", left, *self.played("session"))
+        return [pictures.read(path) for path in paths], json.loads(left.read_text())
 
     def test_camera_and_overlays(self):
         """What only the eye sees: the views change, the rest of the window does not, nor does the session."""
-        before = self.shot()
+        names = "seams", "seams", "display", "turn", "zoom"
+        shots, session = self.shots([BUNNY], (), *((name,) for name in names))
         # Rows from the bottom: the views are above the strip.
         left, right = np.s_[250:, :500], np.s_[250:, 508:1005]
         strip = np.s_[30:236, :1005]
-        for name, both in (("turn", True), ("zoom", True), ("seams", False), ("display", False)):
+        for name, before, after in zip(names, shots, shots[1:]):
             with self.subTest(name):
-                after = self.shot(name)
                 self.assertGreater(pictures.worst_pixel(after[left], before[left]), 60)
-                if both:
+                if name in ("turn", "zoom"):
                     self.assertGreater(pictures.worst_pixel(after[right], before[right]), 60)
                 else:
                     np.testing.assert_array_equal(after[right], before[right])
                 np.testing.assert_array_equal(after[strip], before[strip])
-        self.assertEqual(self.play("turn", "zoom", "seams", "display"), self.play())
+        np.testing.assert_array_equal(shots[2], shots[0], "seams shown and hidden again")
+        before = {**self.untouched(), "model": session["model"], "points": 5000}
+        self.assertEqual(session, before)
         # The cameras are one: turned, the outlines of both surfaces are the same.
-        turned = self.shot("turn")
-        outlines = [turned[250:, x : x + 497].min(axis=2) < 250 for x in (0, 505)]
+        outlines = [shots[4][250:, x : x + 497].min(axis=2) < 250 for x in (0, 505)]
         self.assertLess(np.mean(outlines[0][:520] != outlines[1][:520]), 0.02)
 
     def test_dots_stay_sharp(self):
         """However near the surface is: it is light or dark, and hardly anything between."""
-        near = self.shot("zoom", "zoom", "zoom")[260:, 8:496].sum(axis=2)
+        (near,), _ = self.shots([self.bunny, "--points", 1500], ("zoom", "zoom", "zoom"))
+        near = near[260:, 8:496].sum(axis=2)
         dark, light = near < 200, near > 560
         self.assertGreater(dark.mean(), 0.01)
         self.assertGreater(light.mean(), 0.5)
@@ -206,15 +230,10 @@ class Interaction(ViewTest):
 
     def test_saved_picture(self):
         path = self.folder / "window.png"
-        self.view(BUNNY, "--picture", path, "--play", HERE / "Recordings" / SMALL / "picture.log")
+        self.view(self.bunny, "--points", 1500, "--picture", path, *self.played("picture"))
         picture = pictures.read(path)
         self.assertEqual(picture.shape[:2], (800, 1280))
         self.assertGreater(picture.std(), 20)
-
-    def test_reopened_session(self):
-        text = self.play("gamma", "number", "paint", "point", "curve")
-        file = self.file("saved.json", text)
-        self.assertEqual(self.play(model=None, begin=("--session", file)), text)
 
 
 class Moments(ViewTest):
@@ -227,7 +246,7 @@ class Moments(ViewTest):
         for size in (SMALL, LARGE):
             steps = []
             for moment, name in zip(MOMENTS, PLAYED):
-                steps += ["--play", HERE / "Recordings" / size / f"{name}.log"] if name else []
+                steps += self.played(name, size=size) if name else []
                 steps += ["--shot", made / f"{moment}-{size}.png"]
             self.view(BUNNY, "--size", size, *steps)
             for moment in MOMENTS:
@@ -254,43 +273,34 @@ class Moments(ViewTest):
 
 
 class Program(ViewTest):
-    def refuse(self, expected, pattern, *arguments, **keywords):
-        status, out, err = view(*arguments, **keywords)
-        self.assertEqual((status, out), (expected, ""), err)
-        self.assertRegex(err, pattern)
-        self.assertRegex(err, r"\Astipple-view: [^\n]+\n\Z", "one line")
-
     def test_no_display(self):
         for display in ("", ":4711"):
-            self.refuse(1, "display", BUNNY, env={**os.environ, "DISPLAY": display})
+            self.fail_with(1, "display", BUNNY, env={**os.environ, "DISPLAY": display})
 
     def test_bad_input(self):
-        self.refuse(1, "there is no file", self.folder / "missing.off")
-        self.refuse(1, "'gamma' must be a number from 0 to 100", "--session",
+        self.fail_with(1, "there is no file", self.folder / "missing.off")
+        self.fail_with(1, "'gamma' must be a number from 0 to 100", "--session",
             self.file("bad.json", '{ "stipple_session": 1, "model": "x.off", "gamma": -1 }'))
-        self.refuse(1, "no entry 'gama'", "--session",
+        self.fail_with(1, "no entry 'gama'", "--session",
             self.file("bad.json", '{ "stipple_session": 1, "model": "x.off", "gama": 1 }'))
-        self.refuse(1, "not JSON .Line 1", "--session", self.file("bad.json", "{ nothing"))
-        self.refuse(1, "cannot read the recording", BUNNY, "--play", self.file("bad.log", "nothing"))
+        self.fail_with(1, "not JSON .Line 1", "--session", self.file("bad.json", "{ nothing"))
+        self.fail_with(1, "cannot read the recording", BUNNY, "--play", self.file("bad.log", "nothing"))
 
     def test_usage(self):
-        self.refuse(2, "no input file")
-        self.refuse(2, "did you mean '--points'", BUNNY, "--point", 5)
-        self.refuse(2, "at least 640x480", BUNNY, "--size", "10x10")
-        self.refuse(2, "meshes end in", BUNNY, "-o", "mesh.doc")
-        status, out, err = view("--help")
-        self.assertEqual((status, err), (0, ""))
+        self.fail_with(2, "no input file")
+        self.fail_with(2, "did you mean '--points'", BUNNY, "--point", 5)
+        self.fail_with(2, "at least 640x480", BUNNY, "--size", "10x10")
+        self.fail_with(2, "meshes end in", BUNNY, "-o", "mesh.doc")
+        out = self.succeed("--help")
         for option in ("--session", "--record", "--play", "--shot", "--benchmark", "Ctrl+Z"):
             self.assertIn(option, out)
-        status, out, err = view("--version")
-        self.assertEqual((status, err), (0, ""))
-        self.assertRegex(out, r"stipple-view \d.*\nVTK 9.*\nOpenGL: .*\n")
+        self.assertRegex(self.succeed("--version"), r"stipple-view \d.*\nVTK 9.*\nOpenGL: .*\n")
 
     def test_too_few_points_are_said(self):
         """The window stays, with the sentence; nothing is saved."""
         shot = self.folder / "few.png"
-        self.view(FANDISK, "--points", 5, "-o", self.folder / "mesh.off", "--shot", shot, "--play",
-            HERE / "Recordings" / SMALL / "save.log")
+        self.view(FANDISK, "--points", 5, "-o", self.folder / "mesh.off", "--shot", shot,
+            *self.played("save"))
         self.assertFalse((self.folder / "mesh.off").exists())
         # The status line is red.
         status = pictures.read(shot)[:26]
@@ -303,11 +313,6 @@ class Program(ViewTest):
         for name in ("preview_ms", "camera_ms"):
             self.assertGreater(found[name]["frames"], 10)
             self.assertGreater(found[name]["median"], 0)
-
-
-def points_of(off):
-    rows = [row for row in off.read_text().split("\n")[1:] if row.strip() and not row.startswith("#")]
-    return [tuple(map(float, row.split()[:3])) for row in rows[1 : 1 + int(rows[0].split()[0])]]
 
 
 def bounds(off):
