@@ -3,10 +3,11 @@
 """Input that cannot be used ends in one clear sentence; input that can be repaired is repaired, and counted."""
 import json
 import os
+import re
 import struct
 import unittest
 
-from stipple_program import CUBE, ProgramTest, mesh_check
+from stipple_program import CUBE, MODELS, ProgramTest, mesh_check
 
 
 class BadInput(ProgramTest):
@@ -34,6 +35,7 @@ class BadInput(ProgramTest):
 
     def test_no_faces(self):
         self.refuse("holds an empty mesh", "a.off", "OFF\n0 0 0\n")
+        self.refuse("holds only lines", "lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")
         self.refuse("holds only points", "b.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n")
         self.refuse("holds only lines", "c.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n")
         self.refuse(
@@ -77,11 +79,17 @@ class BadInput(ProgramTest):
         self.refuse("ends before face 5 of 6", "e.off", CUBE[: CUBE.rindex("4 3 0 4 7")])
 
     def test_too_few_points_say_the_least_that_work(self):
-        cube = self.cube()
-        out = self.folder / "out.off"
-        status = self.folder / "unused"
-        self.fail_with(1, r"at least \d+|[Ll]east", cube, "-o", out, "--points", "1")
-        self.assertFalse(status.exists())
+        """That number works, and one less does not."""
+        for model in (self.cube(), MODELS / "fandisk.off"):
+            with self.subTest(model=model.name):
+                out = self.folder / "out.off"
+                out.unlink(missing_ok=True)
+                said = self.fail_with(1, r"at least \d+|[Ll]east", model, "-o", out, "--points", "1")
+                least = max(map(int, re.findall(r"\b\d+\b", said)))
+                self.assertGreater(least, 7)
+                self.fail_with(1, rf"\b{least}\b", model, "-o", out, "--points", least - 1)
+                self.succeed(model, "-o", out, "--points", least)
+                self.assert_like(mesh_check(out, model), least)
 
     def test_unwritable(self):
         cube = self.cube()

@@ -129,13 +129,11 @@ class CommandLine(ProgramTest):
         lines = cube.read_text().splitlines()
         faces = [" ".join(["4"] + [str(int(i) + (int(i) > 0)) for i in line.split()[1:]]) for line in lines[11:]]
         cube.write_text("\n".join(lines[:11] + faces) + "\n")
-        done = subprocess.run(
-            [STIPPLE, cube, "-o", self.folder / "a.ply", "--points", "100", "--verbose"],
-            capture_output=True, text=True, check=True,
-        )
-        self.assertIn("100 points", done.stderr)
-        self.assertRegex(done.stderr, r"atlas +\d+\.\d+ s")
-        self.assertIn("1 unused_points", done.stderr)
+        status, _, told = self.run_program(cube, "-o", self.folder / "a.ply", "--points", "100", "--verbose")
+        self.assertEqual(status, 0)
+        self.assertIn("100 points", told)
+        self.assertRegex(told, r"atlas +\d+\.\d+ s")
+        self.assertIn("1 unused_points", told)
 
 
 if __name__ == "__main__":

@@ -8,17 +8,12 @@ import struct
 import unittest
 import zlib
 
-from stipple_program import ProgramTest, mesh_check
+from stipple_program import ProgramTest, mesh_check, points_of
 
 SECONDS = ["load", "atlas", "maps", "control", "sampling", "meshing", "optimisation", "write", "total"]
 QUALITY = """V F isolated nonmanifold_edges boundary_edges misoriented_edges nonmanifold_vertices components boundary_loops
 euler genus degenerate Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_gt90 V6_pct V567_pct area_cv edge_cv area
 rms_pct hausdorff_pct area_ratio same_topology""".split()
-
-
-def vertices(path, count):
-    """The vertices of an OFF file that has so many."""
-    return [tuple(map(float, line.split())) for line in path.read_text().splitlines()[2 : 2 + count]]
 
 
 def png_pixels(path):
@@ -165,7 +160,7 @@ class Files(ProgramTest):
         edges = self.file("edges.txt", "0 1\n1 2\n")
         self.succeed(cube, "-o", mesh, "--points", "200", "--feature-angle", "180", "--constraints", constraints,
                      "--feature-edges", edges)
-        points = [tuple(map(float, line.split())) for line in mesh.read_text().splitlines()[2:202]]
+        points = points_of(mesh)
         for place in [*wanted, (0, 0, 0), (1, 0, 0), (1, 1, 0)]:
             nearest = min(sum((a - b) ** 2 for a, b in zip(p, place)) for p in points)
             self.assertLess(nearest, 1e-20, place)
@@ -234,7 +229,7 @@ class Files(ProgramTest):
         )
         mesh = self.folder / "mesh.off"
         self.succeed(cube, "-o", mesh, "--points", "600", "--importance-image", image, "--image-projection", "z")
-        right = sum(x > 0.5 for x, _, _ in vertices(mesh, 600))
+        right = sum(x > 0.5 for x, _, _ in points_of(mesh))
         self.assertGreater(right, 500)
 
     def test_strokes(self):
@@ -242,7 +237,7 @@ class Files(ProgramTest):
         strokes = self.file("strokes", "# add at one corner, erase at another\n0 0 0 0.5 8\n\n1 1 1 0.5 -1 # all\n")
         mesh = self.folder / "mesh.off"
         self.succeed(cube, "-o", mesh, "--points", "600", "--strokes", strokes)
-        points = vertices(mesh, 600)
+        points = points_of(mesh)
         near = [sum(sum((a - b) ** 2 for a, b in zip(p, corner)) < 0.0625 for p in points)
                 for corner in ((0, 0, 0), (0, 1, 0), (1, 1, 1))]
         self.assertGreater(near[0], 3 * near[1])
@@ -264,7 +259,7 @@ class Files(ProgramTest):
         )
         mesh = self.folder / "mesh.off"
         self.succeed(grid, "-o", mesh, "--points", "400", "--importance-array", "heat", "--minimum-density", "0")
-        remeshed = [tuple(map(float, line.split())) for line in mesh.read_text().splitlines()[2:402]]
+        remeshed = points_of(mesh)
         self.assertEqual(len(remeshed), 400)
         right = sum(x > 0.5 for x, _, _ in remeshed)
         self.assertGreater(right, 240, "the right half has three quarters of the heat")

@@ -1,19 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mesh that the program writes: right in hard draws, and as good as promised.
-
-The environment names the program, the checker and the folder of models: STIPPLE, MESHCHECK, MESHFOLDS, MODELS.
-"""
+"""The mesh that the program writes: right in hard draws, and as good as promised."""
 import json
 import math
-import os
-import subprocess
 import unittest
 
-from stipple_program import MODELS, ProgramTest, mesh_check
-
-MESH_FOLDS = os.environ.get("MESHFOLDS", "build/bin/StippleMeshFolds")
+from stipple_program import MODELS, ProgramTest, mesh_check, mesh_folds, points_of
 
 
 class MeshTest(ProgramTest):
@@ -38,11 +31,7 @@ class HardDraws(MeshTest):
         ):
             with self.subTest(model=name, points=points, options=options):
                 figures, _ = self.remesh(name, points, *options.split())
-                self.assertEqual(figures["points"], points)
-                for key in ("singular_vertices", "inconsistent_edges", "unused_points", "degenerate"):
-                    self.assertEqual(figures[key], 0, key)
-                for key in ("components", "boundary_loops", "euler"):
-                    self.assertEqual(figures[key], figures["reference_" + key], key)
+                self.assert_like(figures, points)
 
 
 class Quality(MeshTest):
@@ -76,7 +65,7 @@ class Folds(MeshTest):
     def folds(self, name, points):
         model, out = MODELS / f"{name}.off", self.folder / "out.off"
         self.succeed(model, "-o", out, "--points", points)
-        figures = json.loads(subprocess.run([MESH_FOLDS, out, model], capture_output=True, text=True, check=True).stdout)
+        figures = mesh_folds(out, model)
         self.assertEqual(figures["reference_self_intersections"], 0)
         return figures["self_intersections"], figures["flipped"]
 
@@ -169,11 +158,6 @@ def write_off(path, points, faces):
     lines += [" ".join(f"{x:.9g}" for x in p) for p in points]
     lines += [" ".join(str(v) for v in (len(f), *f)) for f in faces]
     path.write_text("\n".join(lines) + "\n")
-
-
-def points_of(path):
-    words = path.read_text().split()
-    return [tuple(float(w) for w in words[4 + 3 * i:7 + 3 * i]) for i in range(int(words[1]))]
 
 
 def faces_of(path):
