@@ -43,6 +43,7 @@
 #ifndef vtkGeometryRemesher_h
 #define vtkGeometryRemesher_h
 
+#include "StippleFiltersMapsModule.h"     // for vtk_module_autoinit: OpenGL, if it is linked
 #include "StippleFiltersRemesherModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 

@@ -32,7 +32,8 @@ def run(*command, folder=FOLDER, **variables):
 def build(source):
     """Configures and builds a project that finds Stipple in the prefix; the folder of its programs."""
     folder = os.path.join(FOLDER, "build-" + os.path.basename(source))
-    run(CMAKE, "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={PREFIX}")
+    options = ("-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--as-needed")
+    run(CMAKE, "-S", source, "-B", folder, "-G", "Ninja", *options, f"-DCMAKE_PREFIX_PATH={PREFIX}")
     run(CMAKE, "--build", folder)
     return folder
 
@@ -74,6 +75,8 @@ class Install(unittest.TestCase):
         folder = build(os.path.join(SOURCE, "Documentation", "Examples", "Cxx"))
         self.assertIn("2000 points", run(os.path.join(folder, "RemeshTorus")))
         self.assertIn("3000 points", run(os.path.join(folder, "ComposePipeline")))
+        for name in ("RemeshTorus", "ComposePipeline"):  # OpenGL's maps, which no linker may drop
+            self.assertIn("libStippleRenderingGeometryMaps", run("ldd", os.path.join(folder, name)))
 
     def test_missing_component_is_named(self):
         folder = os.path.join(FOLDER, "missing")
