@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AcuteCorners.h"
 
+#include "Tuning.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,14 +13,6 @@ namespace stipple
 {
 namespace
 {
-/// In spacings: how far out the first points may go, and what must be left of a crease beyond.
-constexpr double Farthest = 3.4;
-constexpr double LeastBeyond = 2.;
-constexpr double Step = 0.05;
-/// The triangle is better with its two points at unequal distances: spacing need not grow by all of
-/// the way. Found by trial.
-constexpr double ShareOfWay = 0.75;
-
 /// A crease, as it leaves a corner.
 struct Crease
 {
@@ -36,12 +30,12 @@ struct Crease
 };
 
 /// The one that leaves a corner towards a vertex, if it ends there.
-std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, int corner, int first)
+std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, Vertex corner, Vertex first)
 {
   if (mesh.freedom(first) == Freedom::Backbone)
   {
     const int b = mesh.backbone(first);
-    const std::vector<int>& chain = mesh.chains()[b];
+    const std::vector<Vertex>& chain = mesh.chains()[b];
     const std::size_t n = chain.size();
     for (const bool fromEnd : { false, true })
     {
@@ -59,8 +53,9 @@ std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, int corner, int firs
 double distanceWhereOpen(
   const Vec3& corner, const Crease& a, const Crease& b, double spacing, double angle)
 {
-  const double room = std::min(a.length(), b.length()) / spacing - LeastBeyond;
-  for (double distance = 1.; distance <= std::min(Farthest, room); distance += Step)
+  const double room = std::min(a.length(), b.length()) / spacing - Tuning::LeastBeyondOpening;
+  for (double distance = 1.; distance <= std::min(Tuning::FarthestOpening, room);
+       distance += Tuning::StepOfOpening)
   {
     const double s = distance * spacing;
     if (cotangent(corner, a.at(s), b.at(s)) <= 1. / std::tan(angle))
@@ -75,22 +70,20 @@ double distanceWhereOpen(
 double spacingAtUnitDensity(const OptimizedMesh& mesh)
 {
   double total = 0;
-  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  for (const Face f : mesh.faces())
   {
-    const auto t = mesh.corners(f);
-    total += triangleArea(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])) *
-      (mesh.density(t[0]) + mesh.density(t[1]) + mesh.density(t[2])) / 3.;
+    const auto [a, b, c] = mesh.corners(f);
+    total += mesh.faceArea(f) * (mesh.density(a) + mesh.density(b) + mesh.density(c)) / 3.;
   }
-  return std::sqrt(2. / std::sqrt(3.) * total / mesh.numberOfVertices());
+  return std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
 }
 }
 
 CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
 {
   CoarseRegions regions;
-  const auto& graph = mesh.graph();
   const double unit = spacingAtUnitDensity(mesh);
-  for (int v = 0; v < mesh.numberOfVertices(); ++v)
+  for (const Vertex v : mesh.vertices())
   {
     if (mesh.freedom(v) != Freedom::None)
     {
@@ -98,15 +91,14 @@ CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
     }
     const double spacing = unit / std::sqrt(mesh.density(v));
     double distance = 1;
-    mesh.forEachHalfedge(v, [&](OptimizedMesh::Halfedge h) {
-      const auto g = graph.prev_halfedge_handle(h);
-      if (graph.is_boundary(h) || !mesh.isFeature(graph.edge_handle(h).idx()) ||
-        !mesh.isFeature(graph.edge_handle(g).idx()))
+    mesh.forEachCorner(v, [&](Halfedge h) {
+      const Halfedge g = mesh.previous(h);
+      if (!mesh.isCrease(mesh.edge(h)) || !mesh.isCrease(mesh.edge(g)))
       {
         return;
       }
-      const auto a = creaseFrom(mesh, v, graph.to_vertex_handle(h).idx());
-      const auto b = creaseFrom(mesh, v, graph.from_vertex_handle(g).idx());
+      const auto a = creaseFrom(mesh, v, mesh.to(h));
+      const auto b = creaseFrom(mesh, v, mesh.from(g));
       if (a && b)
       {
         distance = std::max(distance, distanceWhereOpen(mesh.position(v), *a, *b, spacing, angle));
@@ -115,7 +107,7 @@ CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
     if (distance > 1.)
     {
       regions.add(mesh.atlas().surface(), mesh.place(v).face,
-        { mesh.position(v), spacing, 1. + ShareOfWay * (distance - 1.) });
+        { mesh.position(v), spacing, 1. + Tuning::ShareOfOpening * (distance - 1.) });
     }
   }
   return regions;

@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoarseRegions.h"
 
+#include "Tuning.h"
+
 #include <algorithm>
 
 namespace stipple
 {
-namespace
-{
-/// Spacing keeps its full growth over this part of it, in spacings, and then falls by this much a
-/// spacing: slowly enough for regular triangles, fast enough for areas to stay even elsewhere.
-constexpr double Plateau = 0.5;
-constexpr double Slope = 0.5;
-}
-
 double CoarseRegion::growthAt(double distance) const
 {
-  const double beyond = std::max(0., distance / this->spacing - Plateau * this->growth);
-  return std::max(1., this->growth - Slope * beyond);
+  const double beyond =
+    std::max(0., distance / this->spacing - Tuning::GrowthPlateau * this->growth);
+  return std::max(1., this->growth - Tuning::GrowthSlope * beyond);
 }
 
 double CoarseRegion::reach() const
 {
-  return this->spacing * (Plateau * this->growth + (this->growth - 1.) / Slope);
+  return this->spacing *
+    (Tuning::GrowthPlateau * this->growth + (this->growth - 1.) / Tuning::GrowthSlope);
 }
 
 void CoarseRegions::add(const TriangleSurface& surface, int face, const CoarseRegion& region)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityField.h"
 
+#include "Tuning.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPartitionedDataSet.h"
@@ -13,13 +15,6 @@
 
 namespace stipple
 {
-namespace
-{
-/// Densities below this share of the largest are raised to it: spacing then varies by a factor of
-/// 1000 at most.
-constexpr double SmallestDensity = 1e-6;
-}
-
 Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSurface& surface)
 {
   this->Map.clear();
@@ -72,7 +67,7 @@ Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSu
       smallest = std::min(smallest, m.density[i]);
     }
   }
-  if (largest <= 0 || largest - smallest <= 1e-4f * largest)
+  if (largest <= 0 || largest - smallest <= Tuning::UniformDensity * largest)
   {
     return Status::success(); // uniform
   }
@@ -80,7 +75,7 @@ Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSu
   {
     for (float& d : m.density)
     {
-      d = std::max(d / largest, static_cast<float>(SmallestDensity));
+      d = std::max(d / largest, static_cast<float>(Tuning::SmallestDensity));
     }
   }
   this->Map = std::move(map);

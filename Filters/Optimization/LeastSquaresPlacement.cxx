@@ -4,6 +4,7 @@
 
 #include "Relaxation.h"
 #include "SurfaceError.h"
+#include "Tuning.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -14,36 +15,28 @@ namespace stipple
 {
 namespace
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-/// Weight of staying where a vertex is, over the area about it.
-constexpr double Inertia = 0.01;
-/// Farthest way along the normal over the mean length of the edges about a vertex.
-constexpr double FarthestWay = 0.3;
-
 /// The triangle about v that is nearest to p, and the barycentric coordinates of p's projection in
 /// it.
 struct Foot
 {
-  std::array<int, 3> corner = { { -1, -1, -1 } };
+  std::array<Vertex, 3> corner;
   Vec3 bary = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
 };
 
-Foot footOn(const OptimizedMesh& mesh, int v, const Vec3& p)
+Foot footOn(const OptimizedMesh& mesh, Vertex v, const Vec3& p)
 {
-  const auto& graph = mesh.graph();
   Foot best;
   double least = 1e300;
-  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
-    const int q = graph.to_vertex_handle(h).idx();
-    const int r = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
+  mesh.forEachCorner(v, [&](Halfedge h) {
+    const Vertex q = mesh.to(h);
+    const Vertex r = mesh.apex(h);
     const Vec3& a = mesh.position(v);
     const Vec3& b = mesh.position(q);
     const Vec3& c = mesh.position(r);
     const Vec3 n = (b - a).cross(c - a);
     const double square = n.squaredNorm();
-    if (graph.is_boundary(h) || square <= 0)
+    if (square <= 0)
     {
       return;
     }
@@ -76,20 +69,21 @@ std::vector<double> areasOfPoints(const AtlasSurface& surface)
 std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh)
 {
   const AtlasSurface& surface = mesh.atlas().surface();
-  const int n = mesh.numberOfVertices();
+  const int n = mesh.vertices().size();
   const SurfaceError points(mesh);
   const std::vector<double> area = areasOfPoints(surface);
   // Unknown: the way of every vertex along its normal.
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
   const double share = surface.area() / n;
-  for (int v = 0; v < n; ++v)
+  for (const Vertex v : mesh.vertices())
   {
-    entries.emplace_back(v, v, mesh.freedom(v) == Freedom::Surface ? Inertia * share : 1e6 * share);
+    entries.emplace_back(v.index(), v.index(),
+      share * (mesh.isFree(v) ? Tuning::PlacementInertia : Tuning::PlacementFixed));
     for (int p : points.pointsOf(v))
     {
       const Foot foot = footOn(mesh, v, surface.points[p]);
-      if (foot.corner[0] < 0)
+      if (!foot.corner[0].valid())
       {
         continue;
       }
@@ -101,10 +95,11 @@ std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh)
       }
       for (int k = 0; k < 3; ++k)
       {
-        right[foot.corner[k]] += area[p] * slope[k] * height;
+        const int row = foot.corner[k].index();
+        right[row] += area[p] * slope[k] * height;
         for (int l = 0; l < 3; ++l)
         {
-          entries.emplace_back(foot.corner[k], foot.corner[l], area[p] * slope[k] * slope[l]);
+          entries.emplace_back(row, foot.corner[l].index(), area[p] * slope[k] * slope[l]);
         }
       }
     }
@@ -114,32 +109,30 @@ std::vector<Vec3> leastSquaresPositions(const OptimizedMesh& mesh)
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   Eigen::VectorXd way = solver.solve(right);
   std::vector<Vec3> result(n);
-  for (int v = 0; v < n; ++v)
+  for (const Vertex v : mesh.vertices())
   {
-    const double most = FarthestWay * meanEdgeLength(mesh, v);
-    way[v] = mesh.freedom(v) == Freedom::Surface && std::isfinite(way[v])
-      ? std::clamp(way[v], -most, most)
-      : 0.;
-    result[v] = mesh.position(v) + way[v] * mesh.normal(v);
+    const double most = Tuning::FarthestPlacement * meanEdgeLength(mesh, v);
+    const double w = way[v.index()];
+    result[v.index()] = mesh.position(v) +
+      (mesh.isFree(v) && std::isfinite(w) ? std::clamp(w, -most, most) : 0.) * mesh.normal(v);
   }
   // A triangle that would turn over takes its vertices back to the surface.
-  const std::vector<Triangle> triangles = mesh.triangles();
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (const Triangle& t : triangles)
+    for (const Face f : mesh.faces())
     {
-      const auto normalOf = [&](const auto& at) {
-        return Vec3((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])));
-      };
-      const Vec3 before = normalOf([&](int v) { return mesh.position(v); });
-      const Vec3 after = normalOf([&](int v) { return result[v]; });
-      if (before.dot(after) <= 0.5 * before.norm() * after.norm())
+      const auto [a, b, c] = mesh.corners(f);
+      const auto& r = result;
+      const Vec3 before =
+        (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a));
+      const Vec3 after = (r[b.index()] - r[a.index()]).cross(r[c.index()] - r[a.index()]);
+      if (before.dot(after) <= Tuning::LeastTurnedCosine * before.norm() * after.norm())
       {
-        for (int v : t)
+        for (const Vertex v : { a, b, c })
         {
-          changed = changed || result[v] != mesh.position(v);
-          result[v] = mesh.position(v);
+          changed = changed || result[v.index()] != mesh.position(v);
+          result[v.index()] = mesh.position(v);
         }
       }
     }

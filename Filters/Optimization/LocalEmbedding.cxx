@@ -4,9 +4,10 @@
 
 #include "EdgeSwaps.h"
 #include "LocalRepair.h"
+#include "ParallelFor.h"
+#include "Relaxation.h"
+#include "Tuning.h"
 #include "VertexStar.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +16,10 @@ namespace stipple
 {
 namespace
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-constexpr int RelaxationRounds = 60;
-constexpr int ImprovementRounds = 6;
-/// Angle (radians) up to which triangles are improved.
-constexpr double GoodAngle = 0.6;
-/// By how much an embedding may lengthen the longest edge.
-constexpr double MostGrowth = 1.2;
-
-double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
+double longestEdge(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 {
   double longest = 0;
-  for (int f : faces)
+  for (const Face f : faces)
   {
     const auto t = mesh.corners(f);
     for (int k = 0; k < 3; ++k)
@@ -38,65 +30,21 @@ double longestEdge(const OptimizedMesh& mesh, const std::vector<int>& faces)
   }
   return std::sqrt(longest);
 }
-}
 
-LocalEmbedding::LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& faces, int rings)
-  : Mesh(mesh)
+/// Ring by ring, to the middle of the neighbours that have their place.
+void placeInwards(MeshEdit& edit, std::vector<Vertex> waiting)
 {
-  std::vector<int> vertices;
-  for (int f : faces)
-  {
-    const auto t = mesh.corners(f);
-    vertices.insert(vertices.end(), t.begin(), t.end());
-  }
-  makeUnique(vertices);
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    const std::vector<int> inner = vertices;
-    for (int v : inner)
-    {
-      mesh.forEachNeighbour(v, [&](int u) { vertices.push_back(u); });
-    }
-    makeUnique(vertices);
-  }
-  for (int v : vertices)
-  {
-    if (mesh.freedom(v) == Freedom::Surface && !mesh.graph().is_boundary(OptimizedMesh::Vertex(v)))
-    {
-      this->Vertices.push_back(v);
-      this->Before.push_back(mesh.footing(v));
-      mesh.forEachFace(v, [&](int f) { this->Faces.push_back(f); });
-    }
-  }
-  makeUnique(this->Faces);
-}
-
-bool LocalEmbedding::embed()
-{
-  const double longest = longestEdge(this->Mesh, this->Faces);
-  this->placeInwards();
-  this->relax();
-  this->improve();
-  return longestEdge(this->Mesh, this->Faces) <= MostGrowth * longest;
-}
-
-void LocalEmbedding::placeInwards()
-{
-  OptimizedMesh& mesh = this->Mesh;
-  std::vector<int> waiting = this->Vertices;
-  const auto isWaiting = [&](
-                           int v) { return std::binary_search(waiting.begin(), waiting.end(), v); };
+  const OptimizedMesh& mesh = edit.mesh();
   while (!waiting.empty())
   {
-    std::vector<int> next;
-    std::vector<Footing> places;
-    for (int v : waiting)
+    std::vector<std::pair<Vertex, SurfacePoint>> next;
+    for (const Vertex v : waiting)
     {
       Vec3 sum = Vec3::Zero();
       int count = 0;
-      int from = -1;
-      mesh.forEachNeighbour(v, [&](int u) {
-        if (!isWaiting(u))
+      Vertex from;
+      mesh.forEachNeighbour(v, [&](Vertex u) {
+        if (!std::binary_search(waiting.begin(), waiting.end(), u))
         {
           sum += mesh.position(u);
           ++count;
@@ -105,97 +53,84 @@ void LocalEmbedding::placeInwards()
       });
       if (count > 0)
       {
-        next.push_back(v);
-        places.push_back(mesh.footing(mesh.place(from), sum / count - mesh.position(from)));
+        next.emplace_back(v, mesh.walk(mesh.place(from), sum / count - mesh.position(from)));
       }
     }
     if (next.empty())
     {
-      break; // nothing around it stays: a whole component
+      return; // nothing around it stays: a whole component
     }
-    std::vector<int> rest;
-    std::set_difference(
-      waiting.begin(), waiting.end(), next.begin(), next.end(), std::back_inserter(rest));
-    for (std::size_t i = 0; i < next.size(); ++i)
+    for (const auto& [v, place] : next)
     {
-      mesh.put(next[i], places[i]);
-    }
-    waiting = std::move(rest);
-  }
-}
-
-void LocalEmbedding::relax()
-{
-  OptimizedMesh& mesh = this->Mesh;
-  for (int round = 0; round < RelaxationRounds; ++round)
-  {
-    for (int v : this->Vertices)
-    {
-      Vec3 sum = Vec3::Zero();
-      int count = 0;
-      mesh.forEachNeighbour(v, [&](int u) {
-        sum += mesh.position(u);
-        ++count;
-      });
-      mesh.put(v, mesh.footing(mesh.place(v), sum / count - mesh.position(v)));
+      edit.put(v, place);
+      waiting.erase(std::lower_bound(waiting.begin(), waiting.end(), v));
     }
   }
 }
 
-void LocalEmbedding::improve()
+/// Swaps and moves for good angles.
+void improve(MeshEdit& edit, const std::vector<Vertex>& vertices)
 {
-  OptimizedMesh& mesh = this->Mesh;
-  for (int round = 0; round < ImprovementRounds; ++round)
+  for (const Edge e : edgesAbout(edit.mesh(), vertices))
   {
-    std::vector<int> edges;
-    for (int v : this->Vertices)
+    if (isDelaunaySwap(edit.mesh(), e))
     {
-      mesh.forEachHalfedge(
-        v, [&](HalfedgeHandle h) { edges.push_back(mesh.graph().edge_handle(h).idx()); });
+      edit.swap(e);
     }
-    makeUnique(edges);
-    for (int edge : edges)
+  }
+  for (const Vertex v : vertices)
+  {
+    if (starQuality(edit.mesh(), v) < Tuning::AngleOfEmbedding)
     {
-      if (isDelaunaySwap(mesh, edge) && mesh.swap(edge))
-      {
-        this->Swapped.push_back(edge);
-      }
-    }
-    for (int v : this->Vertices)
-    {
-      if (starQuality(mesh, v) < GoodAngle)
-      {
-        improveByMove(mesh, v);
-      }
+      improveByMove(edit, v);
     }
   }
 }
 
-void LocalEmbedding::undo()
+double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 {
-  for (; !this->Swapped.empty(); this->Swapped.pop_back())
+  double sum = 0;
+  for (const Face f : faces)
   {
-    this->Mesh.forceSwap(this->Swapped.back());
+    const double quality = faceQuality(mesh, f);
+    sum += quality < Tuning::AngleOfFold ? 1. - std::min(0., quality) : 0.;
   }
-  for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-  {
-    this->Mesh.put(this->Vertices[i], this->Before[i]);
-  }
+  return sum;
+}
 }
 
-std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces)
+bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces)
 {
-  std::vector<std::vector<int>> result;
-  std::vector<int> waiting = faces;
+  const OptimizedMesh& mesh = edit.mesh();
+  const double longest = longestEdge(mesh, faces);
+  placeInwards(edit, vertices);
+  for (int round = 0; round < Tuning::RoundsOfEmbedding; ++round)
+  {
+    for (const Vertex v : vertices)
+    {
+      edit.put(v, mesh.walk(mesh.place(v), stepToMiddle(mesh, v)));
+    }
+  }
+  for (int round = 0; round < Tuning::RoundsAfterEmbedding; ++round)
+  {
+    improve(edit, vertices);
+  }
+  return longestEdge(mesh, faces) <= Tuning::GrowthByEmbedding * longest;
+}
+
+std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  std::vector<std::vector<Face>> result;
+  std::vector<Face> waiting = faces;
   while (!waiting.empty())
   {
-    std::vector<int> group = { waiting.front() };
+    std::vector<Face> group = { waiting.front() };
     waiting.erase(waiting.begin());
     for (std::size_t i = 0; i < group.size(); ++i)
     {
-      for (int v : mesh.corners(group[i]))
+      for (const Vertex v : mesh.corners(group[i]))
       {
-        mesh.forEachFace(v, [&](int f) {
+        mesh.forEachFace(v, [&](Face f) {
           const auto found = std::lower_bound(waiting.begin(), waiting.end(), f);
           if (found != waiting.end() && *found == f)
           {
@@ -211,36 +146,14 @@ std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vec
   return result;
 }
 
-namespace
+int unfold(MeshEdit& edit)
 {
-/// Triangles below are as good as folded.
-constexpr double LeastAngle = 0.01; // radians
-
-double sumOfFolds(const OptimizedMesh& mesh, const std::vector<int>& faces)
-{
-  double sum = 0;
-  for (int f : faces)
-  {
-    const double quality = faceQuality(mesh, f);
-    sum += quality < LeastAngle ? 1. - std::min(0., quality) : 0.;
-  }
-  return sum;
-}
-}
-
-int unfold(OptimizedMesh& mesh)
-{
-  constexpr int MostRings = 4;
-  const int n = mesh.numberOfFaces();
-  std::vector<char> isFolded(n);
-  vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
-    for (int f = static_cast<int>(begin); f < end; ++f)
-    {
-      isFolded[f] = faceQuality(mesh, f) < LeastAngle ? 1 : 0;
-    }
-  });
-  std::vector<int> folded;
-  for (int f = 0; f < n; ++f)
+  const OptimizedMesh& mesh = edit.mesh();
+  ElementArray<Face, char> isFolded(static_cast<std::size_t>(mesh.faces().size()));
+  parallelFor(mesh.faces(),
+    [&](Face f) { isFolded[f] = faceQuality(mesh, f) < Tuning::AngleOfFold ? 1 : 0; });
+  std::vector<Face> folded;
+  for (const Face f : mesh.faces())
   {
     if (isFolded[f])
     {
@@ -248,12 +161,12 @@ int unfold(OptimizedMesh& mesh)
     }
   }
   int unfolded = 0;
-  for (const std::vector<int>& group : groupsOf(mesh, folded))
+  for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
-    const std::vector<int> changed = embedAbout(
-      mesh, group, MostRings,
-      [&](const std::vector<int>& faces) { return sumOfFolds(mesh, faces); },
-      [](double after, double before) { return after < before - 0.5; });
+    const std::vector<Face> changed = embedAbout(
+      edit, group, Tuning::RingsOfUnfolding,
+      [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
+      [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;
   }
   return unfolded;

@@ -1,71 +1,55 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Knots: regions whose triangles cover the surface more than once, all of them facing the right
-// way. Moves of one vertex at a time do not undo them; placing all vertices anew does.
+// Overlaps: regions whose triangles cover the surface more than once, folded over or all of them
+// facing the right way. Moves of one vertex at a time do not undo them; placing all vertices anew
+// does.
 #ifndef stipple_LocalEmbedding_h
 #define stipple_LocalEmbedding_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
+#include "MeshRegion.h"
+#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {
-/// The vertices of some triangles and of so many rings about them, and what is needed to take back
-/// their embedding.
-class LocalEmbedding
-{
-public:
-  LocalEmbedding(OptimizedMesh& mesh, const std::vector<int>& faces, int rings);
-
-  /// All triangles that it changes, ascending.
-  const std::vector<int>& faces() const { return this->Faces; }
-
-  /// Puts every vertex that is free on the surface to the middle of its neighbours (Tutte's
-  /// embedding, on the surface: without folds where the region is nearly flat), starting over from
-  /// the vertices around; then swaps and moves for good angles. False if the longest edge became
-  /// much longer: vertices were drawn off a part of the surface, which a few large triangles then
-  /// cut off.
-  [[nodiscard]] bool embed();
-  /// Back to what was there before.
-  void undo();
-
-private:
-  void placeInwards();
-  void relax();
-  void improve();
-
-  OptimizedMesh& Mesh;
-  std::vector<int> Vertices; // that may move
-  std::vector<int> Faces;
-  std::vector<Footing> Before; // of Vertices
-  std::vector<int> Swapped;    // edges, in order
-};
+/// Puts every vertex to the middle of its neighbours (Tutte's embedding, on the surface: without
+/// folds where the region is nearly flat), starting over from the vertices around; then swaps and
+/// moves for good angles. The vertices are free; `faces` are all triangles about them. False if the
+/// longest edge became much longer: vertices were drawn off a part of the surface, which a few
+/// large triangles then cut off.
+STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(
+  MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces);
 
 /// Triangles that hang together at vertices, each group ascending.
-std::vector<std::vector<int>> groupsOf(const OptimizedMesh& mesh, const std::vector<int>& faces);
+STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<std::vector<Face>> groupsOf(
+  const OptimizedMesh& mesh, const std::vector<Face>& faces);
 
-/// Embeds the vertices about triangles, of as few rings as make isBetter(after, before) true of
-/// what measure(faces) says of the triangles changed. Returns these; none if no number of rings
+/// Embeds the free vertices about triangles, of as few rings as make isBetter(after, before) true
+/// of what measure(faces) says of the triangles changed. Returns these; none if no number of rings
 /// helps.
 template <typename Measure, typename IsBetter>
-std::vector<int> embedAbout(OptimizedMesh& mesh, const std::vector<int>& faces, int mostRings,
+std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int mostRings,
   const Measure& measure, const IsBetter& isBetter)
 {
+  const OptimizedMesh& mesh = edit.mesh();
   for (int rings = 0; rings <= mostRings; ++rings)
   {
-    LocalEmbedding embedding(mesh, faces, rings);
-    const auto before = measure(embedding.faces());
-    if (embedding.embed() && isBetter(measure(embedding.faces()), before))
+    const std::vector<Vertex> vertices = filtered(withRings(mesh, cornersOf(mesh, faces), rings),
+      [&](Vertex v) { return mesh.isFree(v) && !mesh.isBoundary(v); });
+    const std::vector<Face> changed = facesAbout(mesh, vertices);
+    const auto before = measure(changed);
+    if (edit.attempt(
+          [&]() { return embed(edit, vertices, changed) && isBetter(measure(changed), before); }))
     {
-      return embedding.faces();
+      return changed;
     }
-    embedding.undo();
   }
   return {};
 }
 
 /// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
 /// Returns the number of groups of triangles where that helped.
-int unfold(OptimizedMesh& mesh);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(MeshEdit& edit);
 }
 
 #endif

@@ -3,60 +3,29 @@
 #include "LocalRepair.h"
 
 #include "EdgeSwaps.h"
+#include "MeshRegion.h"
+#include "ParallelFor.h"
 #include "Relaxation.h"
+#include "Tuning.h"
 #include "VertexStar.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace stipple
 {
-namespace
+bool improveByMove(MeshEdit& edit, Vertex v)
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-/// Vertices of worse triangles (radians) may have got to the wrong side of a crease.
-constexpr double SliverAngle = 0.003;
-
-/// By how much (radians) a place may be better than the tangent plane has it.
-constexpr double PromisedAngle = 0.05;
-
-bool improveBySwap(OptimizedMesh& mesh, int f)
-{
-  const auto& graph = mesh.graph();
-  HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-  for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
+  const OptimizedMesh& mesh = edit.mesh();
+  if (mesh.freedom(v) == Freedom::None)
   {
-    const int edge = graph.edge_handle(h).idx();
-    if (!mesh.isSwappable(edge))
-    {
-      continue;
-    }
-    const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
-    const int a = graph.from_vertex_handle(h).idx();
-    const int b = graph.to_vertex_handle(h).idx();
-    const int c = graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx();
-    const int d = graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx();
-    const double before = std::min(triangleQuality(mesh, a, b, c), triangleQuality(mesh, b, a, d));
-    const double after = std::min(triangleQuality(mesh, d, c, a), triangleQuality(mesh, c, d, b));
-    if (after > before + 1e-9 && mesh.swap(edge))
-    {
-      return true;
-    }
+    return false;
   }
-  return false;
-}
-}
-
-bool improveByMove(OptimizedMesh& mesh, int v)
-{
   const VertexStar star(mesh, v);
-  double best = star.quality(mesh.footing(v));
+  double best = star.quality(mesh.state(v));
   const double start = best;
-  const auto isBetter = [&](const Footing& there) {
-    if (!star.exceeds(there, best + 1e-6))
+  const auto isBetter = [&](const SurfacePoint& there) {
+    if (!star.exceeds(there, best + Tuning::LeastGainOfAngle))
     {
       return false;
     }
@@ -66,9 +35,9 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   double reach = 0;
   int count = 0;
   Vec3 centre = Vec3::Zero(); // each neighbour weighs as much as it has triangles here
-  std::vector<int> ring;
-  mesh.forEachFace(v, [&](int f) {
-    for (int u : mesh.corners(f))
+  std::vector<Vertex> ring;
+  mesh.forEachFace(v, [&](Face f) {
+    for (const Vertex u : mesh.corners(f))
     {
       if (u != v)
       {
@@ -84,311 +53,283 @@ bool improveByMove(OptimizedMesh& mesh, int v)
   });
   centre /= count;
   reach /= count;
-  if (mesh.freedom(v) == Freedom::Backbone)
-  {
-    const auto accept = [&]() { return isBetter(mesh.footing(v)); };
-    for (double size : { 0.2, 0.05 })
+  const auto attempt = [&](const Vec3& step) {
+    const SurfacePoint there = mesh.walk(mesh.place(v), step);
+    if (isBetter(there))
     {
-      while (mesh.trySlide(v, size * reach, accept) || mesh.trySlide(v, -size * reach, accept))
-      {
-      }
+      edit.put(v, there);
     }
-    return best > start;
-  }
-  if (mesh.freedom(v) != Freedom::Surface)
-  {
-    return false;
-  }
-  const auto attempt = [&](const SurfacePlace& from, const Vec3& step, bool isNear = false) {
+  };
+  const auto attemptNear = [&](const Vec3& step) {
     // Walks take most of the time: where the tangent plane promises far less, there is none.
-    if (isNear && best > PromisedAngle)
+    if (best > Tuning::PromisedAngle)
     {
-      Footing promised = mesh.footing(v);
+      SurfacePoint promised = mesh.state(v);
       promised.position += step;
-      if (!star.exceeds(promised, best - PromisedAngle))
+      if (!star.exceeds(promised, best - Tuning::PromisedAngle))
       {
         return;
       }
     }
-    const Footing there = mesh.footing(from, step);
-    if (isBetter(there))
-    {
-      mesh.put(v, there);
-    }
+    attempt(step);
   };
+  const auto isBetterHere = [&]() { return isBetter(mesh.state(v)); };
+  if (mesh.freedom(v) == Freedom::Backbone)
+  {
+    for (const double size : Tuning::SlideSizes)
+    {
+      edit.tryAround(v, size * reach, attemptNear, isBetterHere);
+    }
+    return best > start;
+  }
   // Where relaxation would go and to the middle of the ring; then a pattern search about the place.
   for (const double share : { 1., 0.5 })
   {
-    attempt(mesh.place(v), share * (centre - mesh.position(v)));
-    attempt(mesh.place(v), share * lloydStep(mesh, v));
+    attempt(share * (centre - mesh.position(v)));
+    attempt(share * lloydStep(mesh, v));
   }
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
-  for (int u : ring)
+  for (const Vertex u : ring)
   {
-    if (best < SliverAngle && mesh.freedom(u) == Freedom::Surface)
+    if (best < Tuning::SlippedAngle && mesh.isFree(u))
     {
-      const Footing there = mesh.footing(mesh.place(u), centre - mesh.position(u));
+      const SurfacePoint there = mesh.walk(mesh.place(u), centre - mesh.position(u));
       if ((there.position - centre).norm() < reach && isBetter(there))
       {
-        mesh.put(v, there);
+        edit.put(v, there);
       }
     }
   }
-  for (double size = 0.2; size > 0.01; size *= 0.5)
+  for (const double size : Tuning::PatternSizes)
   {
-    const Vec3& n = mesh.normal(v);
-    const Vec3 e = n.unitOrthogonal();
-    const Vec3 g = n.cross(e);
-    for (int k = 0; k < 8; ++k)
-    {
-      const double angle = k * 0.785398163397448;
-      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g), true);
-    }
+    edit.tryAround(v, size * reach, attemptNear, isBetterHere);
   }
   return best > start;
 }
 
-int repairTriangles(
-  OptimizedMesh& mesh, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses)
+bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces,
+  double enough, double wanted, int maximumNumberOfRounds)
 {
-  const int n = mesh.numberOfFaces();
-  int bad = 0;
-  enum class Known : char
+  bool changed = true;
+  for (int round = 0; round < maximumNumberOfRounds && changed; ++round)
   {
-    Nothing,
-    Good,
-    Stuck ///< nothing that its repair looks at has changed since it failed
-  };
-  std::vector<Known> known(n, Known::Nothing);
-  const auto touch = [&](int v) {
-    mesh.forEachFace(v, [&](int f) {
-      known[f] = Known::Nothing;
-      for (int u : mesh.corners(f))
-      {
-        mesh.forEachFace(
-          u, [&](int g) { known[g] = known[g] == Known::Stuck ? Known::Nothing : known[g]; });
-      }
-    });
-  };
-  const auto improve = [&](int v) {
-    const bool moved = improveByMove(mesh, v);
-    if (moved)
+    changed = false;
+    for (const Vertex v : vertices)
     {
-      touch(v);
+      changed = (starQuality(edit.mesh(), v) < enough && improveByMove(edit, v)) || changed;
     }
-    return moved;
-  };
-  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
-  {
-    vtkSMPTools::For(0, n, 1024, [&](vtkIdType begin, vtkIdType end) {
-      for (int f = static_cast<int>(begin); f < end; ++f)
-      {
-        if (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold)
-        {
-          known[f] = Known::Good;
-        }
-      }
-    });
-    bad = 0;
-    bool changed = false;
-    for (int f = 0; f < n; ++f)
+    if (worstQuality(edit.mesh(), faces) >= wanted)
     {
-      if (known[f] == Known::Good ||
-        (known[f] == Known::Nothing && faceQuality(mesh, f) >= threshold))
-      {
-        continue;
-      }
-      ++bad;
-      if (known[f] == Known::Stuck)
-      {
-        continue;
-      }
-      bool helped = false;
-      if (maySwap && improveBySwap(mesh, f))
-      {
-        changed = helped = true;
-        for (int v : mesh.corners(f))
-        {
-          touch(v);
-        }
-        if (faceQuality(mesh, f) >= threshold)
-        {
-          continue;
-        }
-      }
-      const auto t = mesh.corners(f);
-      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < threshold; ++k)
-      {
-        helped = improve(t[k]) || helped;
-      }
-      const bool isFold = faceQuality(mesh, f) < 0;
-      // The neighbours of a fold may stand in the way.
-      for (int k = 0; mayMove && k < 3 && faceQuality(mesh, f) < 0; ++k)
-      {
-        std::vector<int> ring;
-        mesh.forEachFace(t[k], [&](int g) {
-          for (int u : mesh.corners(g))
-          {
-            ring.push_back(u);
-          }
-        });
-        makeUnique(ring);
-        for (int u : ring)
-        {
-          helped = improve(u) || helped;
-        }
-      }
-      changed = changed || helped;
-      if (!helped && !isFold)
-      {
-        known[f] = Known::Stuck;
-      }
-    }
-    if (!changed)
-    {
-      break;
+      return true;
     }
   }
-  return bad;
+  return false;
 }
 
 namespace
 {
-/// Where a triangle is worse than this (radians), valences are the lesser worry.
-constexpr double LeastQuality = 0.05;
-
-/// Swaps an edge and moves the vertices about it until all triangles there are good; false, and
-/// nothing is changed, if that does not succeed.
-bool swapAndSettle(OptimizedMesh& mesh, int edge, double threshold)
+/// Improves triangles, and remembers what need not be looked at again.
+class TriangleRepair
 {
-  const auto& graph = mesh.graph();
-  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
-  const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
-    graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
-    graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
-  std::vector<int> movable;
-  for (int v : quad)
+public:
+  TriangleRepair(MeshEdit& edit, double threshold, bool maySwap, bool mayMove)
+    : Edit(edit)
+    , Mesh(edit.mesh())
+    , Threshold(threshold)
+    , MaySwap(maySwap)
+    , MayMove(mayMove)
+    , Known(static_cast<std::size_t>(edit.mesh().faces().size()), Knowledge::None)
   {
-    mesh.forEachFace(v, [&](int f) {
-      for (int u : mesh.corners(f))
+  }
+
+  /// Over all triangles; returns whether anything changed.
+  bool pass()
+  {
+    parallelFor(this->Mesh.faces(), [&](Face f) {
+      if (this->Known[f] == Knowledge::None && !this->isBad(f))
       {
-        if (mesh.freedom(u) == Freedom::Surface)
-        {
-          movable.push_back(u);
-        }
+        this->Known[f] = Knowledge::Good;
       }
     });
-  }
-  makeUnique(movable);
-  std::vector<Footing> before;
-  for (int v : movable)
-  {
-    before.push_back(mesh.footing(v));
-  }
-  const auto worst = [&]() {
-    double q = 10;
-    for (int v : movable)
-    {
-      q = std::min(q, starQuality(mesh, v));
-    }
-    for (int v : quad)
-    {
-      q = std::min(q, starQuality(mesh, v));
-    }
-    return q;
-  };
-  const double wanted = std::min(threshold, worst());
-  if (wanted < LeastQuality)
-  {
-    return false;
-  }
-  mesh.forceSwap(edge);
-  constexpr int Rounds = 4;
-  for (int round = 0; round < Rounds; ++round)
-  {
+    this->Bad = 0;
     bool changed = false;
-    for (int v : movable)
+    for (const Face f : this->Mesh.faces())
     {
-      if (starQuality(mesh, v) < threshold)
+      if (this->Known[f] != Knowledge::Good &&
+        (this->Known[f] == Knowledge::Stuck || this->isBad(f)))
       {
-        changed = improveByMove(mesh, v) || changed;
+        ++this->Bad;
+        changed = (this->Known[f] != Knowledge::Stuck && this->improve(f)) || changed;
       }
     }
-    if (worst() >= wanted)
+    return changed;
+  }
+  /// That the last pass met.
+  int numberOfBad() const { return this->Bad; }
+
+private:
+  enum class Knowledge : char
+  {
+    None,
+    Good,
+    Stuck ///< nothing that its repair looks at has changed since it failed
+  };
+
+  bool isBad(Face f) const { return faceQuality(this->Mesh, f) < this->Threshold; }
+  bool isFolded(Face f) const { return faceQuality(this->Mesh, f) < 0; }
+
+  bool improve(Face f)
+  {
+    bool helped = this->MaySwap && this->improveBySwap(f);
+    if (helped && !this->isBad(f))
     {
       return true;
     }
-    if (!changed)
+    const auto corners = this->Mesh.corners(f);
+    for (int k = 0; this->MayMove && k < 3 && this->isBad(f); ++k)
     {
-      break;
+      helped = this->improveVertex(corners[k]) || helped;
     }
+    const bool isFold = this->isFolded(f);
+    // The neighbours of a fold may stand in the way.
+    for (int k = 0; this->MayMove && k < 3 && this->isFolded(f); ++k)
+    {
+      for (const Vertex u : cornersOf(this->Mesh, facesAbout(this->Mesh, { corners[k] })))
+      {
+        helped = this->improveVertex(u) || helped;
+      }
+    }
+    if (!helped && !isFold)
+    {
+      this->Known[f] = Knowledge::Stuck;
+    }
+    return helped;
   }
-  mesh.forceSwap(edge);
-  for (std::size_t i = 0; i < movable.size(); ++i)
+  bool improveBySwap(Face f)
   {
-    mesh.put(movable[i], before[i]);
+    Halfedge h = this->Mesh.halfedge(f);
+    for (int k = 0; k < 3; ++k, h = this->Mesh.next(h))
+    {
+      const Edge e = this->Mesh.edge(h);
+      if (!this->Mesh.isSwappable(e))
+      {
+        continue;
+      }
+      const auto [a, b, c, d] = this->Mesh.wingVertices(e);
+      const auto worst = [this](const Triangle3& s, const Triangle3& t) {
+        return std::min(triangleQuality(this->Mesh, s[0], s[1], s[2]),
+          triangleQuality(this->Mesh, t[0], t[1], t[2]));
+      };
+      const double before = worst({ a, b, c }, { b, a, d });
+      if (worst({ d, c, a }, { c, d, b }) > before + Tuning::RoundingOfAngle && this->Edit.swap(e))
+      {
+        for (const Vertex v : this->Mesh.corners(f))
+        {
+          this->touch(v);
+        }
+        return true;
+      }
+    }
+    return false;
   }
-  return false;
+  bool improveVertex(Vertex v)
+  {
+    const bool moved = improveByMove(this->Edit, v);
+    if (moved)
+    {
+      this->touch(v);
+    }
+    return moved;
+  }
+  void touch(Vertex v)
+  {
+    this->Mesh.forEachFace(v, [&](Face f) {
+      this->Known[f] = Knowledge::None;
+      for (const Vertex u : this->Mesh.corners(f))
+      {
+        this->Mesh.forEachFace(u, [&](Face g) {
+          this->Known[g] = this->Known[g] == Knowledge::Stuck ? Knowledge::None : this->Known[g];
+        });
+      }
+    });
+  }
+
+  using Triangle3 = std::array<Vertex, 3>;
+  MeshEdit& Edit;
+  const OptimizedMesh& Mesh;
+  const double Threshold;
+  const bool MaySwap;
+  const bool MayMove;
+  ElementArray<Face, Knowledge> Known;
+  int Bad = 0;
+};
+}
+
+int repairTriangles(
+  MeshEdit& edit, double threshold, bool maySwap, bool mayMove, int maximumNumberOfPasses)
+{
+  TriangleRepair repair(edit, threshold, maySwap, mayMove);
+  for (int pass = 0; pass < maximumNumberOfPasses && repair.pass(); ++pass)
+  {
+  }
+  return repair.numberOfBad();
+}
+
+namespace
+{
+/// Swaps an edge and moves the vertices about it until all triangles there are good; false, and
+/// nothing is changed, if that does not succeed.
+bool swapAndSettle(MeshEdit& edit, Edge e, double threshold)
+{
+  const OptimizedMesh& mesh = edit.mesh();
+  const auto quad = mesh.wingVertices(e);
+  std::vector<Vertex> changing(quad.begin(), quad.end());
+  const std::vector<Vertex> movable =
+    filtered(withRings(mesh, changing, 1), [&](Vertex v) { return mesh.isFree(v); });
+  changing.insert(changing.end(), movable.begin(), movable.end());
+  const std::vector<Face> faces = facesAbout(mesh, changing);
+  const double wanted = std::min(threshold, worstQuality(mesh, faces));
+  return wanted >= Tuning::HopelessAngle && edit.attempt([&]() {
+    edit.flip(e);
+    return settle(edit, movable, faces, threshold, wanted, Tuning::SettlingRounds);
+  });
 }
 }
 
-int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPasses)
+int repairValences(MeshEdit& edit, double threshold, int maximumNumberOfPasses)
 {
-  const auto& graph = mesh.graph();
+  const OptimizedMesh& mesh = edit.mesh();
+  const auto excess = [&](Halfedge h) { return valenceExcess(mesh, h); };
+  const auto cost = [](Vertex, int x) { return irregularity(x); };
   // A swap can only gain where one of the four valences is bad.
-  std::vector<char> isRegular(mesh.numberOfVertices());
-  const auto look = [&](int v) {
-    isRegular[v] = mesh.freedom(v) == Freedom::Surface &&
-      !graph.is_boundary(OptimizedMesh::Vertex(v)) && irregularity(mesh.valence(v) - 6) == 0;
+  ElementArray<Vertex, char> isRegular(static_cast<std::size_t>(mesh.vertices().size()));
+  const auto look = [&](Vertex v) {
+    isRegular[v] = mesh.isFree(v) && !mesh.isBoundary(v) && irregularity(mesh.valence(v) - 6) == 0;
   };
-  vtkSMPTools::For(0, mesh.numberOfVertices(), 1024, [&](vtkIdType begin, vtkIdType end) {
-    for (int v = static_cast<int>(begin); v < end; ++v)
-    {
-      look(v);
-    }
-  });
+  parallelFor(mesh.vertices(), look);
   int total = 0;
-  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  for (int pass = 0, swaps = 1; pass < maximumNumberOfPasses && swaps > 0; ++pass)
   {
-    int swaps = 0;
-    for (int edge = 0; edge < mesh.numberOfEdges(); ++edge)
+    swaps = 0;
+    for (const Edge e : mesh.edges())
     {
-      if (!mesh.isSwappable(edge))
+      if (!mesh.isSwappable(e))
       {
         continue;
       }
-      const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-      const HalfedgeHandle g = graph.opposite_halfedge_handle(h);
-      const std::array<HalfedgeHandle, 4> corner = { { h, g, graph.prev_halfedge_handle(h),
-        graph.prev_halfedge_handle(g) } };
-      std::array<int, 4> quad;
-      for (int i = 0; i < 4; ++i)
-      {
-        quad[i] = graph.from_vertex_handle(corner[i]).idx();
-      }
-      if (std::all_of(quad.begin(), quad.end(), [&](int v) { return isRegular[v] != 0; }))
+      const auto quad = mesh.wingVertices(e);
+      if (std::all_of(quad.begin(), quad.end(), [&](Vertex v) { return isRegular[v] != 0; }))
       {
         continue;
       }
-      int change = 0;
-      for (int i = 0; i < 4; ++i)
-      {
-        const int before = valenceExcess(mesh, corner[i]);
-        change += irregularity(before + (i < 2 ? -1 : 1)) - irregularity(before);
-      }
-      if (change < 0 && graph.is_flip_ok(OpenMesh::EdgeHandle(edge)) &&
-        swapAndSettle(mesh, edge, threshold))
+      if (costChangeOfSwap(mesh, e, excess, cost) < 0 && mesh.keepsManifold(e) &&
+        swapAndSettle(edit, e, threshold))
       {
         ++swaps;
         std::for_each(quad.begin(), quad.end(), look);
       }
     }
     total += swaps;
-    if (swaps == 0)
-    {
-      break;
-    }
   }
   return total;
 }
@@ -396,8 +337,9 @@ int repairValences(OptimizedMesh& mesh, double threshold, int maximumNumberOfPas
 namespace
 {
 /// Squared sides of a triangle, under the wanted density.
-double squaresOf(const OptimizedMesh& mesh, int a, int b, int c)
+double squaresOf(const OptimizedMesh& mesh, Face f)
 {
+  const auto [a, b, c] = mesh.corners(f);
   const Vec3& p = mesh.position(a);
   const Vec3& q = mesh.position(b);
   const Vec3& r = mesh.position(c);
@@ -406,55 +348,54 @@ double squaresOf(const OptimizedMesh& mesh, int a, int b, int c)
 }
 
 /// Sum over the triangles about v of the squares of that: least where they are alike and regular.
-double unevenness(const OptimizedMesh& mesh, int v)
+double unevenness(const OptimizedMesh& mesh, Vertex v)
 {
   double sum = 0;
-  mesh.forEachFace(v, [&](int f) {
-    const auto t = mesh.corners(f);
-    const double s = squaresOf(mesh, t[0], t[1], t[2]);
+  mesh.forEachFace(v, [&](Face f) {
+    const double s = squaresOf(mesh, f);
     sum += s * s;
   });
   return sum;
 }
 }
 
-void evenOut(OptimizedMesh& mesh, const std::vector<int>& vertices, double enough, int rounds,
-  const std::function<bool(int)>& accept)
+void equalizeTriangles(MeshEdit& edit, const std::vector<Vertex>& vertices, double enough,
+  int numberOfRounds, const std::function<bool(Vertex)>& accept)
 {
-  for (int round = 0; round < rounds; ++round)
+  const OptimizedMesh& mesh = edit.mesh();
+  for (int round = 0; round < numberOfRounds; ++round)
   {
-    for (int v : vertices)
+    for (const Vertex v : vertices)
     {
       const VertexStar star(mesh, v);
-      const double bound = std::min(enough, starQuality(mesh, v)) - 1e-9;
-      const Vec3& x = mesh.position(v);
+      const double bound = std::min(enough, starQuality(mesh, v)) - Tuning::RoundingOfAngle;
       const double before = unevenness(mesh, v);
       const auto isBetter = [&]() {
-        return star.exceeds(mesh.footing(v), bound) && unevenness(mesh, v) < before && accept(v);
+        return star.exceeds(mesh.state(v), bound) && unevenness(mesh, v) < before && accept(v);
       };
       Vec3 sum = Vec3::Zero();
       double total = 0;
-      mesh.forEachFace(v, [&](int f) {
-        const auto t = mesh.corners(f);
-        const double s = squaresOf(mesh, t[0], t[1], t[2]);
-        sum += s * (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2]) - 3. * x);
+      mesh.forEachFace(v, [&](Face f) {
+        const auto [a, b, c] = mesh.corners(f);
+        const double s = squaresOf(mesh, f);
+        sum += s * (mesh.position(a) + mesh.position(b) + mesh.position(c) - 3. * mesh.position(v));
         total += 2. * s;
       });
       const Vec3 step = sum / total;
-      if (mesh.freedom(v) == Freedom::Backbone)
+      if (mesh.isFree(v))
       {
-        const double length = step.norm();
-        mesh.trySlide(v, length, isBetter) || mesh.trySlide(v, -length, isBetter) ||
-          mesh.trySlide(v, 0.3 * length, isBetter) || mesh.trySlide(v, -0.3 * length, isBetter);
+        for (const double share : { 1., 0.5, 0.2 })
+        {
+          if (edit.tryPut(v, mesh.walk(mesh.place(v), share * step), isBetter))
+          {
+            break;
+          }
+        }
         continue;
       }
-      for (const double share : { 1., 0.5, 0.2 })
-      {
-        if (mesh.tryOut(v, mesh.footing(mesh.place(v), share * step), isBetter))
-        {
-          break;
-        }
-      }
+      const double length = step.norm();
+      edit.trySlide(v, length, isBetter) || edit.trySlide(v, -length, isBetter) ||
+        edit.trySlide(v, 0.3 * length, isBetter) || edit.trySlide(v, -0.3 * length, isBetter);
     }
   }
 }

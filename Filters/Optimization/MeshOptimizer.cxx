@@ -6,16 +6,15 @@
 #include "EdgeSwaps.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
+#include "ParallelFor.h"
 #include "Relaxation.h"
 #include "Ribs.h"
 #include "SelfIntersections.h"
 #include "SmallComponents.h"
 #include "SurfaceError.h"
-
-#include "vtkSMPTools.h"
+#include "Tuning.h"
 
 #include <algorithm>
-#include <array>
 
 namespace stipple
 {
@@ -24,72 +23,32 @@ namespace
 using Swaps = OptimizerOptions::Swaps;
 using Moves = OptimizerOptions::Moves;
 
-/// Lloyd's step goes `overRelaxation` times as far, and keeps the share `momentum` of the step
-/// before. What is too much for rest stirs the vertices out of poor arrangements, so it comes
-/// first.
-struct Pace
+/// Where the density changes from vertex to vertex, steps die down later, and need more of the time
+/// for it.
+Tuning::Pace paceAt(double progress, bool uniform)
 {
-  double overRelaxation;
-  double momentum;
-};
-
-/// Found by trial: better meshes in 42 rounds than with one pace (1.5, 0.7) in 60. Where the
-/// density changes from vertex to vertex, steps die down later, and need more of the time for it.
-Pace paceAt(double progress, bool uniform)
-{
-  constexpr Pace Stirring = { 1.7, 0.85 };
-  constexpr Pace Resting = { 1., 0.3 };
-  constexpr Pace StirringWithDensity = { 1.5, 0.85 };
-  constexpr Pace RestingWithDensity = { 1.5, 0.5 };
-  const Pace& from = uniform ? Stirring : StirringWithDensity;
-  const Pace& to = uniform ? Resting : RestingWithDensity;
-  const double begin = uniform ? 0.8 : 0.;
+  const Tuning::Pace& from = uniform ? Tuning::Stirring : Tuning::StirringWithDensity;
+  const Tuning::Pace& to = uniform ? Tuning::Resting : Tuning::RestingWithDensity;
+  const double begin = uniform ? Tuning::BeginOfRest : 0.;
   const double t = std::max(0., (progress - begin) / (1. - begin));
   return { from.overRelaxation + t * (to.overRelaxation - from.overRelaxation),
     from.momentum + t * (to.momentum - from.momentum) };
 }
 
-/// Longest step over the mean length of the edges about a vertex: beyond, the one-ring says
-/// nothing.
-constexpr double LongestStep = 0.5;
-/// Time step of the weighted Laplacian.
-constexpr double LaplacianStep = 0.3;
-constexpr int Grain = 256;
-
-/// Angles (radians) below which triangles are repaired at the end.
-constexpr double SmallAngle = 0.62;
-/// Smallest angle (degrees) that swaps for regularity may make. They come last: mixed with Delaunay
-/// swaps and moves they cost quality, for the moves spread what they disturb.
-constexpr double RegularityAngle = 36.;
-/// Angles (radians) that triangles keep when valences are repaired: what can be had at a good angle
-/// is not had at a lesser one.
-constexpr std::array<double, 2> ValenceAngles = { 0.613, 0.577 };
-/// And when the error is reduced.
-constexpr double ErrorAngle = 0.616;
-/// And when triangles that pass through each other are parted.
-constexpr double PartingAngle = 0.5;
-/// By how much more (radians) creases are opened than asked for: Lloyd's method does not place
-/// their first points to the point.
-constexpr double AcuteMargin = 0.01;
-/// In between, once the first rounds have brought order, those below this one and all folds are.
-constexpr double SliverAngle = 0.25;
-/// Rounds between repairs.
-constexpr int RepairInterval = 10;
-
-void swapEdges(OptimizedMesh& mesh, Swaps swaps, int passes)
+void swapEdges(MeshEdit& edit, Swaps swaps, int passes)
 {
   if (swaps == Swaps::Regularity)
   {
-    delaunaySwaps(mesh, passes);
+    delaunaySwaps(edit, passes);
   }
   else if (swaps == Swaps::Aspect)
   {
-    aspectSwaps(mesh, passes);
+    aspectSwaps(edit, passes);
   }
 }
 
 Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
-  const OptimizerOptions& options, const Pace& pace, int v, const Vec3& last)
+  const OptimizerOptions& options, const Tuning::Pace& pace, Vertex v, const Vec3& last)
 {
   if (options.moves == Moves::Lloyd)
   {
@@ -97,11 +56,105 @@ Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
     const Vec3 step = pace.momentum * last +
       pace.overRelaxation * towardsRidges(mesh, v, lloydStep(mesh, measures, v, isDelaunay));
     const double length = step.norm();
-    return exceedsEdges(mesh, v, length, LongestStep)
-      ? Vec3(LongestStep * meanEdgeLength(mesh, v) / length * step)
+    return exceedsEdges(mesh, v, length, Tuning::LongestStep)
+      ? Vec3(Tuning::LongestStep * meanEdgeLength(mesh, v) / length * step)
       : step;
   }
-  return LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
+  return Tuning::LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
+}
+
+/// Rounds of swaps and moves (paper 4.4), with repairs in between.
+Status relax(
+  OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, const Progress& progress)
+{
+  const bool moves = options.moves != Moves::None;
+  const bool swaps = options.swaps != Swaps::None;
+  const auto n = static_cast<std::size_t>(mesh.vertices().size());
+  FaceMeasures measures;
+  ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
+  ElementArray<Vertex, double> arcLength(n, 0.);
+  SmallComponents small(mesh);
+  for (int i = 0; i < options.iterations; ++i)
+  {
+    const double done = static_cast<double>(i) / options.iterations;
+    if (!report(progress, done))
+    {
+      return Status::aborted();
+    }
+    const Tuning::Pace pace = paceAt(done, mesh.uniform());
+    swapEdges(edit, options.swaps, i == 0 ? Tuning::ManyPasses : Tuning::PassesInRound);
+    if (i == 0 && options.moves == Moves::Lloyd && options.acuteCornerAngle > 0)
+    {
+      mesh.coarsen(findAcuteCorners(mesh, options.acuteCornerAngle + Tuning::AcuteMargin));
+    }
+    if (moves)
+    {
+      measures.update(mesh);
+      parallelFor(mesh.vertices(), [&](Vertex v) {
+        arcLength[v] = mesh.arcLength(v);
+        if (mesh.isFree(v))
+        {
+          step[v] = small.rests(v) ? Vec3(Vec3::Zero())
+                                   : nextStep(mesh, measures, options, pace, v, step[v]);
+        }
+      });
+      relaxBackbones(mesh, arcLength);
+      small.note();
+      edit.moveAll(step, arcLength);
+      small.restore(edit);
+    }
+    if (i % Tuning::RepairInterval == Tuning::FirstRepair)
+    {
+      const double threshold = i == Tuning::FirstRepair ? 0. : Tuning::SliverAngle;
+      if (repairTriangles(edit, threshold, swaps, moves, Tuning::PassesOfRepair) > 0 && moves &&
+        swaps)
+      {
+        unfold(edit);
+      }
+    }
+  }
+  return Status::success();
+}
+
+/// What makes the mesh good in the end, triangle by triangle.
+void finish(MeshEdit& edit, const OptimizerOptions& options)
+{
+  const bool moves = options.moves != Moves::None;
+  const bool swaps = options.swaps != Swaps::None;
+  const auto repair = [&](bool maySwap, bool mayMove, int passes) {
+    repairTriangles(edit, Tuning::SmallAngle, maySwap, mayMove, passes);
+  };
+  swapEdges(edit, options.swaps, Tuning::ManyPasses);
+  if (options.swaps == Swaps::Regularity)
+  {
+    regularitySwaps(edit, Tuning::RegularityAngle, Tuning::PassesInRound);
+  }
+  repair(swaps, moves, Tuning::LastPassesOfRepair);
+  if (!moves)
+  {
+    return;
+  }
+  if (swaps && unfold(edit) > 0)
+  {
+    repair(swaps, moves, Tuning::LastPassesOfRepair);
+  }
+  if (options.swaps == Swaps::Regularity)
+  {
+    for (const double angle : Tuning::ValenceAngles)
+    {
+      repairValences(edit, angle, Tuning::PassesOfRepair);
+    }
+    repair(false, true, Tuning::PassesInRound);
+    if (options.ribs)
+    {
+      makeRibs(edit);
+    }
+  }
+  if (options.errorReduction > 0)
+  {
+    reduceSurfaceError(edit, Tuning::ErrorAngle, options.errorReduction);
+  }
+  resolveSelfIntersections(edit, Tuning::PassesOfParting);
 }
 }
 
@@ -111,84 +164,13 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   {
     return Status::success();
   }
-  const int n = mesh.numberOfVertices();
-  const bool moves = options.moves != Moves::None;
-  const bool swaps = options.swaps != Swaps::None;
-  FaceMeasures measures;
-  std::vector<Vec3> step(n, Vec3::Zero());
-  std::vector<double> arcLength(n, 0.);
-  SmallComponents small(mesh);
-  for (int i = 0; i < options.iterations; ++i)
+  MeshEdit edit(mesh);
+  Status status = relax(mesh, edit, options, progress);
+  if (!status.ok())
   {
-    const double done = static_cast<double>(i) / options.iterations;
-    if (!report(progress, done))
-    {
-      return Status::aborted();
-    }
-    const Pace pace = paceAt(done, mesh.uniform());
-    swapEdges(mesh, options.swaps, i == 0 ? 10 : 2);
-    if (i == 0 && options.moves == Moves::Lloyd && options.acuteCornerAngle > 0)
-    {
-      mesh.coarsen(findAcuteCorners(mesh, options.acuteCornerAngle + AcuteMargin));
-    }
-    if (moves)
-    {
-      measures.update(mesh);
-      vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
-        for (int v = static_cast<int>(begin); v < end; ++v)
-        {
-          arcLength[v] = mesh.arcLength(v);
-          if (mesh.freedom(v) == Freedom::Surface)
-          {
-            step[v] = small.rests(v) ? Vec3(Vec3::Zero())
-                                     : nextStep(mesh, measures, options, pace, v, step[v]);
-          }
-        }
-      });
-      relaxBackbones(mesh, arcLength);
-      small.note();
-      mesh.move(step, arcLength);
-      small.restore();
-    }
-    if (i % RepairInterval == 2)
-    {
-      const bool isFirst = i < RepairInterval;
-      if (repairTriangles(mesh, isFirst ? 0. : SliverAngle, swaps, moves, 3) > 0 && moves && swaps)
-      {
-        unfold(mesh);
-      }
-    }
+    return status;
   }
-  swapEdges(mesh, options.swaps, 10);
-  if (options.swaps == Swaps::Regularity)
-  {
-    regularitySwaps(mesh, RegularityAngle, 2);
-  }
-  repairTriangles(mesh, SmallAngle, swaps, moves, 5);
-  if (moves && swaps && unfold(mesh) > 0)
-  {
-    repairTriangles(mesh, SmallAngle, swaps, moves, 5);
-  }
-  if (moves && options.swaps == Swaps::Regularity)
-  {
-    for (const double angle : ValenceAngles)
-    {
-      repairValences(mesh, angle, 3);
-    }
-    repairTriangles(mesh, SmallAngle, false, true, 2);
-    if (options.ribs)
-    {
-      makeRibs(mesh);
-    }
-  }
-  if (moves && options.errorReduction > 0)
-  {
-    reduceSurfaceError(mesh, ErrorAngle, options.errorReduction);
-  }
-  if (moves)
-  {
-    resolveSelfIntersections(mesh, PartingAngle, 8);
-  }
+  finish(edit, options);
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }

@@ -3,8 +3,7 @@
 #include "OptimizedMesh.h"
 
 #include "MeshCreation.h"
-
-#include "vtkSMPTools.h"
+#include "Tuning.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,12 +12,6 @@ namespace stipple
 {
 namespace
 {
-/// The height of a triangle is at least this share of its longest edge.
-constexpr double MinimumHeight = 0.02;
-constexpr int Grain = 512;
-/// A constraint and the point that it became lie this share of the diagonal apart at most.
-constexpr double ConstraintTolerance = 1e-8;
-
 /// Tells the points that constraints became, also on backbones, where their samples are of a
 /// backbone's kind.
 class ConstraintFinder
@@ -33,7 +26,8 @@ public:
     }
     std::sort(this->Places.begin(), this->Places.end(),
       [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
-    this->Reach = this->Places.empty() ? 0. : ConstraintTolerance * surface.boundingBoxDiagonal();
+    this->Reach =
+      this->Places.empty() ? 0. : Tuning::ConstraintTolerance * surface.boundingBoxDiagonal();
   }
   bool isConstraint(const Vec3& p) const
   {
@@ -61,16 +55,11 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
   this->Atlas = &atlas;
   this->Field = &density;
   this->Original = samples;
-  const int n = static_cast<int>(samples.size());
+  const std::size_t n = samples.size();
   const FeatureGraph& graph = atlas.graph();
-  this->Place.resize(n);
-  this->Position.resize(n);
-  this->Normal.resize(n);
-  this->Behind.assign(n, Vec3::Zero());
-  this->Density.assign(n, 1.);
+  this->State.assign(n, VertexState());
   this->Free.assign(n, Freedom::Surface);
   this->BackboneOf.assign(n, -1);
-  this->ArcLength.assign(n, 0.);
   // Corners, also tips of cones that a seam runs through, and where sharp and boundary backbones
   // end.
   std::vector<char> fixedNode = graph.isCorner;
@@ -83,12 +72,12 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
     }
   }
   const ConstraintFinder constraints(atlas);
-  for (int v = 0; v < n; ++v)
+  for (const Vertex v : this->vertices())
   {
-    const Sample& s = samples[v];
-    this->placeVertex(v, { s.face, s.bary });
+    const Sample& s = samples[v.index()];
+    this->put(v, this->pointAt({ s.face, s.bary }));
     const bool constrained =
-      s.kind != SampleKind::Interior && constraints.isConstraint(this->Position[v]);
+      s.kind != SampleKind::Interior && constraints.isConstraint(this->position(v));
     if (s.kind == SampleKind::Constraint ||
       (s.kind == SampleKind::Corner && s.surfacePoint >= 0 && fixedNode[s.surfacePoint]))
     {
@@ -98,7 +87,7 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
     {
       if (s.backbone < 0 || s.backbone >= static_cast<int>(graph.backbones.size()))
       {
-        return Status::error("Point " + std::to_string(v) + " lies on backbone " +
+        return Status::error("Point " + std::to_string(v.index()) + " lies on backbone " +
           std::to_string(s.backbone) +
           ", which the feature graph does not have: pass the one of the mesh.");
       }
@@ -106,48 +95,50 @@ Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& densi
       {
         this->Free[v] = constrained ? Freedom::None : Freedom::Backbone;
         this->BackboneOf[v] = s.backbone;
-        this->ArcLength[v] = s.arcLength;
-        this->lookBehind(v);
+        this->State[v].arcLength = s.arcLength;
+        this->findOtherNormal(v);
         continue;
       }
     }
-    if (constrained && this->Free[v] == Freedom::Surface) // on a seam, which heals
+    if (constrained && this->isFree(v)) // on a seam, which heals
     {
       this->Free[v] = Freedom::None;
-      this->Original[v] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };
+      this->Original[v.index()] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };
     }
   }
   Status status = this->connect(triangles);
-  return status.ok() ? this->markFeatures() : status;
+  return status.ok() ? this->markCreases() : status;
 }
 
 /// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the
 /// triangles.
 Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
 {
+  using Handle = OpenMesh::HalfedgeHandle;
   const auto twin = halfedgeTwins(triangles);
   const int n = static_cast<int>(triangles.size());
   this->Graph.clear();
-  this->Graph.reserve(this->Position.size(), twin.size() / 2 + 1, triangles.size());
-  for (std::size_t v = 0; v < this->Position.size(); ++v)
+  this->Graph.reserve(this->State.size(), twin.size() / 2 + 1, triangles.size());
+  for (std::size_t v = 0; v < this->State.size(); ++v)
   {
     this->Graph.new_vertex();
   }
-  std::vector<Halfedge> own(twin.size());
+  std::vector<Handle> own(twin.size());
   const auto tail = [&](int h) { return triangles[h / 3][h % 3]; };
-  std::vector<Halfedge> outside(this->Position.size()); // boundary halfedge out of a vertex
+  std::vector<Handle> outside(this->State.size()); // boundary halfedge out of a vertex
   for (int h = 0; h < 3 * n; ++h)
   {
+    const int head = tail(nextHalfedge(h));
     if (twin[h] == -2)
     {
       return Status::error("The mesh's edge between the points " + std::to_string(tail(h)) +
-        " and " + std::to_string(tail(nextHalfedge(h))) +
+        " and " + std::to_string(head) +
         " is not manifold or not consistently oriented: pass the output of vtkCDTRemesh.");
     }
     if (twin[h] > h || twin[h] < 0)
     {
-      own[h] = this->Graph.new_edge(Vertex(tail(h)), Vertex(tail(nextHalfedge(h))));
-      const Halfedge opposite = this->Graph.opposite_halfedge_handle(own[h]);
+      own[h] = this->Graph.new_edge(raw(Vertex(tail(h))), raw(Vertex(head)));
+      const Handle opposite = this->Graph.opposite_halfedge_handle(own[h]);
       if (twin[h] >= 0)
       {
         own[twin[h]] = opposite;
@@ -155,7 +146,7 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
       else
       {
         this->Graph.set_boundary(opposite);
-        outside[tail(nextHalfedge(h))] = opposite;
+        outside[head] = opposite;
       }
     }
   }
@@ -168,10 +159,10 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
       const int h = 3 * f + k;
       this->Graph.set_face_handle(own[h], face);
       this->Graph.set_next_halfedge_handle(own[h], own[nextHalfedge(h)]);
-      this->Graph.set_halfedge_handle(Vertex(triangles[f][k]), own[h]);
+      this->Graph.set_halfedge_handle(raw(Vertex(triangles[f][k])), own[h]);
     }
   }
-  for (const Halfedge h : outside)
+  for (const Handle h : outside)
   {
     if (h.is_valid())
     {
@@ -179,121 +170,145 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
       this->Graph.set_halfedge_handle(this->Graph.from_vertex_handle(h), h);
     }
   }
-  for (std::size_t v = 0; v < this->Position.size(); ++v)
+  for (const Vertex v : this->vertices())
   {
-    if (!this->Graph.halfedge_handle(Vertex(static_cast<int>(v))).is_valid())
+    if (!this->halfedge(v).valid())
     {
-      return Status::error("Point " + std::to_string(v) +
+      return Status::error("Point " + std::to_string(v.index()) +
         " of the mesh is in no triangle: pass the output of vtkCDTRemesh.");
     }
   }
   return Status::success();
 }
 
-Status OptimizedMesh::markFeatures()
+Status OptimizedMesh::markCreases()
 {
-  this->Feature.assign(this->Graph.n_edges(), 0);
-  this->Chain = backboneChains(this->Atlas->graph(), this->Original);
-  for (std::size_t b = 0; b < this->Chain.size(); ++b)
+  this->Crease.assign(this->Graph.n_edges(), 0);
+  const auto chains = backboneChains(this->Atlas->graph(), this->Original);
+  this->Chain.assign(chains.size(), {});
+  for (std::size_t b = 0; b < chains.size(); ++b)
   {
-    std::vector<int>& chain = this->Chain[b];
     if (this->Atlas->graph().backbones[b].type == BackboneType::Seam)
     {
-      chain.clear();
+      continue;
+    }
+    std::vector<Vertex>& chain = this->Chain[b];
+    for (const int v : chains[b])
+    {
+      chain.push_back(Vertex(v));
     }
     for (std::size_t i = 1; i < chain.size(); ++i)
     {
-      const Halfedge h = this->Graph.find_halfedge(Vertex(chain[i - 1]), Vertex(chain[i]));
+      const auto h = this->Graph.find_halfedge(raw(chain[i - 1]), raw(chain[i]));
       if (!h.is_valid())
       {
         return Status::error("The mesh has no edge between the points " +
-          std::to_string(chain[i - 1]) + " and " + std::to_string(chain[i]) +
+          std::to_string(chain[i - 1].index()) + " and " + std::to_string(chain[i].index()) +
           ", neighbours on backbone " + std::to_string(b) +
           ": pass the output of vtkCDTRemesh and its feature graph.");
       }
-      this->Feature[this->Graph.edge_handle(h).idx()] = 1;
+      this->Crease[this->edge(id(h))] = 1;
     }
   }
   return Status::success();
 }
 
-void OptimizedMesh::placeVertex(int v, const SurfacePlace& place)
+SurfacePoint OptimizedMesh::pointAt(const SurfacePlace& place) const
 {
-  this->Place[v] = place;
-  this->Position[v] = this->Atlas->surface().position(place.face, place.bary);
-  this->Normal[v] = this->Atlas->smoothNormal(place.face);
-  this->Density[v] = this->densityAt(place, this->Position[v]);
+  return { place, this->Atlas->surface().position(place.face, place.bary),
+    this->Atlas->smoothNormal(place.face) };
 }
 
-double OptimizedMesh::densityAt(const SurfacePlace& place, const Vec3& position) const
+SurfacePoint OptimizedMesh::walk(const SurfacePlace& from, const Vec3& step) const
+{
+  return this->pointAt(this->Atlas->walk().walk(from, step));
+}
+
+double OptimizedMesh::densityAt(const SurfacePoint& point) const
 {
   const double density =
-    this->Field->uniform() ? 1. : this->Field->at(this->Atlas->surface(), place);
+    this->Field->uniform() ? 1. : this->Field->at(this->Atlas->surface(), point.place);
   if (this->Coarse.empty())
   {
     return density;
   }
-  const double growth = this->Coarse.growthAt(place.face, position);
+  const double growth = this->Coarse.growthAt(point.place.face, point.position);
   return density / (growth * growth);
 }
 
 void OptimizedMesh::coarsen(CoarseRegions regions)
 {
   this->Coarse = std::move(regions);
-  for (int v = 0; v < this->numberOfVertices(); ++v)
+  for (VertexState& state : this->State)
   {
-    this->Density[v] = this->densityAt(this->Place[v], this->Position[v]);
+    state.density = this->densityAt(state);
   }
 }
 
-void OptimizedMesh::placeOnBackbone(int v, double arcLength)
+void OptimizedMesh::put(Vertex v, const SurfacePoint& there)
 {
-  const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
-  if (this->Atlas->graph().backbones[this->BackboneOf[v]].closed)
+  VertexState& state = this->State[v];
+  static_cast<SurfacePoint&>(state) = there;
+  state.density = this->densityAt(there);
+}
+
+void OptimizedMesh::putOnBackbone(Vertex v, double arcLength)
+{
+  const int backbone = this->BackboneOf[v];
+  const double length = this->Atlas->traces()[backbone].length();
+  if (this->Atlas->graph().backbones[backbone].closed)
   {
     arcLength -= length * std::floor(arcLength / length);
   }
-  this->ArcLength[v] = arcLength;
-  this->placeVertex(v, this->Atlas->placeOfBackbone(this->BackboneOf[v], arcLength));
-  this->lookBehind(v);
+  this->put(v, this->pointAt(this->Atlas->placeOfBackbone(backbone, arcLength)));
+  this->State[v].arcLength = arcLength;
+  this->findOtherNormal(v);
 }
 
-void OptimizedMesh::lookBehind(int v)
+void OptimizedMesh::findOtherNormal(Vertex v)
 {
-  if (this->BackboneOf[v] < 0)
-  {
-    return;
-  }
-  this->Behind[v] = this->Normal[v];
+  VertexState& state = this->State[v];
+  state.otherNormal = state.normal;
   const BackboneTrace& trace = this->Atlas->traces()[this->BackboneOf[v]];
   if (trace.chart[0] >= 0 && trace.chart[1] >= 0)
   {
-    const BackboneTrace::Place place = trace.locate(this->ArcLength[v]);
-    const int side = this->Place[v].face == trace.face(place, 1) ? 0 : 1;
-    this->Behind[v] = this->Atlas->smoothNormal(trace.face(place, side));
+    const BackboneTrace::Place place = trace.locate(state.arcLength);
+    const int side = state.place.face == trace.face(place, 1) ? 0 : 1;
+    state.otherNormal = this->Atlas->smoothNormal(trace.face(place, side));
   }
 }
 
-int OptimizedMesh::valence(int v) const
+int OptimizedMesh::valence(Vertex v) const
 {
   int n = 0;
   this->forEachHalfedge(v, [&n](Halfedge) { ++n; });
   return n;
 }
 
+Vec3 OptimizedMesh::faceNormal(Face f) const
+{
+  const auto [a, b, c] = this->corners(f);
+  const Vec3& p = this->position(a);
+  return (this->position(b) - p).cross(this->position(c) - p).normalized();
+}
+
+double OptimizedMesh::faceArea(Face f) const
+{
+  const auto [a, b, c] = this->corners(f);
+  return triangleArea(this->position(a), this->position(b), this->position(c));
+}
+
 std::vector<Triangle> OptimizedMesh::triangles() const
 {
-  std::vector<Triangle> result(this->Graph.n_faces());
-  for (std::size_t f = 0; f < result.size(); ++f)
+  std::vector<Triangle> result;
+  result.reserve(this->Graph.n_faces());
+  for (const Face f : this->faces())
   {
-    Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(f)));
-    for (int k = 0; k < 3; ++k, h = this->Graph.next_halfedge_handle(h))
-    {
-      result[f][k] = this->Graph.from_vertex_handle(h).idx();
-    }
+    const auto [a, b, c] = this->corners(f);
+    Triangle t = { a.index(), b.index(), c.index() };
     // Whatever swaps did to the halfedges: the smallest point comes first.
-    std::rotate(
-      result[f].begin(), std::min_element(result[f].begin(), result[f].end()), result[f].end());
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    result.push_back(t);
   }
   return result;
 }
@@ -301,14 +316,13 @@ std::vector<Triangle> OptimizedMesh::triangles() const
 std::vector<Sample> OptimizedMesh::samples() const
 {
   std::vector<Sample> result = this->Original;
-  for (int v = 0; v < this->numberOfVertices(); ++v)
+  for (const Vertex v : this->vertices())
   {
-    Sample& s = result[v];
-    s.face = this->Place[v].face;
-    s.bary = this->Place[v].bary;
-    s.arcLength = this->ArcLength[v];
-    if (this->Free[v] == Freedom::Surface) // seams have healed: nothing tells their samples from
-                                           // others
+    Sample& s = result[v.index()];
+    s.face = this->place(v).face;
+    s.bary = this->place(v).bary;
+    s.arcLength = this->arcLength(v);
+    if (this->isFree(v)) // seams have healed: nothing tells their samples from others
     {
       s = { SampleKind::Interior, s.face, s.bary, -1, 0., -1 };
     }
@@ -316,213 +330,66 @@ std::vector<Sample> OptimizedMesh::samples() const
   return result;
 }
 
-bool OptimizedMesh::isSound(int a, int b, int c) const
+bool OptimizedMesh::isSound(Vertex a, Vertex b, Vertex c) const
 {
-  const Vec3& p = this->Position[a];
-  const Vec3& q = this->Position[b];
-  const Vec3& r = this->Position[c];
+  const Vec3& p = this->position(a);
+  const Vec3& q = this->position(b);
+  const Vec3& r = this->position(c);
   const Vec3 n = (q - p).cross(r - p);
   const double area = n.norm();
   const double longest =
     std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
-  if (!(area > MinimumHeight * longest))
+  if (!(area > Tuning::LeastSoundHeight * longest))
   {
     return false;
   }
-  const bool isOnCreases = this->Free[a] != Freedom::Surface && this->Free[b] != Freedom::Surface &&
-    this->Free[c] != Freedom::Surface;
-  return (isOnCreases ? this->agreementOnCreases(a, b, c, n) : this->agreement(a, b, c, n)) >=
-    minimumAgreement();
+  const bool isOnCreases = !this->isFree(a) && !this->isFree(b) && !this->isFree(c);
+  return (isOnCreases ? this->normalAgreementOnCreases(a, b, c, n)
+                      : this->normalAgreement(a, b, c, n)) >= Tuning::LeastAgreement;
 }
 
-double OptimizedMesh::agreementOnCreases(int a, int b, int c, const Vec3& normal) const
+bool OptimizedMesh::isSound(Face f) const
+{
+  const auto [a, b, c] = this->corners(f);
+  return this->isSound(a, b, c);
+}
+
+namespace
+{
+double meanCosine(double sum, int count, double length)
+{
+  return count > 0 && length > 0 ? sum / (count * length) : 1.;
+}
+}
+
+double OptimizedMesh::normalAgreementOnCreases(
+  Vertex a, Vertex b, Vertex c, const Vec3& normal) const
 {
   double sum = 0;
   int count = 0;
-  for (int v : { a, b, c })
+  for (const Vertex v : { a, b, c })
   {
     if (this->BackboneOf[v] >= 0)
     {
-      sum += std::max(normal.dot(this->Normal[v]), normal.dot(this->Behind[v]));
+      sum += std::max(normal.dot(this->normal(v)), normal.dot(this->State[v].otherNormal));
       ++count;
     }
   }
-  const double length = normal.norm();
-  return count > 0 && length > 0 ? sum / (count * length) : 1.;
+  return meanCosine(sum, count, normal.norm());
 }
 
-double OptimizedMesh::agreement(int a, int b, int c, const Vec3& normal) const
+double OptimizedMesh::normalAgreement(Vertex a, Vertex b, Vertex c, const Vec3& normal) const
 {
   double sum = 0;
   int count = 0;
-  for (int v : { a, b, c })
+  for (const Vertex v : { a, b, c })
   {
-    if (this->Free[v] == Freedom::Surface) // on a crease the surface has no one normal
+    if (this->isFree(v)) // on a crease the surface has no one normal
     {
-      sum += normal.dot(this->Normal[v]);
+      sum += normal.dot(this->normal(v));
       ++count;
     }
   }
-  const double length = normal.norm();
-  return count > 0 && length > 0 ? sum / (count * length) : 1.;
-}
-
-bool OptimizedMesh::isSoundFace(int f) const
-{
-  const auto t = this->corners(f);
-  return this->isSound(t[0], t[1], t[2]);
-}
-
-bool OptimizedMesh::swap(int edge)
-{
-  const OpenMesh::EdgeHandle e(edge);
-  if (!this->isSwappable(edge) || !this->Graph.is_flip_ok(e))
-  {
-    return false;
-  }
-  const Halfedge h = this->Graph.halfedge_handle(e, 0);
-  const Halfedge g = this->Graph.halfedge_handle(e, 1);
-  const int a = this->Graph.from_vertex_handle(h).idx();
-  const int b = this->Graph.to_vertex_handle(h).idx();
-  const int c = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx();
-  const int d = this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(g)).idx();
-  const int after = this->isSound(d, c, a) + this->isSound(c, d, b);
-  if (after < 2 && after < this->isSound(a, b, c) + this->isSound(b, a, d))
-  {
-    return false;
-  }
-  this->Graph.flip(e);
-  return true;
-}
-
-void OptimizedMesh::move(std::vector<Vec3>& step, const std::vector<double>& arcLength)
-{
-  const int n = this->numberOfVertices();
-  const int faces = this->numberOfFaces();
-  std::vector<SurfacePlace>& oldPlace = this->Before.place; // kept for their memory only
-  std::vector<double>& oldArcLength = this->Before.arcLength;
-  std::vector<Vec3>& oldPosition = this->Before.position;
-  std::vector<Vec3>& oldNormal = this->Before.normal;
-  std::vector<Vec3>& oldBehind = this->Before.behind;
-  oldPlace = this->Place;
-  oldArcLength = this->ArcLength;
-  oldPosition = this->Position;
-  oldNormal = this->Normal;
-  oldBehind = this->Behind;
-  std::vector<float> share(n, 1.f);
-  std::vector<int> drawnBack;
-  const auto forget = [&]() {
-    for (int v : drawnBack) // no momentum into what was refused
-    {
-      step[v] = Vec3::Zero();
-    }
-  };
-  const auto moveVertex = [&](int v) {
-    if (this->Free[v] == Freedom::Surface)
-    {
-      this->placeVertex(
-        v, share[v] > 0 ? this->Atlas->walk().walk(oldPlace[v], share[v] * step[v]) : oldPlace[v]);
-    }
-    else if (this->Free[v] == Freedom::Backbone)
-    {
-      this->placeOnBackbone(v, oldArcLength[v] + share[v] * (arcLength[v] - oldArcLength[v]));
-    }
-  };
-  vtkSMPTools::For(0, n, Grain, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType v = begin; v < end; ++v)
-    {
-      moveVertex(static_cast<int>(v));
-    }
-  });
-  // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
-  // at last all the way.
-  std::vector<char> isSoundNow(faces);
-  for (int round = 0; round < 12; ++round)
-  {
-    vtkSMPTools::For(0, faces, Grain, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType f = begin; f < end; ++f)
-      {
-        isSoundNow[f] = this->isSoundFace(static_cast<int>(f));
-      }
-    });
-    // Most rounds end here; only now look back at how the few were before.
-    std::vector<int> unsound;
-    for (int f = 0; f < faces; ++f)
-    {
-      if (!isSoundNow[f])
-      {
-        unsound.push_back(f);
-      }
-    }
-    this->Position.swap(oldPosition);
-    this->Normal.swap(oldNormal);
-    this->Behind.swap(oldBehind);
-    std::vector<int> back;
-    for (int f : unsound)
-    {
-      Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(f));
-      for (int k = 0; k < 3 && this->isSoundFace(f); ++k, h = this->Graph.next_halfedge_handle(h))
-      {
-        back.push_back(this->Graph.to_vertex_handle(h).idx());
-      }
-    }
-    this->Position.swap(oldPosition);
-    this->Normal.swap(oldNormal);
-    this->Behind.swap(oldBehind);
-    if (back.empty())
-    {
-      forget();
-      return;
-    }
-    makeUnique(back);
-    for (int v : back)
-    {
-      share[v] = round < 2 ? 0.5f * share[v] : 0.f;
-      moveVertex(v);
-      drawnBack.push_back(v);
-    }
-  }
-  forget();
-  // Drawing back spread on and on: take back the whole step.
-  std::fill(share.begin(), share.end(), 0.f);
-  for (int v = 0; v < n; ++v)
-  {
-    moveVertex(v);
-  }
-}
-
-Footing OptimizedMesh::footing(const SurfacePlace& from, const Vec3& step) const
-{
-  Footing there;
-  there.place = this->Atlas->walk().walk(from, step);
-  there.position = this->Atlas->surface().position(there.place.face, there.place.bary);
-  there.normal = this->Atlas->smoothNormal(there.place.face);
-  return there;
-}
-
-void OptimizedMesh::put(int v, const Footing& there)
-{
-  this->stand(v, there);
-  this->Density[v] = this->densityAt(there.place, there.position);
-}
-
-bool OptimizedMesh::hasRoom(int v, double step) const
-{
-  if (this->Free[v] != Freedom::Backbone)
-  {
-    return false;
-  }
-  double room = 1e300; // to its neighbours on the backbone
-  this->forEachHalfedge(v, [&](Halfedge h) {
-    if (this->Feature[this->Graph.edge_handle(h).idx()])
-    {
-      room = std::min(
-        room, (this->Position[this->Graph.to_vertex_handle(h).idx()] - this->Position[v]).norm());
-    }
-  });
-  const double length = this->Atlas->traces()[this->BackboneOf[v]].length();
-  const double target = this->ArcLength[v] + step;
-  const bool closed = this->Atlas->graph().backbones[this->BackboneOf[v]].closed;
-  return std::abs(step) <= 0.5 * room && (closed || (target > 0 && target < length));
+  return meanCosine(sum, count, normal.norm());
 }
 }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh under optimisation: its connectivity, and the place of every vertex on the surface.
+// The mesh under optimisation: its connectivity, and the place of every vertex on the surface. It
+// is read here; MeshEdit changes it.
 #ifndef stipple_OptimizedMesh_h
 #define stipple_OptimizedMesh_h
 
 #include "CoarseRegions.h"
 #include "DensityField.h"
+#include "ElementIds.h"
 #include "SampleSet.h"
 #include "StippleFiltersOptimizationModule.h"
 #include "SurfaceCache.h"
@@ -17,6 +19,8 @@
 
 namespace stipple
 {
+using Edge = ElementId<struct EdgeElement>; ///< of two halfedges
+
 /// How a vertex may move.
 enum class Freedom : char
 {
@@ -25,16 +29,25 @@ enum class Freedom : char
   None      ///< corners and constraints, also those on backbones
 };
 
-/// A place on the surface, and what is asked there most.
-struct Footing
+/// A point of the surface.
+struct SurfacePoint
 {
   SurfacePlace place;
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::Zero(); ///< of the surface, averaged over a few faces about the place
 };
 
+/// All that a vertex's moves change.
+struct VertexState : SurfacePoint
+{
+  double density = 1;              ///< of vertices, as wanted at the place
+  double arcLength = 0;            ///< on its backbone
+  Vec3 otherNormal = Vec3::Zero(); ///< on the other side of its backbone
+};
+
 /// Ascending, and each once.
-inline void makeUnique(std::vector<int>& ids)
+template <typename Id>
+void makeUnique(std::vector<Id>& ids)
 {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -43,197 +56,159 @@ inline void makeUnique(std::vector<int>& ids)
 class STIPPLEFILTERSOPTIMIZATION_EXPORT OptimizedMesh
 {
 public:
-  using Connectivity = OpenMesh::TriConnectivity; // halfedges without coordinates
-  using Halfedge = OpenMesh::HalfedgeHandle;
-  using Vertex = OpenMesh::VertexHandle;
-
   /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of
   /// a backbone.
   Status build(const SurfaceCache& atlas, const DensityField& density,
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
 
-  int numberOfVertices() const { return static_cast<int>(this->Position.size()); }
-  int numberOfFaces() const { return static_cast<int>(this->Graph.n_faces()); }
-  int numberOfEdges() const { return static_cast<int>(this->Graph.n_edges()); }
-  const Connectivity& graph() const { return this->Graph; }
-  const Vec3& position(int v) const { return this->Position[v]; }
-  const Vec3& position(Vertex v) const { return this->Position[v.idx()]; }
-  /// Of the surface, averaged over a few faces about the vertex's place.
-  const Vec3& normal(int v) const { return this->Normal[v]; }
-  const SurfacePlace& place(int v) const { return this->Place[v]; }
-  double density(int v) const { return this->Density[v]; }
-  /// But for coarse regions.
-  bool uniform() const { return this->Field->uniform(); }
-  /// From now on, spacing grows in these regions: density() is less there.
-  void coarsen(CoarseRegions regions);
-  Freedom freedom(int v) const { return this->Free[v]; }
-  bool isFeature(int edge) const { return this->Feature[edge] != 0; }
-  /// Both triangles and no feature: all that an edge needs to be swapped but for the geometry.
-  bool isSwappable(int edge) const
+  ElementRange<Vertex> vertices() const { return this->State.ids(); }
+  ElementRange<Edge> edges() const { return { 0, static_cast<int>(this->Graph.n_edges()) }; }
+  ElementRange<Face> faces() const { return { 0, static_cast<int>(this->Graph.n_faces()) }; }
+
+  Vertex from(Halfedge h) const { return Vertex(this->Graph.from_vertex_handle(raw(h)).idx()); }
+  Vertex to(Halfedge h) const { return Vertex(this->Graph.to_vertex_handle(raw(h)).idx()); }
+  /// About the triangle to the left.
+  Halfedge next(Halfedge h) const { return id(this->Graph.next_halfedge_handle(raw(h))); }
+  Halfedge previous(Halfedge h) const { return id(this->Graph.prev_halfedge_handle(raw(h))); }
+  Halfedge opposite(Halfedge h) const { return id(this->Graph.opposite_halfedge_handle(raw(h))); }
+  /// The third vertex of the triangle to the left.
+  Vertex apex(Halfedge h) const { return this->to(this->next(h)); }
+  Edge edge(Halfedge h) const { return Edge(this->Graph.edge_handle(raw(h)).idx()); }
+  Face face(Halfedge h) const { return Face(this->Graph.face_handle(raw(h)).idx()); }
+  Halfedge halfedge(Edge e, int side = 0) const
   {
-    return !this->Feature[edge] && !this->Graph.is_boundary(OpenMesh::EdgeHandle(edge));
+    return id(this->Graph.halfedge_handle(raw(e), static_cast<unsigned int>(side)));
   }
-  int valence(int v) const;
-  std::array<int, 3> corners(int face) const
+  Halfedge halfedge(Face f) const
   {
-    const Halfedge h = this->Graph.halfedge_handle(OpenMesh::FaceHandle(face));
-    return { { this->Graph.from_vertex_handle(h).idx(), this->Graph.to_vertex_handle(h).idx(),
-      this->Graph.to_vertex_handle(this->Graph.next_halfedge_handle(h)).idx() } };
+    return id(this->Graph.halfedge_handle(OpenMesh::FaceHandle(f.index())));
+  }
+  Halfedge halfedge(Vertex v) const { return id(this->Graph.halfedge_handle(raw(v))); }
+  bool isBoundary(Halfedge h) const { return this->Graph.is_boundary(raw(h)); }
+  bool isBoundary(Vertex v) const { return this->Graph.is_boundary(raw(v)); }
+  /// On a sharp or boundary backbone.
+  bool isCrease(Edge e) const { return this->Crease[e] != 0; }
+  /// Two triangles, and no crease: all that an edge needs to be swapped but for the geometry.
+  bool isSwappable(Edge e) const { return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)); }
+  /// No second edge between two vertices comes of swapping it.
+  bool keepsManifold(Edge e) const { return this->Graph.is_flip_ok(raw(e)); }
+  int valence(Vertex v) const;
+  std::array<Vertex, 3> corners(Face f) const
+  {
+    const Halfedge h = this->halfedge(f);
+    return { { this->from(h), this->to(h), this->apex(h) } };
+  }
+  /// Halfedges out of the four vertices of an edge's two triangles, all in these triangles: the
+  /// edge's ends, then the others.
+  std::array<Halfedge, 4> wing(Edge e) const
+  {
+    const Halfedge h = this->halfedge(e);
+    const Halfedge g = this->opposite(h);
+    return { { h, g, this->previous(h), this->previous(g) } };
+  }
+  /// Those vertices: the triangles are (a, b, c) and (b, a, d); after a swap, (d, c, a) and
+  /// (c, d, b).
+  std::array<Vertex, 4> wingVertices(Edge e) const
+  {
+    const auto h = this->wing(e);
+    return { { this->from(h[0]), this->from(h[1]), this->from(h[2]), this->from(h[3]) } };
   }
   /// Calls visit(h) for every halfedge out of v, clockwise.
   template <typename Visit>
-  void forEachHalfedge(int v, const Visit& visit) const
+  void forEachHalfedge(Vertex v, const Visit& visit) const
   {
-    const Halfedge first = this->Graph.halfedge_handle(Vertex(v));
+    const Halfedge first = this->halfedge(v);
     Halfedge h = first;
     do
     {
       visit(h);
-      h = this->Graph.next_halfedge_handle(this->Graph.opposite_halfedge_handle(h));
+      h = this->next(this->opposite(h));
     } while (h != first);
   }
   /// Calls visit(u) for every vertex that an edge joins to v.
   template <typename Visit>
-  void forEachNeighbour(int v, const Visit& visit) const
+  void forEachNeighbour(Vertex v, const Visit& visit) const
   {
-    this->forEachHalfedge(v, [&](Halfedge h) { visit(this->Graph.to_vertex_handle(h).idx()); });
+    this->forEachHalfedge(v, [&](Halfedge h) { visit(this->to(h)); });
   }
-  /// Calls visit(f) for every triangle about v.
+  /// Calls visit(h) for every triangle about v, with its halfedge out of v.
   template <typename Visit>
-  void forEachFace(int v, const Visit& visit) const
+  void forEachCorner(Vertex v, const Visit& visit) const
   {
     this->forEachHalfedge(v, [&](Halfedge h) {
-      if (!this->Graph.is_boundary(h))
+      if (!this->isBoundary(h))
       {
-        visit(this->Graph.face_handle(h).idx());
+        visit(h);
       }
     });
   }
-  Vec3 faceNormal(int face) const
+  /// Calls visit(f) for every triangle about v.
+  template <typename Visit>
+  void forEachFace(Vertex v, const Visit& visit) const
   {
-    const auto t = this->corners(face);
-    const Vec3& p = this->position(t[0]);
-    return (this->position(t[1]) - p).cross(this->position(t[2]) - p).normalized();
+    this->forEachCorner(v, [&](Halfedge h) { visit(this->face(h)); });
   }
-  std::vector<Triangle> triangles() const;
-  std::vector<Sample> samples() const;
 
-  /// Swaps an edge if no second edge between two vertices, no fold and no degenerate triangle comes
-  /// of it.
-  bool swap(int edge);
-  /// Swaps without asking; for taking back a swap.
-  void forceSwap(int edge) { this->Graph.flip(OpenMesh::EdgeHandle(edge)); }
+  const VertexState& state(Vertex v) const { return this->State[v]; }
+  const Vec3& position(Vertex v) const { return this->State[v].position; }
+  const Vec3& normal(Vertex v) const { return this->State[v].normal; }
+  const SurfacePlace& place(Vertex v) const { return this->State[v].place; }
+  double density(Vertex v) const { return this->State[v].density; }
+  double arcLength(Vertex v) const { return this->State[v].arcLength; }
+  Freedom freedom(Vertex v) const { return this->Free[v]; }
+  /// Free to go anywhere. Elsewhere, on creases, the surface has no one normal.
+  bool isFree(Vertex v) const { return this->Free[v] == Freedom::Surface; }
+  int backbone(Vertex v) const { return this->BackboneOf[v]; }
+  Vec3 faceNormal(Face f) const;
+  double faceArea(Face f) const;
+  SurfacePoint pointAt(const SurfacePlace& place) const;
+  /// Where a walk from a place along a vector of space ends.
+  SurfacePoint walk(const SurfacePlace& from, const Vec3& step) const;
+  /// The density is the same everywhere, but for coarse regions.
+  bool uniform() const { return this->Field->uniform(); }
+  /// From now on, spacing grows in these regions: density() is less there.
+  void coarsen(CoarseRegions regions);
+
   /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
   /// at its vertices; 1 if they all lie on creases.
-  double agreement(int a, int b, int c, const Vec3& normal) const;
+  double normalAgreement(Vertex a, Vertex b, Vertex c, const Vec3& normal) const;
   /// The same for a triangle whose vertices all lie on creases, where the surface has a normal on
   /// each side: with the sides that agree most. 1 if they are all corners.
-  double agreementOnCreases(int a, int b, int c, const Vec3& normal) const;
-  /// Triangles that agree less are folded over. Over a rim thinner than a triangle the agreement is
-  /// small for good reason; in a fold it is about -1.
-  static constexpr double minimumAgreement() { return 0.1; }
+  double normalAgreementOnCreases(Vertex a, Vertex b, Vertex c, const Vec3& normal) const;
   /// The triangle (a, b, c) faces the way the surface does at its vertices, and is not degenerate.
-  bool isSound(int a, int b, int c) const;
+  bool isSound(Vertex a, Vertex b, Vertex c) const;
+  bool isSound(Face f) const;
 
-  /// Moves vertices by steps of space (free vertices) and to arc lengths (backbone vertices), all
-  /// at once. Where that makes a triangle unsound, the steps of its vertices are halved, at last
-  /// refused.
-  void move(std::vector<Vec3>& step, const std::vector<double>& arcLength);
-  Footing footing(int v) const { return { this->Place[v], this->Position[v], this->Normal[v] }; }
-  /// Where a walk from a place along a vector of space ends.
-  Footing footing(const SurfacePlace& from, const Vec3& step) const;
-  /// Puts a vertex that is free on the surface there.
-  void put(int v, const Footing& there);
-  /// Puts a vertex back to where it stood once.
-  void putBack(int v, const Footing& there, double arcLength)
-  {
-    this->put(v, there);
-    this->ArcLength[v] = arcLength;
-    this->lookBehind(v);
-  }
-  /// Puts a vertex there, unless it is not free on the surface or accept(), asked with the vertex
-  /// there, says no: then nothing is changed, and it returns false.
-  template <typename Accept>
-  bool tryOut(int v, const Footing& there, const Accept& accept)
-  {
-    if (this->Free[v] != Freedom::Surface)
-    {
-      return false;
-    }
-    const Footing old = this->footing(v);
-    this->stand(v, there);
-    if (accept())
-    {
-      this->put(v, there);
-      return true;
-    }
-    this->stand(v, old);
-    return false;
-  }
-  /// The same along a vertex's backbone, but never past half the way to its neighbours there.
-  template <typename Accept>
-  bool trySlide(int v, double step, const Accept& accept)
-  {
-    if (!this->hasRoom(v, step))
-    {
-      return false;
-    }
-    const double old = this->ArcLength[v];
-    this->placeOnBackbone(v, old + step);
-    if (accept())
-    {
-      return true;
-    }
-    this->placeOnBackbone(v, old);
-    return false;
-  }
-
+  std::vector<Triangle> triangles() const;
+  std::vector<Sample> samples() const;
   /// Backbone vertices in order, with both ends; empty for seams.
-  const std::vector<std::vector<int>>& chains() const { return this->Chain; }
+  const std::vector<std::vector<Vertex>>& chains() const { return this->Chain; }
   const SurfaceCache& atlas() const { return *this->Atlas; }
-  double arcLength(int v) const { return this->ArcLength[v]; }
-  int backbone(int v) const { return this->BackboneOf[v]; }
 
 private:
+  friend class MeshEdit;
+  static OpenMesh::HalfedgeHandle raw(Halfedge h) { return OpenMesh::HalfedgeHandle(h.index()); }
+  static OpenMesh::VertexHandle raw(Vertex v) { return OpenMesh::VertexHandle(v.index()); }
+  static OpenMesh::EdgeHandle raw(Edge e) { return OpenMesh::EdgeHandle(e.index()); }
+  static Halfedge id(OpenMesh::HalfedgeHandle h) { return Halfedge(h.idx()); }
+
   Status connect(const std::vector<Triangle>& triangles);
-  Status markFeatures();
-  void placeVertex(int v, const SurfacePlace& place);
-  double densityAt(const SurfacePlace& place, const Vec3& position) const;
-  /// All but the density, which attempts do not ask for.
-  void stand(int v, const Footing& there)
-  {
-    this->Place[v] = there.place;
-    this->Position[v] = there.position;
-    this->Normal[v] = there.normal;
-  }
-  void lookBehind(int v);
-  bool hasRoom(int v, double step) const;
-  void placeOnBackbone(int v, double arcLength);
-  bool isSoundFace(int f) const;
+  Status markCreases();
+  double densityAt(const SurfacePoint& point) const;
+  void put(Vertex v, const SurfacePoint& there);
+  void putOnBackbone(Vertex v, double arcLength);
+  void findOtherNormal(Vertex v);
 
   const SurfaceCache* Atlas = nullptr;
   const DensityField* Field = nullptr;
   CoarseRegions Coarse;
-  Connectivity Graph;
+  OpenMesh::TriConnectivity Graph; // halfedges without coordinates
   std::vector<Sample> Original;
-  std::vector<SurfacePlace> Place;
-  std::vector<Vec3> Position;
-  std::vector<Vec3> Normal;
-  std::vector<Vec3> Behind; // the normal on the other side of a vertex's backbone
-  std::vector<double> Density;
-  std::vector<Freedom> Free;
-  std::vector<int> BackboneOf;
-  std::vector<double> ArcLength;
-  std::vector<char> Feature; // by edge
-  std::vector<std::vector<int>> Chain;
-  struct
-  {
-    std::vector<SurfacePlace> place;
-    std::vector<Vec3> position;
-    std::vector<Vec3> normal;
-    std::vector<Vec3> behind;
-    std::vector<double> arcLength;
-  } Before; // the last move
+  ElementArray<Vertex, VertexState> State;
+  ElementArray<Vertex, Freedom> Free;
+  ElementArray<Vertex, int> BackboneOf; // or -1
+  ElementArray<Edge, char> Crease;
+  std::vector<std::vector<Vertex>> Chain;
 };
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relaxation.h"
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
+#include "Tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,25 +12,20 @@ namespace stipple
 {
 namespace
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-/// Calls visit(f, q, r, wall) for every triangle f = (v, q, r) about v; wall: the edge qr bounds
-/// the surface, or is a crease.
+/// Calls visit(h) for every triangle about v, counterclockwise, with its halfedge out of v.
 template <typename Visit>
-void forEachTriangle(const OptimizedMesh& mesh, int v, const Visit& visit)
+void forEachTriangle(const OptimizedMesh& mesh, Vertex v, const Visit& visit)
 {
-  const auto& graph = mesh.graph();
-  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  HalfedgeHandle h = first;
+  const Halfedge first = mesh.halfedge(v);
+  Halfedge h = first;
   do
   {
-    const HalfedgeHandle g = graph.next_halfedge_handle(h);
-    if (!graph.is_boundary(h))
+    const Halfedge g = mesh.next(h);
+    if (!mesh.isBoundary(h))
     {
-      visit(graph.face_handle(h).idx(), graph.to_vertex_handle(h).idx(),
-        graph.to_vertex_handle(g).idx(), mesh.isFeature(graph.edge_handle(g).idx()));
+      visit(h);
     }
-    h = graph.opposite_halfedge_handle(graph.next_halfedge_handle(g));
+    h = mesh.opposite(mesh.next(g));
   } while (h != first);
 }
 
@@ -45,7 +41,8 @@ struct CellIntegral
     const Vec2& p, const Vec2& q, double twiceArea, double here, double slopeA, double slopeB)
   {
     const Vec2 centroid = (p + q) / 3.;
-    const double low = 0.1 * std::min({ here, here + slopeA, here + slopeB });
+    const double low =
+      Tuning::LeastDensityInCell * std::min({ here, here + slopeA, here + slopeB });
     const double density = std::max(low, here + slopeA * centroid.x() + slopeB * centroid.y());
     const double m = 0.5 * cross2(p, q) * twiceArea * density;
     this->mass += m;
@@ -59,19 +56,16 @@ struct CellIntegral
 /// tip.
 inline Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
 {
-  constexpr double Least = 0.2; // a fold: no way of turning is better than another
-  const double scale = 1. / std::max(Least, 1. + triangleNormal.dot(normal));
+  // In a fold, no way of turning is better than another.
+  const double scale = 1. / std::max(Tuning::LeastTurn, 1. + triangleNormal.dot(normal));
   return vector - normal.dot(vector) * scale * (triangleNormal + normal);
 }
 
 /// Area of the surface under a triangle over the triangle's own, estimated from the normals at its
 /// vertices.
-double areaOfSurface(const OptimizedMesh& mesh, int a, int b, int c, const Vec3& normal)
+double areaOfSurface(const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c, const Vec3& normal)
 {
-  // Larger bounds crowd vertices on rims and tips, smaller ones let them slide off: then sheets
-  // that are thinner than an edge pass through each other.
-  constexpr double Largest = 3.;
-  return 1. / std::clamp(mesh.agreement(a, b, c, normal), 1. / Largest, 1.);
+  return 1. / std::clamp(mesh.normalAgreement(a, b, c, normal), 1. / Tuning::MostHiddenArea, 1.);
 }
 
 /// A triangle (v, q, r) about v.
@@ -89,14 +83,17 @@ struct Corner
   }
 };
 
-/// Calls visit(corner, wall) for every triangle about v that is not degenerate.
+/// Calls visit(corner, wall) for every triangle about v that is not degenerate; wall: the edge
+/// opposite to v is a crease, or bounds the surface.
 template <typename Measure, typename Visit>
 void forEachCorner(
-  const OptimizedMesh& mesh, const Measure& measureOf, int v, double here, const Visit& visit)
+  const OptimizedMesh& mesh, const Measure& measureOf, Vertex v, double here, const Visit& visit)
 {
   const Vec3& x = mesh.position(v);
-  forEachTriangle(mesh, v, [&](int f, int q, int r, bool wall) {
-    const FaceMeasure& face = measureOf(f);
+  forEachTriangle(mesh, v, [&](Halfedge h) {
+    const Vertex q = mesh.to(h);
+    const Vertex r = mesh.apex(h);
+    const FaceMeasure& face = measureOf(mesh.face(h));
     if (face.twiceArea > 0)
     {
       Corner c;
@@ -105,7 +102,7 @@ void forEachCorner(
       c.b = mesh.position(r) - x;
       c.slopeA = mesh.density(q) * mesh.density(q) - here;
       c.slopeB = mesh.density(r) * mesh.density(r) - here;
-      visit(c, wall);
+      visit(c, mesh.isCrease(mesh.edge(mesh.next(h))));
     }
   });
 }
@@ -113,7 +110,7 @@ void forEachCorner(
 /// To the centroid of the triangles about v.
 template <typename Measure>
 Vec3 stepToCentroidOfRing(
-  const OptimizedMesh& mesh, const Measure& measureOf, int v, double here, double mass)
+  const OptimizedMesh& mesh, const Measure& measureOf, Vertex v, double here, double mass)
 {
   Vec3 moment = Vec3::Zero();
   forEachCorner(mesh, measureOf, v, here, [&](const Corner& c, bool) {
@@ -122,11 +119,11 @@ Vec3 stepToCentroidOfRing(
   return moment / mass;
 }
 
-FaceMeasure measureFace(const OptimizedMesh& mesh, int f)
+FaceMeasure measureFace(const OptimizedMesh& mesh, Face f)
 {
-  const auto t = mesh.corners(f);
-  const Vec3& x = mesh.position(t[0]);
-  const Vec3 cross = (mesh.position(t[1]) - x).cross(mesh.position(t[2]) - x);
+  const auto [a, b, c] = mesh.corners(f);
+  const Vec3& x = mesh.position(a);
+  const Vec3 cross = (mesh.position(b) - x).cross(mesh.position(c) - x);
   FaceMeasure result;
   result.square = cross.squaredNorm();
   if (result.square > 0)
@@ -135,13 +132,13 @@ FaceMeasure measureFace(const OptimizedMesh& mesh, int f)
     result.normal = cross / flatArea;
     // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
     // triangle cuts off would have no weight, and vertices would slide off them.
-    result.twiceArea = flatArea * areaOfSurface(mesh, t[0], t[1], t[2], cross);
+    result.twiceArea = flatArea * areaOfSurface(mesh, a, b, c, cross);
   }
   return result;
 }
 
 template <typename Measure>
-Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, int v, bool isDelaunay)
+Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, Vertex v, bool isDelaunay)
 {
   // Points settle with a density that is the root of the weight of a centroidal Voronoi
   // tessellation in the plane.
@@ -181,7 +178,7 @@ Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, int v, b
   });
   // In a ring that is not Delaunay the pieces may overlap until little is left: then the ring's own
   // centroid.
-  if (mass > 0.1 * massOfRing)
+  if (mass > Tuning::LeastMassOfCell * massOfRing)
   {
     return moment / mass;
   }
@@ -192,34 +189,30 @@ Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, int v, b
 
 void FaceMeasures::update(const OptimizedMesh& mesh)
 {
-  const int n = mesh.numberOfFaces();
-  this->Face.resize(n);
-  vtkSMPTools::For(0, n, 512, [&](vtkIdType begin, vtkIdType end) {
-    for (int f = static_cast<int>(begin); f < end; ++f)
-    {
-      this->Face[f] = measureFace(mesh, f);
-    }
-  });
+  this->Measures.resize(static_cast<std::size_t>(mesh.faces().size()));
+  parallelFor(mesh.faces(), [&](Face f) { this->Measures[f] = measureFace(mesh, f); });
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, const FaceMeasures& measures, int v, bool isDelaunay)
+Vec3 lloydStep(const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v, bool isDelaunay)
 {
-  const auto measureOf = [&](int f) -> const FaceMeasure& { return measures[f]; };
+  const auto measureOf = [&](Face f) -> const FaceMeasure& { return measures[f]; };
   return lloydStepWith(mesh, measureOf, v, isDelaunay);
 }
 
-Vec3 lloydStep(const OptimizedMesh& mesh, int v)
+Vec3 lloydStep(const OptimizedMesh& mesh, Vertex v)
 {
-  const auto measureOf = [&](int f) { return measureFace(mesh, f); };
+  const auto measureOf = [&](Face f) { return measureFace(mesh, f); };
   return lloydStepWith(mesh, measureOf, v, true);
 }
 
-Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
+Vec3 laplacianStep(const OptimizedMesh& mesh, Vertex v, bool weightedByDensity)
 {
   const Vec3& x = mesh.position(v);
   Vec3 sum = Vec3::Zero();
   double total = 0;
-  forEachTriangle(mesh, v, [&](int, int q, int r, bool) {
+  forEachTriangle(mesh, v, [&](Halfedge h) {
+    const Vertex q = mesh.to(h);
+    const Vertex r = mesh.apex(h);
     const Vec3& a = mesh.position(q);
     const Vec3& b = mesh.position(r);
     double area = triangleArea(x, a, b);
@@ -229,29 +222,40 @@ Vec3 laplacianStep(const OptimizedMesh& mesh, int v, bool weightedByDensity)
     }
     // The angle at q is opposite to the edge from v to r, and the other way round.
     sum += area *
-      (std::max(0., cotangent(a, b, x, 10.)) * (b - x) +
-        std::max(0., cotangent(b, x, a, 10.)) * (a - x));
+      (std::max(0., cotangent(a, b, x, Tuning::LargestCotangent)) * (b - x) +
+        std::max(0., cotangent(b, x, a, Tuning::LargestCotangent)) * (a - x));
     total += area;
   });
   return total > 0 ? Vec3(sum / total) : Vec3::Zero();
 }
 
-Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
+Vec3 stepToMiddle(const OptimizedMesh& mesh, Vertex v)
 {
-  // Minimises Inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  mesh.forEachNeighbour(v, [&](Vertex u) {
+    sum += mesh.position(u);
+    ++count;
+  });
+  return sum / count - mesh.position(v);
+}
+
+Vec3 towardsRidges(const OptimizedMesh& mesh, Vertex v, const Vec3& step)
+{
+  // Minimises inertia |d - step|^2 + sum of w |distance of x + d to the tangent plane at a
   // neighbour|^2 over d in the tangent plane at v. Planes that are nearly parallel to it say
   // nothing about where a ridge is.
-  constexpr double Inertia = 20.;
-  constexpr double Ridge = 0.6; // cosine at which planes begin to count; they count fully at 0
+  constexpr double Ridge = Tuning::RidgeCosine;
   const Vec3& x = mesh.position(v);
   const Vec3& normal = mesh.normal(v);
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
   bool onRidge = false;
-  forEachTriangle(mesh, v, [&](int, int q, int, bool) {
+  forEachTriangle(mesh, v, [&](Halfedge h) {
+    const Vertex q = mesh.to(h);
     const Vec3& n = mesh.normal(q);
     const double w = std::min((Ridge - n.dot(normal)) / Ridge, 1.);
-    if (w > 0 && mesh.freedom(q) == Freedom::Surface)
+    if (w > 0 && mesh.isFree(q))
     {
       onRidge = true;
       matrix += w * n * n.transpose();
@@ -262,28 +266,28 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, int v, const Vec3& step)
   {
     return step;
   }
-  matrix += Inertia * Eigen::Matrix3d::Identity() + 10. * normal * normal.transpose();
-  right += Inertia * step;
+  matrix += Tuning::RidgeInertia * Eigen::Matrix3d::Identity() +
+    Tuning::RidgeFlatness * normal * normal.transpose();
+  right += Tuning::RidgeInertia * step;
   return matrix.ldlt().solve(right);
 }
 
-bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share)
+bool exceedsEdges(const OptimizedMesh& mesh, Vertex v, double length, double share)
 {
   // The shortest edge is no longer than the mean, and costs no roots.
   double shortest = 1e300;
-  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
-    const int q = mesh.graph().to_vertex_handle(h).idx();
-    shortest = std::min(shortest, (mesh.position(q) - mesh.position(v)).squaredNorm());
+  mesh.forEachHalfedge(v, [&](Halfedge h) {
+    shortest = std::min(shortest, (mesh.position(mesh.to(h)) - mesh.position(v)).squaredNorm());
   });
   return length * length > share * share * shortest && length > share * meanEdgeLength(mesh, v);
 }
 
-double meanEdgeLength(const OptimizedMesh& mesh, int v)
+double meanEdgeLength(const OptimizedMesh& mesh, Vertex v)
 {
   double sum = 0;
   int count = 0;
-  forEachTriangle(mesh, v, [&](int, int q, int, bool) {
-    sum += (mesh.position(q) - mesh.position(v)).norm();
+  forEachTriangle(mesh, v, [&](Halfedge h) {
+    sum += (mesh.position(mesh.to(h)) - mesh.position(v)).norm();
     ++count;
   });
   return sum / count;
@@ -294,14 +298,14 @@ namespace
 /// A run of points along a backbone, with their positions on it, ascending.
 struct BackboneRun
 {
-  std::vector<int> vertices;
+  std::vector<Vertex> vertices;
   std::vector<double> s;
 };
 
 /// Moves the points inside a run to where the density wants them, its ends staying; or all of a
 /// cycle, whose last point is its first.
-void relaxRun(
-  const OptimizedMesh& mesh, const BackboneRun& run, bool cycle, std::vector<double>& arcLength)
+void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle,
+  ElementArray<Vertex, double>& arcLength)
 {
   const std::vector<double>& s = run.s;
   const int n = static_cast<int>(s.size());
@@ -334,20 +338,21 @@ void relaxRun(
   }
   for (int i = cycle ? 0 : 1; i + 1 < n; ++i)
   {
-    const int v = run.vertices[i];
+    const Vertex v = run.vertices[i];
     if (mesh.freedom(v) != Freedom::Backbone)
     {
       continue;
     }
     const double before = i > 0 ? s[i] - s[i - 1] : s[n - 1] - s[n - 2];
     const double after = s[i + 1] - s[i];
-    arcLength[v] =
-      mesh.arcLength(v) + std::clamp(wanted(i) + shift - s[i], -0.4 * before, 0.4 * after);
+    arcLength[v] = mesh.arcLength(v) +
+      std::clamp(
+        wanted(i) + shift - s[i], -Tuning::LongestSlide * before, Tuning::LongestSlide * after);
   }
 }
 }
 
-void relaxBackbones(const OptimizedMesh& mesh, std::vector<double>& arcLength)
+void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arcLength)
 {
   const auto& chains = mesh.chains();
   for (std::size_t c = 0; c < chains.size(); ++c)

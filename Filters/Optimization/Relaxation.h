@@ -23,10 +23,10 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT FaceMeasures
 {
 public:
   void update(const OptimizedMesh& mesh);
-  const FaceMeasure& operator[](int face) const { return this->Face[face]; }
+  const FaceMeasure& operator[](Face f) const { return this->Measures[f]; }
 
 private:
-  std::vector<FaceMeasure> Face;
+  ElementArray<Face, FaceMeasure> Measures;
 };
 
 /// To the centroid, under the wanted density, of the vertex's Voronoi cell: Lloyd's step. The cell
@@ -34,29 +34,33 @@ private:
 /// plane. Cells have equal shares of the density where the centroids are those of its square. Cells
 /// end at creases and boundaries; in a mesh that is not Delaunay, at the one-ring.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(
-  const OptimizedMesh& mesh, const FaceMeasures& measures, int v, bool isDelaunay);
+  const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v, bool isDelaunay);
 /// The same for one vertex, in a mesh that is Delaunay.
-STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 lloydStep(const OptimizedMesh& mesh, Vertex v);
 
 /// A step bent towards the ridge beside v, if there is one that is no backbone: unmarked edges and
 /// thin rims keep vertices then.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 towardsRidges(
-  const OptimizedMesh& mesh, int v, const Vec3& step);
+  const OptimizedMesh& mesh, Vertex v, const Vec3& step);
 
 /// The paper's weighted Laplacian: w_i = (A_i cot alpha_i + A_{i-1} cot beta_i) / sum of A, with
 /// areas in space, or with the integrals of the wanted density over the triangles.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 laplacianStep(
-  const OptimizedMesh& mesh, int v, bool weightedByDensity);
+  const OptimizedMesh& mesh, Vertex v, bool weightedByDensity);
 
-STIPPLEFILTERSOPTIMIZATION_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, int v);
+/// To the middle of the neighbours.
+STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 stepToMiddle(const OptimizedMesh& mesh, Vertex v);
+
+STIPPLEFILTERSOPTIMIZATION_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, Vertex v);
 /// length > share * meanEdgeLength(mesh, v), at less cost where it is not.
-bool exceedsEdges(const OptimizedMesh& mesh, int v, double length, double share);
+STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
+  const OptimizedMesh& mesh, Vertex v, double length, double share);
 
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
 /// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
 /// neighbour.
 STIPPLEFILTERSOPTIMIZATION_EXPORT void relaxBackbones(
-  const OptimizedMesh& mesh, std::vector<double>& arcLength);
+  const OptimizedMesh& mesh, ElementArray<Vertex, double>& arcLength);
 }
 
 #endif

@@ -3,9 +3,14 @@
 #include "RibSearch.h"
 
 #include "EdgeSwaps.h"
-#include "SwapTrial.h"
+#include "LocalRepair.h"
+#include "MeshRegion.h"
+#include "Relaxation.h"
+#include "Tuning.h"
+#include "VertexStar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <queue>
@@ -16,17 +21,6 @@ namespace stipple
 {
 namespace
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-/// What a side with other than two neighbours weighs against irregular vertices elsewhere.
-constexpr int RibWeight = 8;
-/// Swaps in a row when neighbours are handed on.
-constexpr int LongestSequence = 40;
-/// Inner vertices are helped, too, whose valence is off by more than this.
-constexpr int LargestInnerExcess = 2;
-/// What a trial takes of the budget: the time of so many sequences that are looked at.
-constexpr int TrialCost = 20;
-
 /// A second neighbour too many at a side costs little more than one: else faults could not be
 /// handed on past each other, where creases are an edge apart, or be two at one vertex for one at
 /// each of two.
@@ -37,59 +31,123 @@ int costOf(bool onCrease, int excess)
     return irregularity(excess);
   }
   const int beyond = std::abs(excess) - 1;
-  return beyond < 0 ? 0 : RibWeight + 4 * beyond * beyond;
+  return beyond < 0 ? 0 : Tuning::RibWeight + 4 * beyond * beyond;
 }
 
 /// How swapping an edge changes the cost of its four vertices.
-int changeOfCost(const OptimizedMesh& mesh, int edge)
+int changeOfCost(const OptimizedMesh& mesh, Edge e)
 {
-  const std::array<HalfedgeHandle, 4> corner = cornersAbout(mesh, edge);
-  int change = 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    const int v = mesh.graph().from_vertex_handle(corner[i]).idx();
-    const bool onCrease = mesh.freedom(v) == Freedom::Backbone;
-    const int before = ribExcess(mesh, corner[i]);
-    change += costOf(onCrease, before + (i < 2 ? -1 : 1)) - costOf(onCrease, before);
-  }
-  return change;
+  return costChangeOfSwap(
+    mesh, e, [&](Halfedge h) { return ribExcess(mesh, h); },
+    [&](Vertex v, int excess) { return costOf(mesh.freedom(v) == Freedom::Backbone, excess); });
 }
 
 /// Whether swaps that do not meet one demand may meet the other.
 bool isLess(const RibDemand& a, const RibDemand& b)
 {
-  return a.minimumAngle < b.minimumAngle || a.reach.faces > b.reach.faces ||
-    a.reach.creases > b.reach.creases;
+  return a.minimumAngle < b.minimumAngle || a.bound.faces > b.bound.faces ||
+    a.bound.creases > b.bound.creases;
 }
 
 /// A number for the edge and the one that it would be swapped for.
-std::uint64_t outcomeOf(const OptimizedMesh& mesh, int edge)
+std::uint64_t outcomeOf(const OptimizedMesh& mesh, Edge e)
 {
-  const auto numberOf = [](std::uint64_t a, std::uint64_t b) {
+  const auto numberOf = [](Vertex p, Vertex q) {
+    const auto a = static_cast<std::uint64_t>(p.index());
+    const auto b = static_cast<std::uint64_t>(q.index());
     // splitmix64's way of mixing
     std::uint64_t x = (std::min(a, b) << 32 | std::max(a, b)) + 0x9e3779b97f4a7c15u;
     x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
     x = (x ^ x >> 27) * 0x94d049bb133111ebu;
     return x ^ x >> 31;
   };
-  std::array<int, 4> v;
-  const std::array<HalfedgeHandle, 4> corner = cornersAbout(mesh, edge);
-  std::transform(corner.begin(), corner.end(), v.begin(),
-    [&](HalfedgeHandle h) { return mesh.graph().from_vertex_handle(h).idx(); });
+  const auto v = mesh.wingVertices(e);
   return numberOf(v[0], v[1]) ^ numberOf(v[2], v[3]);
+}
+
+/// Least cosine between neighbours of which one touches nothing but creases, so that its quality
+/// does not tell folds.
+double worstBend(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  double worst = 1;
+  for (const Face f : faces)
+  {
+    const auto t = mesh.corners(f);
+    if (std::any_of(t.begin(), t.end(), [&](Vertex v) { return mesh.isFree(v); }))
+    {
+      continue;
+    }
+    const Halfedge h = mesh.halfedge(f);
+    for (const Halfedge g : { h, mesh.next(h), mesh.previous(h) })
+    {
+      if (mesh.isSwappable(mesh.edge(g)))
+      {
+        worst =
+          std::min(worst, mesh.faceNormal(f).dot(mesh.faceNormal(mesh.face(mesh.opposite(g)))));
+      }
+    }
+  }
+  return worst;
+}
+
+/// Of its neighbours on the crease.
+void slideToMiddle(MeshEdit& edit, Vertex v)
+{
+  const OptimizedMesh& mesh = edit.mesh();
+  const auto unevenness = [&]() {
+    std::vector<double> length;
+    mesh.forEachHalfedge(v, [&](Halfedge h) {
+      if (mesh.isCrease(mesh.edge(h)))
+      {
+        length.push_back((mesh.position(mesh.to(h)) - mesh.position(v)).norm());
+      }
+    });
+    return length.size() == 2 ? std::abs(length[1] - length[0]) : 0.;
+  };
+  const double before = unevenness();
+  const auto isBetter = [&]() { return unevenness() < before; };
+  edit.trySlide(v, 0.5 * before, isBetter) || edit.trySlide(v, -0.5 * before, isBetter);
+}
+
+void flipAll(MeshEdit& edit, const std::vector<Edge>& edges)
+{
+  for (const Edge e : edges)
+  {
+    edit.flip(e);
+  }
+}
+
+/// Every vertex to the middle of its neighbours.
+void spread(MeshEdit& edit, const std::vector<Vertex>& vertices)
+{
+  for (int round = 0; round < Tuning::SpreadingRounds; ++round)
+  {
+    for (const Vertex v : vertices)
+    {
+      if (edit.mesh().isFree(v))
+      {
+        edit.put(v, edit.mesh().walk(edit.mesh().place(v), stepToMiddle(edit.mesh(), v)));
+      }
+      else
+      {
+        slideToMiddle(edit, v);
+      }
+    }
+  }
 }
 }
 
-RibSearch::RibSearch(OptimizedMesh& mesh, const SurfaceProximity& proximity, int budget)
-  : Mesh(mesh)
+RibSearch::RibSearch(MeshEdit& edit, const SurfaceProximity& proximity, int budget)
+  : Edit(edit)
+  , Mesh(edit.mesh())
   , Proximity(proximity)
   , Budget(budget)
-  , LastChange(mesh.numberOfVertices(), 0)
-  , Seen(mesh.numberOfVertices(), 0)
+  , LastChange(static_cast<std::size_t>(edit.mesh().vertices().size()), 0)
+  , Seen(LastChange)
 {
 }
 
-bool RibSearch::mend(HalfedgeHandle h, const RibDemand& demand)
+bool RibSearch::mend(Halfedge h, const RibDemand& demand)
 {
   const bool isFree = demand.sequences == 1;
   if (ribExcess(this->Mesh, h) == 0 || (!isFree && this->Budget <= 0))
@@ -97,7 +155,7 @@ bool RibSearch::mend(HalfedgeHandle h, const RibDemand& demand)
     return false;
   }
   const int before = this->Budget;
-  const auto found = this->Memory.find(h.idx());
+  const auto found = this->Memory.find(h);
   bool mended = false;
   if (found == this->Memory.end() || found->second.demand.sequences < demand.sequences ||
     this->hasChanged(found->second))
@@ -109,7 +167,7 @@ bool RibSearch::mend(HalfedgeHandle h, const RibDemand& demand)
     Attempt& attempt = found->second;
     attempt.demand = demand;
     mended = std::any_of(attempt.candidates.begin(), attempt.candidates.end(),
-      [&](const std::vector<int>& edges) { return this->settles(edges, demand); });
+      [&](const std::vector<Edge>& edges) { return this->swapAndSettle(edges, demand); });
   }
   if (isFree)
   {
@@ -121,10 +179,10 @@ bool RibSearch::mend(HalfedgeHandle h, const RibDemand& demand)
 bool RibSearch::hasChanged(const Attempt& attempt) const
 {
   return std::any_of(attempt.vertices.begin(), attempt.vertices.end(),
-    [&](int v) { return this->LastChange[v] > attempt.time; });
+    [&](Vertex v) { return this->LastChange[v] > attempt.time; });
 }
 
-bool RibSearch::search(HalfedgeHandle h, const RibDemand& demand)
+bool RibSearch::search(Halfedge h, const RibDemand& demand)
 {
   Attempt attempt;
   attempt.time = this->Time;
@@ -135,61 +193,60 @@ bool RibSearch::search(HalfedgeHandle h, const RibDemand& demand)
   std::vector<Sequence> sequences(1);
   std::unordered_set<std::uint64_t> known = { 0 };
   queue.push({ 0, 0 });
-  std::vector<int> edges;
   for (int count = 0; !queue.empty() && count < demand.sequences; ++count)
   {
     --this->Budget;
     const int index = queue.top().second;
     queue.pop();
-    const Sequence base = sequences[index];
-    const std::vector<int> done = this->edgesOf(sequences, index);
-    swapAll(this->Mesh, done);
-    edges.clear();
-    if (done.empty())
-    {
-      this->addHelpfulSwaps(h, edges);
-    }
-    else
-    {
-      this->addSwapsAfter(done, edges);
-    }
-    for (int edge : edges)
-    {
-      this->note(edge, attempt);
-      const std::uint64_t outcome = base.outcome ^ outcomeOf(this->Mesh, edge);
-      if (known.count(outcome) > 0 || !this->Mesh.graph().is_flip_ok(OpenMesh::EdgeHandle(edge)))
+    const std::vector<Edge> done = this->edgesOf(sequences, index);
+    std::vector<Sequence> longer;
+    this->Edit.attempt([&]() {
+      flipAll(this->Edit, done);
+      std::vector<Edge> edges;
+      done.empty() ? this->addHelpfulSwaps(h, edges) : this->addSwapsAfter(done, edges);
+      for (const Edge e : edges)
       {
-        continue;
+        this->note(e, attempt);
+        const std::uint64_t outcome = sequences[index].outcome ^ outcomeOf(this->Mesh, e);
+        if (known.count(outcome) == 0 && this->Mesh.keepsManifold(e))
+        {
+          known.insert(outcome);
+          longer.push_back({ index, e, sequences[index].length + 1,
+            sequences[index].change + changeOfCost(this->Mesh, e), outcome });
+        }
       }
-      known.insert(outcome);
-      const Sequence next = { index, edge, base.length + 1,
-        base.change + changeOfCost(this->Mesh, edge), outcome };
+      return false; // it was but a look
+    });
+    for (const Sequence& next : longer)
+    {
       if (next.change < 0 && static_cast<int>(attempt.candidates.size()) < demand.trials)
       {
-        swapBack(this->Mesh, done);
         attempt.candidates.push_back(done);
-        attempt.candidates.back().push_back(edge);
-        if (this->settles(attempt.candidates.back(), demand))
+        attempt.candidates.back().push_back(next.edge);
+        if (this->swapAndSettle(attempt.candidates.back(), demand))
         {
           return true;
         }
-        swapAll(this->Mesh, done);
+        // Two flips exchange an edge's triangles: as often as ever.
+        this->Edit.attempt([&]() {
+          flipAll(this->Edit, done);
+          return false;
+        });
       }
-      if (next.length < LongestSequence)
+      if (next.length < Tuning::LongestSequence)
       {
         queue.push({ next.change + next.length, static_cast<int>(sequences.size()) });
         sequences.push_back(next);
       }
     }
-    swapBack(this->Mesh, done);
   }
-  this->Memory[h.idx()] = std::move(attempt);
+  this->Memory[h] = std::move(attempt);
   return false;
 }
 
-std::vector<int> RibSearch::edgesOf(const std::vector<Sequence>& sequences, int index) const
+std::vector<Edge> RibSearch::edgesOf(const std::vector<Sequence>& sequences, int index) const
 {
-  std::vector<int> edges;
+  std::vector<Edge> edges;
   for (int i = index; i > 0; i = sequences[i].base)
   {
     edges.push_back(sequences[i].edge);
@@ -199,11 +256,10 @@ std::vector<int> RibSearch::edgesOf(const std::vector<Sequence>& sequences, int 
 }
 
 /// That a search depends on the vertices about an edge.
-void RibSearch::note(int edge, Attempt& attempt)
+void RibSearch::note(Edge e, Attempt& attempt)
 {
-  for (const HalfedgeHandle h : cornersAbout(this->Mesh, edge))
+  for (const Vertex v : this->Mesh.wingVertices(e))
   {
-    const int v = this->Mesh.graph().from_vertex_handle(h).idx();
     if (this->Seen[v] != this->Searches)
     {
       this->Seen[v] = this->Searches;
@@ -212,47 +268,40 @@ void RibSearch::note(int edge, Attempt& attempt)
   }
 }
 
-bool RibSearch::isWall(HalfedgeHandle h) const
-{
-  return !this->Mesh.isSwappable(this->Mesh.graph().edge_handle(h).idx());
-}
-
 /// Turns h clockwise to the crease that its side begins at.
-HalfedgeHandle RibSearch::beginOfSide(HalfedgeHandle h) const
+Halfedge RibSearch::beginOfSide(Halfedge h) const
 {
   while (!this->isWall(h))
   {
-    h = this->Mesh.graph().next_halfedge_handle(this->Mesh.graph().opposite_halfedge_handle(h));
+    h = this->Mesh.next(this->Mesh.opposite(h));
   }
   return h;
 }
 
 /// The edges that meet at the vertex of h on the side that h begins (at an inner vertex, all of
 /// them), or those opposite to it there.
-void RibSearch::addEdges(HalfedgeHandle h, bool opposite, std::vector<int>& edges) const
+void RibSearch::addEdges(Halfedge h, bool opposite, std::vector<Edge>& edges) const
 {
-  const auto& graph = this->Mesh.graph();
-  const HalfedgeHandle first = h;
+  const Halfedge first = h;
   do
   {
-    const HalfedgeHandle last = graph.prev_halfedge_handle(h);
-    const HalfedgeHandle edge = opposite ? graph.next_halfedge_handle(h) : last;
-    if (!this->isWall(edge))
+    const Halfedge last = this->Mesh.previous(h);
+    const Halfedge added = opposite ? this->Mesh.next(h) : last;
+    if (!this->isWall(added))
     {
-      edges.push_back(graph.edge_handle(edge).idx());
+      edges.push_back(this->Mesh.edge(added));
     }
-    h = graph.opposite_halfedge_handle(last);
+    h = this->Mesh.opposite(last);
   } while (h != first && !this->isWall(h));
 }
 
 /// Edges whose swap brings the side that h begins nearer to two neighbours, or gives a neighbour
 /// on the crease one that it can hand on; or brings an inner vertex nearer to six.
-void RibSearch::addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const
+void RibSearch::addHelpfulSwaps(Halfedge h, std::vector<Edge>& edges) const
 {
-  const auto& graph = this->Mesh.graph();
-  const bool isInner = this->Mesh.freedom(graph.from_vertex_handle(h).idx()) != Freedom::Backbone;
+  const bool isInner = this->Mesh.freedom(this->Mesh.from(h)) != Freedom::Backbone;
   const int excess = ribExcess(this->Mesh, h);
-  if (std::abs(excess) <= (isInner ? LargestInnerExcess : 0))
+  if (std::abs(excess) <= (isInner ? Tuning::InnerExcess : 0))
   {
     return;
   }
@@ -268,8 +317,8 @@ void RibSearch::addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const
   {
     for (int side = 0; side < 2; ++side)
     {
-      const HalfedgeHandle g = graph.halfedge_handle(OpenMesh::EdgeHandle(edges[i]), side);
-      if (this->Mesh.freedom(graph.from_vertex_handle(g).idx()) == Freedom::Backbone)
+      const Halfedge g = this->Mesh.halfedge(edges[i], side);
+      if (this->Mesh.freedom(this->Mesh.from(g)) == Freedom::Backbone)
       {
         this->addEdges(this->beginOfSide(g), true, edges);
       }
@@ -278,51 +327,66 @@ void RibSearch::addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const
 }
 
 /// Helpful swaps at the sides and inner vertices that a sequence of swaps has changed.
-void RibSearch::addSwapsAfter(const std::vector<int>& sequence, std::vector<int>& edges) const
+void RibSearch::addSwapsAfter(const std::vector<Edge>& sequence, std::vector<Edge>& edges) const
 {
-  std::vector<int> sides;
-  for (int edge : sequence)
+  std::vector<Halfedge> sides;
+  for (const Edge e : sequence)
   {
-    for (const HalfedgeHandle h : cornersAbout(this->Mesh, edge))
+    for (const Halfedge h : this->Mesh.wing(e))
     {
-      const OptimizedMesh::Vertex v = this->Mesh.graph().from_vertex_handle(h);
-      const Freedom freedom = this->Mesh.freedom(v.idx());
-      if (freedom == Freedom::Backbone)
+      const Vertex v = this->Mesh.from(h);
+      if (this->Mesh.freedom(v) != Freedom::None)
       {
-        sides.push_back(this->beginOfSide(h).idx());
-      }
-      else if (freedom == Freedom::Surface)
-      {
-        sides.push_back(this->Mesh.graph().halfedge_handle(v).idx());
+        sides.push_back(this->Mesh.isFree(v) ? this->Mesh.halfedge(v) : this->beginOfSide(h));
       }
     }
   }
   makeUnique(sides);
-  for (int side : sides)
+  for (const Halfedge side : sides)
   {
-    this->addHelpfulSwaps(HalfedgeHandle(side), edges);
+    this->addHelpfulSwaps(side, edges);
   }
   makeUnique(edges);
 }
 
-bool RibSearch::settles(const std::vector<int>& edges, const RibDemand& demand)
+/// Swaps edges and moves vertices, on creases along them, until all triangles are as good as asked
+/// for, or as good as the worst of them was, none is folded over and all are near the surface; else
+/// nothing is changed.
+bool RibSearch::swapAndSettle(const std::vector<Edge>& edges, const RibDemand& demand)
 {
-  this->Budget -= TrialCost;
-  SwapTrial trial(this->Mesh, edges);
-  if (!trial.settle(demand.minimumAngle) || !this->Proximity.isNear(trial.faces(), demand.reach))
+  this->Budget -= Tuning::TrialCost;
+  std::vector<Vertex> inner; // that the swaps change edges of
+  for (const Edge e : edges)
   {
-    trial.takeBack();
-    return false;
+    const auto quad = this->Mesh.wingVertices(e);
+    inner.insert(inner.end(), quad.begin(), quad.end());
   }
-  ++this->Time;
-  for (const std::vector<int>* changed : { &trial.inner(), &trial.vertices() })
+  const std::vector<Vertex> all = withRings(this->Mesh, inner, 1);
+  const std::vector<Face> faces = facesAbout(this->Mesh, all);
+  const std::vector<Vertex> movable =
+    filtered(all, [this](Vertex v) { return this->Mesh.freedom(v) != Freedom::None; });
+  const double wanted = std::min(demand.minimumAngle, worstQuality(this->Mesh, faces));
+  const double bend = std::min(Tuning::LeastBend, worstBend(this->Mesh, faces));
+  const auto settleHere = [&]() {
+    return settle(this->Edit, movable, faces, demand.minimumAngle, wanted, Tuning::RibSettling);
+  };
+  const auto settleSpread = [&]() {
+    spread(this->Edit, movable);
+    return settleHere();
+  };
+  const bool isKept = wanted >= Tuning::HopelessAngle && this->Edit.attempt([&]() {
+    flipAll(this->Edit, edges);
+    return (this->Edit.attempt(settleHere) || this->Edit.attempt(settleSpread)) &&
+      worstBend(this->Mesh, faces) >= bend && this->Proximity.isNear(faces, demand.bound);
+  });
+  if (isKept)
   {
-    for (int v : *changed)
-    {
-      this->LastChange[v] = this->Time;
-    }
+    ++this->Time;
+    const auto note = [this](Vertex v) { this->LastChange[v] = this->Time; };
+    std::for_each(inner.begin(), inner.end(), note);
+    std::for_each(movable.begin(), movable.end(), note);
+    this->Moved.insert(this->Moved.end(), movable.begin(), movable.end());
   }
-  this->Moved.insert(this->Moved.end(), trial.vertices().begin(), trial.vertices().end());
-  return true;
+  return isKept;
 }
 }

@@ -4,7 +4,7 @@
 #ifndef stipple_RibSearch_h
 #define stipple_RibSearch_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
 #include "SurfaceProximity.h"
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace stipple
 /// What the search for the swaps of one side may spend, and what the mesh must keep.
 struct RibDemand
 {
-  int sequences;       ///< of swaps that are looked at
-  int trials;          ///< of them, those after which vertices are moved
-  double minimumAngle; ///< radians; of triangles, unless they had smaller ones
-  SurfaceReach reach;
+  int sequences;          ///< of swaps that are looked at
+  int trials;             ///< of them, those after which vertices are moved
+  double minimumAngle;    ///< radians; of triangles, unless they had smaller ones
+  SurfaceDistances bound; ///< from the surface
 };
 
 /// Looks for swaps that mend one side of a vertex: best first, by what they cost and how many they
@@ -26,24 +26,22 @@ struct RibDemand
 class RibSearch
 {
 public:
-  using HalfedgeHandle = OptimizedMesh::Halfedge;
-
   /// Borrows both. The budget is of sequences.
-  RibSearch(OptimizedMesh& mesh, const SurfaceProximity& proximity, int budget);
+  RibSearch(MeshEdit& edit, const SurfaceProximity& proximity, int budget);
 
   /// The side to the left of a halfedge along a crease, about the vertex that it leaves. Returns
   /// whether it was mended. Once the budget is spent, it is not but by a single swap.
-  bool mend(HalfedgeHandle h, const RibDemand& demand);
+  bool mend(Halfedge h, const RibDemand& demand);
 
   /// The vertices about all swaps that were made, some more than once.
-  const std::vector<int>& moved() const { return this->Moved; }
+  const std::vector<Vertex>& moved() const { return this->Moved; }
 
 private:
   /// Swaps in a row: those of another sequence, and one more.
   struct Sequence
   {
     int base = -1;
-    int edge = -1;
+    Edge edge;
     int length = 0;
     int change = 0;            ///< of the cost
     std::uint64_t outcome = 0; ///< the same for sequences that lead to the same edges
@@ -53,30 +51,31 @@ private:
   {
     int time = 0;
     RibDemand demand;
-    std::vector<int> vertices; ///< about which it has swapped
-    std::vector<std::vector<int>> candidates;
+    std::vector<Vertex> vertices; ///< about which it has swapped
+    std::vector<std::vector<Edge>> candidates;
   };
 
   bool hasChanged(const Attempt& attempt) const;
-  bool search(HalfedgeHandle h, const RibDemand& demand);
-  std::vector<int> edgesOf(const std::vector<Sequence>& sequences, int index) const;
-  void note(int edge, Attempt& attempt);
-  bool isWall(HalfedgeHandle h) const;
-  HalfedgeHandle beginOfSide(HalfedgeHandle h) const;
-  void addEdges(HalfedgeHandle h, bool opposite, std::vector<int>& edges) const;
-  void addHelpfulSwaps(HalfedgeHandle h, std::vector<int>& edges) const;
-  void addSwapsAfter(const std::vector<int>& sequence, std::vector<int>& edges) const;
-  bool settles(const std::vector<int>& edges, const RibDemand& demand);
+  bool search(Halfedge h, const RibDemand& demand);
+  std::vector<Edge> edgesOf(const std::vector<Sequence>& sequences, int index) const;
+  void note(Edge e, Attempt& attempt);
+  bool isWall(Halfedge h) const { return !this->Mesh.isSwappable(this->Mesh.edge(h)); }
+  Halfedge beginOfSide(Halfedge h) const;
+  void addEdges(Halfedge h, bool opposite, std::vector<Edge>& edges) const;
+  void addHelpfulSwaps(Halfedge h, std::vector<Edge>& edges) const;
+  void addSwapsAfter(const std::vector<Edge>& sequence, std::vector<Edge>& edges) const;
+  bool swapAndSettle(const std::vector<Edge>& edges, const RibDemand& demand);
 
-  OptimizedMesh& Mesh;
+  MeshEdit& Edit;
+  const OptimizedMesh& Mesh;
   const SurfaceProximity& Proximity;
   int Budget;
-  int Time = 0;                // swaps that were made
-  std::vector<int> LastChange; // of a vertex or its edges
+  int Time = 0;                         // swaps that were made
+  ElementArray<Vertex, int> LastChange; // of a vertex or its edges
   int Searches = 0;
-  std::vector<int> Seen; // the last search that came by a vertex
-  std::vector<int> Moved;
-  std::unordered_map<int, Attempt> Memory; // by the halfedge that a side begins with
+  ElementArray<Vertex, int> Seen; // the last search that came by a vertex
+  std::vector<Vertex> Moved;
+  std::unordered_map<Halfedge, Attempt> Memory; // by the halfedge that a side begins with
 };
 }
 

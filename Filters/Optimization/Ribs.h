@@ -4,7 +4,7 @@
 #ifndef stipple_Ribs_h
 #define stipple_Ribs_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
@@ -15,7 +15,7 @@ namespace stipple
 /// triangles there are good enough, or as good as the worst of them was: else all is taken back.
 /// Nothing gets farther from the surface than the mesh is somewhere, and no triangle is flipped.
 /// Returns the number of sides that were mended.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int makeRibs(OptimizedMesh& mesh);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int makeRibs(MeshEdit& edit);
 }
 
 #endif

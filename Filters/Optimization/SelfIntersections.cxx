@@ -3,14 +3,15 @@
 #include "SelfIntersections.h"
 
 #include "LocalEmbedding.h"
+#include "MeshRegion.h"
+#include "ParallelFor.h"
 #include "Relaxation.h"
+#include "Tuning.h"
 #include "VertexStar.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_3.h>
 #include <CGAL/intersections.h>
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,7 +23,7 @@ namespace stipple
 namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using HalfedgeHandle = OptimizedMesh::Halfedge;
+using Corners = std::array<Vertex, 3>;
 
 Kernel::Point_3 exact(const Vec3& p)
 {
@@ -31,16 +32,15 @@ Kernel::Point_3 exact(const Vec3& p)
 
 /// All corners of t, but for those that are shared, lie on one side of the plane of s, and not by a
 /// hair's breadth: then nothing but a shared corner is common to both.
-bool isBeside(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t)
+bool isBeside(const OptimizedMesh& mesh, const Corners& s, const Corners& t)
 {
-  constexpr double Safe = 1e-9;
   const Vec3& a = mesh.position(s[0]);
   const Vec3 u = mesh.position(s[1]) - a;
   const Vec3 w = mesh.position(s[2]) - a;
   const Vec3 n = u.cross(w);
-  const double scale = Safe * u.norm() * w.norm();
+  const double scale = Tuning::CoplanarTolerance * u.norm() * w.norm();
   int sides = 0; // 1: above, 2: below, 4: near the plane
-  for (int v : t)
+  for (const Vertex v : t)
   {
     if (v != s[0] && v != s[1] && v != s[2])
     {
@@ -54,7 +54,7 @@ bool isBeside(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std:
 }
 
 /// Two triangles that share no edge; at a vertex that they share they may touch.
-bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t)
+bool intersect(const OptimizedMesh& mesh, const Corners& s, const Corners& t)
 {
   int sharedS = -1;
   int sharedT = -1;
@@ -75,7 +75,7 @@ bool intersect(const OptimizedMesh& mesh, const std::array<int, 3>& s, const std
   {
     return false;
   }
-  const auto point = [&](int v) { return exact(mesh.position(v)); };
+  const auto point = [&](Vertex v) { return exact(mesh.position(v)); };
   const Kernel::Triangle_3 first(point(s[0]), point(s[1]), point(s[2]));
   const Kernel::Triangle_3 second(point(t[0]), point(t[1]), point(t[2]));
   if (shared == 0)
@@ -98,11 +98,11 @@ struct SelfIntersections::Internals
     Vec3 low;
     Vec3 high;
   };
-  std::vector<Box> Boxes; // as last updated
+  ElementArray<Face, Box> Boxes; // as last updated
   /// A face in one of the cells that its box touches.
   struct Entry
   {
-    int face;
+    Face face;
     int next; ///< in the same bucket, or -1
     std::uint64_t cell;
   };
@@ -113,7 +113,7 @@ struct SelfIntersections::Internals
     : Mesh(mesh)
   {
   }
-  Box boxOf(int f) const
+  Box boxOf(Face f) const
   {
     const auto t = this->Mesh.corners(f);
     const Vec3& a = this->Mesh.position(t[0]);
@@ -157,14 +157,14 @@ struct SelfIntersections::Internals
   }
   /// Calls visit(g) once for every face from `first` on whose box overlaps the box.
   template <typename Visit>
-  void forEachNear(const Box& box, int first, const Visit& visit) const
+  void forEachNear(const Box& box, Face first, const Visit& visit) const
   {
     this->forEachCell(box, [&](std::uint64_t cell, std::size_t bucket) {
       for (int e = this->Buckets[bucket]; e >= 0; e = this->Entries[e].next)
       {
-        const int g = this->Entries[e].face;
+        const Face g = this->Entries[e].face;
         const Box& other = this->Boxes[g];
-        if (g >= first && this->Entries[e].cell == cell &&
+        if (!(g < first) && this->Entries[e].cell == cell &&
           (other.low.array() <= box.high.array()).all() &&
           (box.low.array() <= other.high.array()).all())
         {
@@ -178,14 +178,14 @@ struct SelfIntersections::Internals
       }
     });
   }
-  void insert(int f)
+  void insert(Face f)
   {
     this->forEachCell(this->Boxes[f], [&](std::uint64_t cell, std::size_t bucket) {
       this->Entries.push_back({ f, this->Buckets[bucket], cell });
       this->Buckets[bucket] = static_cast<int>(this->Entries.size()) - 1;
     });
   }
-  void remove(int f)
+  void remove(Face f)
   {
     this->forEachCell(this->Boxes[f], [&](std::uint64_t, std::size_t bucket) {
       for (int* link = &this->Buckets[bucket]; *link >= 0;)
@@ -208,10 +208,10 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
   : Grid(std::make_unique<Internals>(mesh))
 {
   Internals& grid = *this->Grid;
-  const int n = mesh.numberOfFaces();
-  grid.Boxes.resize(n);
+  const int n = mesh.faces().size();
+  grid.Boxes.resize(static_cast<std::size_t>(n));
   double sum = 0;
-  for (int f = 0; f < n; ++f)
+  for (const Face f : mesh.faces())
   {
     grid.Boxes[f] = grid.boxOf(f);
     sum += (grid.Boxes[f].high - grid.Boxes[f].low).maxCoeff();
@@ -224,7 +224,7 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
   }
   grid.Buckets.assign(buckets, -1);
   grid.Entries.reserve(8 * static_cast<std::size_t>(n));
-  for (int f = 0; f < n; ++f)
+  for (const Face f : mesh.faces())
   {
     grid.insert(f);
   }
@@ -232,14 +232,14 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
 
 SelfIntersections::~SelfIntersections() = default;
 
-int SelfIntersections::count(const std::vector<int>& faces) const
+int SelfIntersections::count(const std::vector<Face>& faces) const
 {
   const Internals& grid = *this->Grid;
   int pairs = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const auto t = grid.Mesh.corners(faces[i]);
-    grid.forEachNear(grid.boxOf(faces[i]), 0, [&](int g) {
+    grid.forEachNear(grid.boxOf(faces[i]), Face(0), [&](Face g) {
       if (std::find(faces.begin(), faces.end(), g) == faces.end())
       {
         pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
@@ -253,10 +253,10 @@ int SelfIntersections::count(const std::vector<int>& faces) const
   return pairs;
 }
 
-void SelfIntersections::update(const std::vector<int>& faces)
+void SelfIntersections::update(const std::vector<Face>& faces)
 {
   Internals& grid = *this->Grid;
-  for (int f : faces)
+  for (const Face f : faces)
   {
     grid.remove(f);
     grid.Boxes[f] = grid.boxOf(f);
@@ -264,28 +264,25 @@ void SelfIntersections::update(const std::vector<int>& faces)
   }
 }
 
-std::vector<int> SelfIntersections::faces() const
+std::vector<Face> SelfIntersections::faces() const
 {
   const Internals& grid = *this->Grid;
-  const int n = grid.Mesh.numberOfFaces();
-  std::vector<std::atomic<char>> does(n);
-  vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
-    for (int f = static_cast<int>(begin); f < end; ++f)
-    {
-      const auto t = grid.Mesh.corners(f);
-      grid.forEachNear(grid.Boxes[f], f + 1, [&](int g) {
-        if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
-        {
-          does[f] = 1;
-          does[g] = 1;
-        }
-      });
-    }
+  const ElementRange<Face> all = grid.Mesh.faces();
+  std::vector<std::atomic<char>> does(static_cast<std::size_t>(all.size()));
+  parallelFor(all, [&](Face f) {
+    const auto t = grid.Mesh.corners(f);
+    grid.forEachNear(grid.Boxes[f], Face(f.index() + 1), [&](Face g) {
+      if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
+      {
+        does[f.index()] = 1;
+        does[g.index()] = 1;
+      }
+    });
   });
-  std::vector<int> result;
-  for (int f = 0; f < n; ++f)
+  std::vector<Face> result;
+  for (const Face f : all)
   {
-    if (does[f])
+    if (does[f.index()])
     {
       result.push_back(f);
     }
@@ -295,30 +292,20 @@ std::vector<int> SelfIntersections::faces() const
 
 namespace
 {
-double worstQuality(const OptimizedMesh& mesh, const std::vector<int>& faces)
+bool partByMove(MeshEdit& edit, SelfIntersections& intersections, Vertex v)
 {
-  double worst = 10;
-  for (int f : faces)
-  {
-    worst = std::min(worst, faceQuality(mesh, f));
-  }
-  return worst;
-}
-
-bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, double minimumAngle)
-{
-  std::vector<int> faces;
-  mesh.forEachFace(v, [&](int f) { faces.push_back(f); });
+  const OptimizedMesh& mesh = edit.mesh();
+  const std::vector<Face> faces = facesAbout(mesh, { v });
   int best = intersections.count(faces);
   if (best == 0)
   {
     return false;
   }
   const VertexStar star(mesh, v);
-  const double quality = std::min(minimumAngle, star.quality(mesh.footing(v)));
+  const double quality = std::min(Tuning::PartingAngle, star.quality(mesh.state(v)));
   bool changed = false;
-  const auto accept = [&]() {
-    if (star.quality(mesh.footing(v)) < quality)
+  const auto isBetter = [&]() {
+    if (best == 0 || star.quality(mesh.state(v)) < quality)
     {
       return false;
     }
@@ -332,104 +319,101 @@ bool partByMove(OptimizedMesh& mesh, SelfIntersections& intersections, int v, do
     changed = true;
     return true;
   };
+  const auto tryStep = [&](const Vec3& step) {
+    if (best > 0)
+    {
+      edit.tryPut(v, mesh.walk(mesh.place(v), step), isBetter);
+    }
+  };
   const double reach = meanEdgeLength(mesh, v);
-  for (const double size : { 0.05, 0.15, 0.3, 0.5 })
+  for (const double size : Tuning::PartingSizes)
   {
     if (mesh.freedom(v) == Freedom::Backbone)
     {
-      mesh.trySlide(v, size * reach, accept);
-      mesh.trySlide(v, -size * reach, accept);
+      edit.trySlide(v, size * reach, isBetter);
+      edit.trySlide(v, -size * reach, isBetter);
     }
-    for (int k = 0; k < 8 && best > 0 && mesh.freedom(v) == Freedom::Surface; ++k)
+    for (int k = 0; k < 8 && best > 0 && mesh.isFree(v); ++k)
     {
       const Vec3 n = mesh.normal(v);
       const Vec3 e = n.unitOrthogonal();
       const Vec3 g = n.cross(e);
       const double angle = k * 0.785398163397448;
-      mesh.tryOut(v,
-        mesh.footing(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g)),
-        accept);
+      tryStep(size * reach * (std::cos(angle) * e + std::sin(angle) * g));
     }
   }
   return changed;
 }
 
-bool partBySwap(
-  OptimizedMesh& mesh, SelfIntersections& intersections, int edge, double minimumAngle)
+bool partBySwap(MeshEdit& edit, SelfIntersections& intersections, Edge e)
 {
-  const auto& graph = mesh.graph();
-  if (!mesh.isSwappable(edge))
+  const OptimizedMesh& mesh = edit.mesh();
+  if (!mesh.isSwappable(e))
   {
     return false;
   }
-  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  const std::vector<int> faces = { graph.face_handle(h).idx(),
-    graph.face_handle(graph.opposite_halfedge_handle(h)).idx() };
+  const std::vector<Face> faces = { mesh.face(mesh.halfedge(e, 0)),
+    mesh.face(mesh.halfedge(e, 1)) };
   const int before = intersections.count(faces);
-  const double quality = std::min(minimumAngle, worstQuality(mesh, faces));
-  if (before == 0 || !mesh.swap(edge))
-  {
-    return false;
-  }
-  if (worstQuality(mesh, faces) >= quality && intersections.count(faces) < before)
+  const double quality = std::min(Tuning::PartingAngle, worstQuality(mesh, faces));
+  const bool isBetter = before > 0 && edit.attempt([&]() {
+    return edit.swap(e) && worstQuality(mesh, faces) >= quality &&
+      intersections.count(faces) < before;
+  });
+  if (isBetter)
   {
     intersections.update(faces);
-    return true;
   }
-  mesh.forceSwap(edge);
-  return false;
+  return isBetter;
 }
 
 /// Places the vertices about the triangles anew, of as few rings as part any.
-bool partByEmbedding(OptimizedMesh& mesh, SelfIntersections& intersections,
-  const std::vector<int>& faces, double minimumAngle)
+bool partByEmbedding(
+  MeshEdit& edit, SelfIntersections& intersections, const std::vector<Face>& faces)
 {
-  constexpr int MostRings = 5;
   struct State
   {
     int intersecting;
     double quality;
   };
-  const std::vector<int> changed = embedAbout(
-    mesh, faces, MostRings,
-    [&](const std::vector<int>& now) {
-      return State{ intersections.count(now), worstQuality(mesh, now) };
+  const std::vector<Face> changed = embedAbout(
+    edit, faces, Tuning::RingsOfParting,
+    [&](const std::vector<Face>& now) {
+      return State{ intersections.count(now), worstQuality(edit.mesh(), now) };
     },
     [&](const State& after, const State& before) {
       return after.intersecting < before.intersecting &&
-        after.quality >= std::min(minimumAngle, before.quality);
+        after.quality >= std::min(Tuning::PartingAngle, before.quality);
     });
   intersections.update(changed);
   return !changed.empty();
 }
 }
 
-int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses)
+int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses)
 {
+  const OptimizedMesh& mesh = edit.mesh();
   SelfIntersections intersections(mesh);
-  std::vector<int> bad = intersections.faces();
+  std::vector<Face> bad = intersections.faces();
   // Where much of a mesh passes through itself, sheets are closer together than edges are long, or
   // the surface does so too: then there is nothing to part, and trying takes long.
-  const std::size_t most = 250 + static_cast<std::size_t>(mesh.numberOfFaces()) / 50;
-  if (bad.size() > most)
+  if (static_cast<int>(bad.size()) > Tuning::FewIntersecting + mesh.faces().size() / 50)
   {
     return static_cast<int>(bad.size());
   }
-  const auto& graph = mesh.graph();
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
     bool changed = false;
-    for (int f : bad)
+    for (const Face f : bad)
     {
-      const auto t = mesh.corners(f);
-      for (int v : t)
+      for (const Vertex v : mesh.corners(f))
       {
-        changed = partByMove(mesh, intersections, v, minimumAngle) || changed;
+        changed = partByMove(edit, intersections, v) || changed;
       }
-      HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-      for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
+      Halfedge h = mesh.halfedge(f);
+      for (int k = 0; k < 3; ++k, h = mesh.next(h))
       {
-        if (partBySwap(mesh, intersections, graph.edge_handle(h).idx(), minimumAngle))
+        if (partBySwap(edit, intersections, mesh.edge(h)))
         {
           changed = true;
           break; // the triangle is another one now
@@ -437,12 +421,12 @@ int resolveSelfIntersections(OptimizedMesh& mesh, double minimumAngle, int maxim
       }
     }
     bad = intersections.faces();
-    // What is left then is a knot.
+    // What is left then lies in layers that face the same way.
     if (pass > 0 || !changed)
     {
-      for (const std::vector<int>& group : groupsOf(mesh, bad))
+      for (const std::vector<Face>& group : groupsOf(mesh, bad))
       {
-        changed = partByEmbedding(mesh, intersections, group, minimumAngle) || changed;
+        changed = partByEmbedding(edit, intersections, group) || changed;
       }
     }
     if (!changed)

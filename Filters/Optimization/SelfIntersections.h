@@ -5,7 +5,7 @@
 #ifndef stipple_SelfIntersections_h
 #define stipple_SelfIntersections_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 
 #include <memory>
@@ -22,11 +22,11 @@ public:
 
   /// Pairs of intersecting triangles of which one at least is among `faces`, as the mesh is now.
   /// The others must be where they were when update() last saw them.
-  int count(const std::vector<int>& faces) const;
+  int count(const std::vector<Face>& faces) const;
   /// Takes note of where triangles are now.
-  void update(const std::vector<int>& faces);
+  void update(const std::vector<Face>& faces);
   /// Triangles that intersect others, ascending; the same for any number of threads.
-  std::vector<int> faces() const;
+  std::vector<Face> faces() const;
 
 private:
   struct Internals;
@@ -34,11 +34,11 @@ private:
 };
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
-/// intersect and no triangle gets worse than minimumAngle (radians) unless it was; what is left is
+/// intersect and no triangle gets worse than Tuning::PartingAngle unless it was; what is left is
 /// embedded anew. A mesh that passes through itself in more than 250 and 2 % of its triangles
 /// is left as it is. Returns the number of triangles that still intersect others.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int resolveSelfIntersections(
-  OptimizedMesh& mesh, double minimumAngle, int maximumNumberOfPasses);
+  MeshEdit& edit, int maximumNumberOfPasses);
 }
 
 #endif

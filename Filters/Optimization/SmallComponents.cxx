@@ -2,24 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmallComponents.h"
 
+#include "MeshRegion.h"
+#include "Tuning.h"
+
 #include <utility>
 
 namespace stipple
 {
-namespace
-{
-constexpr std::size_t MostVertices = 30;
-/// A component keeps this share of its area at least.
-constexpr double LeastArea = 0.75;
-}
-
-SmallComponents::SmallComponents(OptimizedMesh& mesh)
+SmallComponents::SmallComponents(const OptimizedMesh& mesh)
   : Mesh(mesh)
 {
-  const int n = mesh.numberOfVertices();
-  std::vector<char> isReached(n, 0);
-  std::vector<int> vertices;
-  for (int start = 0; start < n; ++start)
+  ElementArray<Vertex, char> isReached(static_cast<std::size_t>(mesh.vertices().size()), 0);
+  std::vector<Vertex> vertices;
+  for (const Vertex start : mesh.vertices())
   {
     if (isReached[start])
     {
@@ -29,7 +24,7 @@ SmallComponents::SmallComponents(OptimizedMesh& mesh)
     isReached[start] = 1;
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      mesh.forEachNeighbour(vertices[i], [&](int u) {
+      mesh.forEachNeighbour(vertices[i], [&](Vertex u) {
         if (!isReached[u])
         {
           isReached[u] = 1;
@@ -37,26 +32,19 @@ SmallComponents::SmallComponents(OptimizedMesh& mesh)
         }
       });
     }
-    if (vertices.size() <= MostVertices)
+    if (vertices.size() <= Tuning::VerticesOfSmallComponent)
     {
       this->add(vertices);
     }
   }
 }
 
-void SmallComponents::add(const std::vector<int>& vertices)
+void SmallComponents::add(const std::vector<Vertex>& vertices)
 {
-  this->Rests.resize(this->Mesh.numberOfVertices(), 0);
+  this->Rests.resize(static_cast<std::size_t>(this->Mesh.vertices().size()), 0);
   Component component;
-  for (int v : vertices)
-  {
-    this->Mesh.forEachFace(v, [&](int f) { component.faces.push_back(f); });
-    if (this->Mesh.freedom(v) == Freedom::Surface)
-    {
-      component.vertices.push_back(v);
-    }
-  }
-  makeUnique(component.faces);
+  component.vertices = filtered(vertices, [this](Vertex v) { return this->Mesh.isFree(v); });
+  component.faces = facesAbout(this->Mesh, vertices);
   component.area = this->areaOf(component);
   this->Components.push_back(std::move(component));
 }
@@ -64,11 +52,9 @@ void SmallComponents::add(const std::vector<int>& vertices)
 double SmallComponents::areaOf(const Component& component) const
 {
   double area = 0;
-  for (int f : component.faces)
+  for (const Face f : component.faces)
   {
-    const auto t = this->Mesh.corners(f);
-    area +=
-      triangleArea(this->Mesh.position(t[0]), this->Mesh.position(t[1]), this->Mesh.position(t[2]));
+    area += this->Mesh.faceArea(f);
   }
   return area;
 }
@@ -78,25 +64,25 @@ void SmallComponents::note()
   for (Component& component : this->Components)
   {
     component.before.clear();
-    for (int v : component.vertices)
+    for (const Vertex v : component.vertices)
     {
-      component.before.push_back(this->Mesh.footing(v));
+      component.before.push_back(this->Mesh.state(v));
     }
   }
 }
 
-void SmallComponents::restore()
+void SmallComponents::restore(MeshEdit& edit)
 {
   for (Component& component : this->Components)
   {
-    if (component.rests || this->areaOf(component) >= LeastArea * component.area)
+    if (component.rests || this->areaOf(component) >= Tuning::AreaOfSmallComponent * component.area)
     {
       continue;
     }
     component.rests = true;
     for (std::size_t i = 0; i < component.vertices.size(); ++i)
     {
-      this->Mesh.put(component.vertices[i], component.before[i]);
+      edit.put(component.vertices[i], component.before[i]);
       this->Rests[component.vertices[i]] = 1;
     }
   }

@@ -4,7 +4,7 @@
 #ifndef stipple_SmallComponents_h
 #define stipple_SmallComponents_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 
 #include <vector>
@@ -17,30 +17,30 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT SmallComponents
 {
 public:
   /// Borrows the mesh.
-  explicit SmallComponents(OptimizedMesh& mesh);
+  explicit SmallComponents(const OptimizedMesh& mesh);
 
   /// Whether a vertex must not move any more.
-  bool rests(int v) const { return !this->Rests.empty() && this->Rests[v] != 0; }
+  bool rests(Vertex v) const { return !this->Rests.empty() && this->Rests[v] != 0; }
   /// Before a round of moves: notes the places.
   void note();
   /// After it: puts back what has lost too much area.
-  void restore();
+  void restore(MeshEdit& edit);
 
 private:
   struct Component
   {
-    std::vector<int> vertices; ///< that are free on the surface
-    std::vector<int> faces;
-    std::vector<Footing> before;
+    std::vector<Vertex> vertices; ///< that are free on the surface
+    std::vector<Face> faces;
+    std::vector<SurfacePoint> before;
     double area = 0; ///< at the beginning
     bool rests = false;
   };
-  void add(const std::vector<int>& vertices);
+  void add(const std::vector<Vertex>& vertices);
   double areaOf(const Component& component) const;
 
-  OptimizedMesh& Mesh;
+  const OptimizedMesh& Mesh;
   std::vector<Component> Components;
-  std::vector<char> Rests; // by vertex; empty without small components
+  ElementArray<Vertex, char> Rests; // empty without small components
 };
 }
 

@@ -3,22 +3,22 @@
 #include "SurfaceError.h"
 
 #include "LocalRepair.h"
+#include "MeshRegion.h"
+#include "ParallelFor.h"
 #include "Relaxation.h"
+#include "Tuning.h"
 #include "VertexStar.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 namespace stipple
 {
 namespace
 {
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
 /// Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi region of the triangle that p is in.
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
@@ -65,13 +65,6 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   const double height = n.dot(ap);
   return square > 0 ? height * height / square : ap.squaredNorm();
 }
-
-std::vector<int> ringOf(const OptimizedMesh& mesh, int v)
-{
-  std::vector<int> ring;
-  mesh.forEachNeighbour(v, [&](int u) { ring.push_back(u); });
-  return ring;
-}
 }
 
 SurfaceError::SurfaceError(const OptimizedMesh& mesh)
@@ -81,10 +74,10 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
   const std::vector<int>& firstNeighbour = mesh.atlas().neighbourBegin();
   const std::vector<int>& neighbour = mesh.atlas().neighbours();
   const int n = static_cast<int>(surface.points.size());
-  std::vector<int> owner(n, -1);
+  std::vector<Vertex> owner(n);
   std::vector<double> distance(n, 1e300);
   std::deque<int> queue;
-  const auto offer = [&](int p, int v) {
+  const auto offer = [&](int p, Vertex v) {
     const double d = (surface.points[p] - mesh.position(v)).squaredNorm();
     if (d < distance[p])
     {
@@ -93,7 +86,7 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
       queue.push_back(p);
     }
   };
-  for (int v = 0; v < mesh.numberOfVertices(); ++v)
+  for (const Vertex v : mesh.vertices())
   {
     for (int p : surface.triangles[mesh.place(v).face])
     {
@@ -109,50 +102,39 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
       offer(neighbour[k], owner[p]);
     }
   }
-  this->Begin.assign(mesh.numberOfVertices() + 1, 0);
-  for (int v : owner)
+  this->Begin.assign(static_cast<std::size_t>(mesh.vertices().size()) + 1, 0);
+  for (const Vertex v : owner)
   {
-    if (v >= 0)
+    if (v.valid())
     {
-      ++this->Begin[v + 1];
+      ++this->Begin[v.index() + 1];
     }
   }
-  for (int v = 0; v < mesh.numberOfVertices(); ++v)
-  {
-    this->Begin[v + 1] += this->Begin[v];
-  }
+  std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
   this->Point.resize(this->Begin.back());
   std::vector<int> next = this->Begin;
   for (int p = 0; p < n; ++p)
   {
-    if (owner[p] >= 0)
+    if (owner[p].valid())
     {
-      this->Point[next[owner[p]]++] = p;
+      this->Point[next[owner[p].index()]++] = p;
     }
   }
 }
 
-SurfaceError::Measure SurfaceError::at(int v) const
+SurfaceError::Measure SurfaceError::at(Vertex v) const
 {
   Measure result;
-  const auto& graph = this->Mesh.graph();
-  const Vec3& x = this->Mesh.position(v);
-  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  for (int k = this->Begin[v]; k < this->Begin[v + 1]; ++k)
+  const OptimizedMesh& mesh = this->Mesh;
+  for (int k = this->Begin[v.index()]; k < this->Begin[v.index() + 1]; ++k)
   {
-    const Vec3& p = this->Mesh.atlas().surface().points[this->Point[k]];
+    const Vec3& p = mesh.atlas().surface().points[this->Point[k]];
     double least = 1e300;
-    HalfedgeHandle h = first;
-    do
-    {
-      if (!graph.is_boundary(h))
-      {
-        least = std::min(least,
-          squaredDistance(p, x, this->Mesh.position(graph.to_vertex_handle(h)),
-            this->Mesh.position(graph.to_vertex_handle(graph.next_halfedge_handle(h)))));
-      }
-      h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
-    } while (h != first);
+    mesh.forEachCorner(v, [&](Halfedge h) {
+      least = std::min(least,
+        squaredDistance(
+          p, mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.apex(h))));
+    });
     result.sum += least;
     if (least > result.largest)
     {
@@ -163,89 +145,80 @@ SurfaceError::Measure SurfaceError::at(int v) const
   return result;
 }
 
-SurfaceError::Measure SurfaceError::about(int v) const
+SurfaceError::Measure SurfaceError::about(Vertex v) const
 {
-  const Measure unbounded = { 1e300, 1e300, -1 };
-  return this->aboutUpTo(v, unbounded);
+  return this->aboutUpTo(v, { 1e300, 1e300, -1 });
 }
 
-SurfaceError::Measure SurfaceError::aboutUpTo(int v, const Measure& bound) const
+SurfaceError::Measure SurfaceError::aboutUpTo(Vertex v, const Measure& bound) const
 {
   Measure result = this->at(v);
-  const auto& graph = this->Mesh.graph();
-  const HalfedgeHandle first = graph.halfedge_handle(OptimizedMesh::Vertex(v));
-  HalfedgeHandle h = first;
+  const Halfedge first = this->Mesh.halfedge(v);
+  Halfedge h = first;
   do
   {
-    const Measure m = this->at(graph.to_vertex_handle(h).idx());
+    const Measure m = this->at(this->Mesh.to(h));
     result.sum += m.sum;
     if (m.largest > result.largest)
     {
       result.largest = m.largest;
       result.farthest = m.farthest;
     }
-    h = graph.next_halfedge_handle(graph.opposite_halfedge_handle(h));
+    h = this->Mesh.next(this->Mesh.opposite(h));
   } while (h != first && result.sum < bound.sum && result.largest <= bound.largest);
   return result;
 }
 
 namespace
 {
-/// An attempt must lower the error by this share of it at least.
-constexpr double LeastGain = 0.01;
-/// No triangle becomes smaller than this share of the mean about its vertex, or larger than the
-/// mean over it, unless one was.
-constexpr double LeastArea = 0.6;
-/// What a swap must leave of the error about it, at most.
-constexpr double LeastGainOfSwap = 0.8;
-/// Where a triangle is worse than this (radians), the error is the lesser worry.
-constexpr double LeastQuality = 0.05;
-/// Where a point is farther away than this share of the edges' mean length, a tip is cut off: there
-/// areas may become this uneven, and angles (radians) this small.
-constexpr double FarAway = 0.33;
-constexpr double LeastAreaAtTip = 0.5;
-constexpr double AngleAtTip = 0.577;
-
 /// Smallest and largest area of the triangles about a vertex.
-std::pair<double, double> areasAbout(const OptimizedMesh& mesh, int v)
+std::pair<double, double> areasAbout(const OptimizedMesh& mesh, Vertex v)
 {
   double smallest = 1e300;
   double largest = 0;
-  mesh.forEachFace(v, [&](int f) {
-    auto t = mesh.corners(f);
-    std::rotate(t.begin(), std::find(t.begin(), t.end(), v), t.end());
-    const double area = triangleArea(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  mesh.forEachCorner(v, [&](Halfedge h) {
+    const double area =
+      triangleArea(mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.apex(h)));
     smallest = std::min(smallest, area);
     largest = std::max(largest, area);
   });
   return { smallest, largest };
 }
 
-bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double minimumAngle)
+/// The mesh cuts off a tip there: a point of the surface is that far away.
+bool isTip(const OptimizedMesh& mesh, Vertex v, const SurfaceError::Measure& error)
 {
+  const double far = Tuning::DistanceOfTip * meanEdgeLength(mesh, v);
+  return error.largest > far * far;
+}
+
+bool moveNearer(MeshEdit& edit, const SurfaceError& error, Vertex v, double minimumAngle)
+{
+  const OptimizedMesh& mesh = edit.mesh();
   SurfaceError::Measure best = error.about(v);
-  const double far = FarAway * meanEdgeLength(mesh, v);
-  const bool isTip = best.largest > far * far;
+  const bool atTip = isTip(mesh, v, best);
+  const double reach = meanEdgeLength(mesh, v);
   const VertexStar star(mesh, v);
   const double quality = std::min(
-    isTip ? std::min(AngleAtTip, minimumAngle) : minimumAngle, star.quality(mesh.footing(v)));
-  if (quality < LeastQuality)
+    atTip ? std::min(Tuning::AngleAtTip, minimumAngle) : minimumAngle, star.quality(mesh.state(v)));
+  if (quality < Tuning::HopelessAngle)
   {
     return false;
   }
-  const double leastArea = isTip ? LeastAreaAtTip : LeastArea;
+  const double evenness = atTip ? Tuning::EvennessAtTip : Tuning::EvennessOfAreas;
   const auto [smallest, largest] = areasAbout(mesh, v);
   const double mean = 0.5 * (smallest + largest);
-  const double least = std::min(smallest, leastArea * mean);
-  const double most = std::max(largest, mean / leastArea);
+  const double least = std::min(smallest, evenness * mean);
+  const double most = std::max(largest, mean / evenness);
   bool changed = false;
-  const auto accept = [&]() {
+  const auto isNearer = [&]() {
     const auto area = areasAbout(mesh, v);
     if (area.first < least || area.second > most)
     {
       return false;
     }
-    const SurfaceError::Measure bound = { (1. - LeastGain) * best.sum, best.largest, -1 };
+    const SurfaceError::Measure bound = { (1. - Tuning::LeastGainOfError) * best.sum, best.largest,
+      -1 };
     const SurfaceError::Measure e = error.aboutUpTo(v, bound);
     if (e.sum >= bound.sum || e.largest > bound.largest)
     {
@@ -255,183 +228,119 @@ bool moveNearer(OptimizedMesh& mesh, const SurfaceError& error, int v, double mi
     changed = true;
     return true;
   };
-  const auto isSound = [&](const Footing& there) { return star.exceeds(there, quality - 1e-9); };
-  const double reach = meanEdgeLength(mesh, v);
-  if (mesh.freedom(v) == Freedom::Backbone)
-  {
-    const auto acceptSound = [&]() { return isSound(mesh.footing(v)) && accept(); };
-    for (const double size : { 0.2, 0.07 })
-    {
-      while (
-        mesh.trySlide(v, size * reach, acceptSound) || mesh.trySlide(v, -size * reach, acceptSound))
-      {
-      }
-    }
-    return changed;
-  }
-  if (mesh.freedom(v) != Freedom::Surface)
-  {
-    return false;
-  }
-  const auto attempt = [&](const SurfacePlace& from, const Vec3& step) {
-    const Footing there = mesh.footing(from, step);
+  const auto isSound = [&](const SurfacePoint& there) {
+    return star.exceeds(there, quality - Tuning::RoundingOfAngle);
+  };
+  const auto attempt = [&](const SurfacePoint& there) {
     if (isSound(there))
     {
-      mesh.tryOut(v, there, accept);
+      edit.tryPut(v, there, isNearer);
     }
   };
-  if (best.farthest >= 0)
+  if (mesh.isFree(v) && best.farthest >= 0)
   {
-    attempt(mesh.atlas().placeOfPoint(best.farthest), Vec3::Zero());
+    attempt(mesh.pointAt(mesh.atlas().placeOfPoint(best.farthest)));
   }
-  for (const double size : { 0.2, 0.07 })
+  for (const double size : Tuning::ErrorSizes)
   {
-    const Vec3& n = mesh.normal(v);
-    const Vec3 e = n.unitOrthogonal();
-    const Vec3 g = n.cross(e);
-    for (int k = 0; k < 8; ++k)
-    {
-      const double angle = k * 0.785398163397448;
-      attempt(mesh.place(v), size * reach * (std::cos(angle) * e + std::sin(angle) * g));
-    }
+    edit.tryAround(
+      v, size * reach, [&](const Vec3& step) { attempt(mesh.walk(mesh.place(v), step)); },
+      [&]() { return isSound(mesh.state(v)) && isNearer(); });
   }
   return changed;
 }
 
 /// Swaps an edge near a tip that is cut off and moves the four vertices about it; false, and
 /// nothing is changed, if that brings the mesh no nearer.
-bool swapNearer(OptimizedMesh& mesh, const SurfaceError& error, int edge)
+bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e)
 {
-  const auto& graph = mesh.graph();
-  const OpenMesh::EdgeHandle e(edge);
-  if (!mesh.isSwappable(edge) || !graph.is_flip_ok(e))
+  const OptimizedMesh& mesh = edit.mesh();
+  if (!mesh.isSwappable(e) || !mesh.keepsManifold(e))
   {
     return false;
   }
-  const HalfedgeHandle h = graph.halfedge_handle(e, 0);
-  const HalfedgeHandle g = graph.halfedge_handle(e, 1);
-  const std::array<int, 4> quad = { { graph.from_vertex_handle(h).idx(),
-    graph.to_vertex_handle(h).idx(), graph.to_vertex_handle(graph.next_halfedge_handle(h)).idx(),
-    graph.to_vertex_handle(graph.next_halfedge_handle(g)).idx() } };
-  std::vector<int> all(quad.begin(), quad.end());
-  std::array<Footing, 4> before;
-  for (int i = 0; i < 4; ++i)
+  const auto quad = mesh.wingVertices(e);
+  if (!std::all_of(quad.begin(), quad.end(), [&](Vertex v) { return mesh.isFree(v); }))
   {
-    if (mesh.freedom(quad[i]) != Freedom::Surface)
-    {
-      return false;
-    }
-    before[i] = mesh.footing(quad[i]);
-    const std::vector<int> ring = ringOf(mesh, quad[i]);
-    all.insert(all.end(), ring.begin(), ring.end());
+    return false;
   }
-  makeUnique(all);
+  const std::vector<Vertex> all = withRings(mesh, { quad.begin(), quad.end() }, 1);
+  const std::vector<Face> faces = facesAbout(mesh, all);
   const auto errorOfAll = [&]() {
     double sum = 0;
-    for (int v : all)
+    for (const Vertex v : all)
     {
       sum += error.at(v).sum;
     }
     return sum;
   };
-  const auto worst = [&]() {
-    double q = 10;
-    for (int v : all)
-    {
-      q = std::min(q, starQuality(mesh, v));
-    }
-    return q;
-  };
   const auto irregular = [&]() {
     return std::count_if(all.begin(), all.end(),
-      [&mesh](int v) { return mesh.valence(v) < 5 || mesh.valence(v) > 7; });
+      [&mesh](Vertex v) { return mesh.valence(v) < 5 || mesh.valence(v) > 7; });
   };
   const double sum = errorOfAll();
   const auto irregularBefore = irregular();
-  const double quality = std::min(AngleAtTip, worst());
-  if (quality < LeastQuality)
-  {
-    return false;
-  }
-  mesh.forceSwap(edge);
-  for (int round = 0; round < 2 && irregular() <= irregularBefore; ++round)
-  {
-    for (int v : quad)
+  const double quality = std::min(Tuning::AngleAtTip, worstQuality(mesh, faces));
+  return quality >= Tuning::HopelessAngle && edit.attempt([&]() {
+    edit.flip(e);
+    for (int round = 0; round < 2 && irregular() <= irregularBefore; ++round)
     {
-      if (starQuality(mesh, v) < quality)
+      for (const Vertex v : quad)
       {
-        improveByMove(mesh, v);
+        if (starQuality(mesh, v) < quality)
+        {
+          improveByMove(edit, v);
+        }
+        moveNearer(edit, error, v, Tuning::AngleAtTip);
       }
-      moveNearer(mesh, error, v, AngleAtTip);
     }
-  }
-  if (irregular() <= irregularBefore && worst() >= quality && errorOfAll() < LeastGainOfSwap * sum)
-  {
-    return true;
-  }
-  mesh.forceSwap(edge);
-  for (int i = 0; i < 4; ++i)
-  {
-    mesh.put(quad[i], before[i]);
-  }
-  return false;
-}
-
-/// The edges of the triangles about a vertex.
-std::vector<int> edgesAbout(const OptimizedMesh& mesh, int v)
-{
-  const auto& graph = mesh.graph();
-  std::vector<int> edges;
-  mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
-    edges.push_back(graph.edge_handle(h).idx());
-    if (!graph.is_boundary(h))
-    {
-      edges.push_back(graph.edge_handle(graph.next_halfedge_handle(h)).idx());
-    }
+    return irregular() <= irregularBefore && worstQuality(mesh, faces) >= quality &&
+      errorOfAll() < Tuning::ErrorAfterSwap * sum;
   });
-  return edges;
 }
 }
 
-int reduceSurfaceError(OptimizedMesh& mesh, double minimumAngle, double share)
+int reduceSurfaceError(MeshEdit& edit, double minimumAngle, double share)
 {
+  const OptimizedMesh& mesh = edit.mesh();
   const SurfaceError error(mesh);
-  const int n = mesh.numberOfVertices();
-  std::vector<double> largest(n);
-  vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
-    for (int v = static_cast<int>(begin); v < end; ++v)
-    {
-      largest[v] = error.at(v).largest;
-    }
-  });
-  std::vector<int> order;
-  for (int v = 0; v < n; ++v)
+  ElementArray<Vertex, double> largest(static_cast<std::size_t>(mesh.vertices().size()));
+  parallelFor(mesh.vertices(), [&](Vertex v) { largest[v] = error.at(v).largest; });
+  std::vector<Vertex> order;
+  for (const Vertex v : mesh.vertices())
   {
     if (largest[v] > 0)
     {
       order.push_back(v);
     }
   }
-  std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return largest[a] > largest[b] || (largest[a] == largest[b] && a < b); });
-  order.resize(std::min(order.size(), static_cast<std::size_t>(share * n)));
-  int moved = 0;
-  for (int v : order)
+  std::sort(order.begin(), order.end(), [&](Vertex a, Vertex b) {
+    return largest[a] > largest[b] || (largest[a] == largest[b] && a < b);
+  });
+  order.resize(std::min(order.size(), static_cast<std::size_t>(share * mesh.vertices().size())));
+  int changes = 0;
+  for (const Vertex v : order)
   {
-    moved += moveNearer(mesh, error, v, minimumAngle) ? 1 : 0;
-    for (int u : ringOf(mesh, v))
+    changes += moveNearer(edit, error, v, minimumAngle) ? 1 : 0;
+    mesh.forEachNeighbour(
+      v, [&](Vertex u) { changes += moveNearer(edit, error, u, minimumAngle) ? 1 : 0; });
+    if (!isTip(mesh, v, error.at(v)))
     {
-      moved += moveNearer(mesh, error, u, minimumAngle) ? 1 : 0;
+      continue;
     }
-    const double far = FarAway * meanEdgeLength(mesh, v);
-    if (error.at(v).largest > far * far)
-    {
-      for (int edge : edgesAbout(mesh, v))
+    std::vector<Edge> edges; // of the triangles about it
+    mesh.forEachHalfedge(v, [&](Halfedge h) {
+      edges.push_back(mesh.edge(h));
+      if (!mesh.isBoundary(h))
       {
-        moved += swapNearer(mesh, error, edge) ? 1 : 0;
+        edges.push_back(mesh.edge(mesh.next(h)));
       }
+    });
+    for (const Edge e : edges)
+    {
+      changes += swapNearer(edit, error, e) ? 1 : 0;
     }
   }
-  return moved;
+  return changes;
 }
 }

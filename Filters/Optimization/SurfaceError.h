@@ -4,7 +4,7 @@
 #ifndef stipple_SurfaceError_h
 #define stipple_SurfaceError_h
 
-#include "OptimizedMesh.h"
+#include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
@@ -24,16 +24,17 @@ public:
     int farthest = -1; ///< the point of the largest; -1 if all lie on the mesh
   };
   /// Of the points next to a vertex.
-  Measure at(int v) const;
+  Measure at(Vertex v) const;
   /// Of the points next to a vertex and its one-ring: all that moving the vertex can change.
-  Measure about(int v) const;
+  Measure about(Vertex v) const;
   /// The same, but looks no further once the bound's sum is reached or its largest exceeded.
-  Measure aboutUpTo(int v, const Measure& bound) const;
+  Measure aboutUpTo(Vertex v, const Measure& bound) const;
 
   /// The points next to a vertex, ascending.
-  std::vector<int> pointsOf(int v) const
+  std::vector<int> pointsOf(Vertex v) const
   {
-    return { this->Point.begin() + this->Begin[v], this->Point.begin() + this->Begin[v + 1] };
+    return { this->Point.begin() + this->Begin[v.index()],
+      this->Point.begin() + this->Begin[v.index() + 1] };
   }
 
 private:
@@ -48,7 +49,7 @@ private:
 /// minimumAngle (radians), and keeps areas even. Where a tip stays cut off, edges
 /// are swapped too. Returns the number of moves and swaps.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int reduceSurfaceError(
-  OptimizedMesh& mesh, double minimumAngle, double share);
+  MeshEdit& edit, double minimumAngle, double share);
 }
 
 #endif

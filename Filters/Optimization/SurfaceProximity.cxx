@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceProximity.h"
 
+#include "MeshRegion.h"
 #include "PolyDataConversion.h"
+#include "Tuning.h"
 
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
@@ -15,20 +17,6 @@
 
 namespace stipple
 {
-namespace
-{
-using HalfedgeHandle = OptimizedMesh::Halfedge;
-
-/// Cosine between the normals of a triangle and of the surface below it: less, and it may be
-/// flipped.
-constexpr double LeastAgreement = 0.3;
-/// And of the surface at the triangle's vertices: if all agree more and none lies on a crease,
-/// there is no need to look below it.
-constexpr double SafeAgreement = 0.7;
-/// Barycentric coordinate below which a place is on an edge.
-constexpr double OnEdge = 1e-4;
-}
-
 struct SurfaceProximity::Nearest
 {
   double distance;
@@ -55,7 +43,7 @@ struct SurfaceProximity::Internals
 SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
   : Surface(std::make_unique<Internals>())
   , Mesh(mesh)
-  , CreaseOf(mesh.numberOfEdges())
+  , CreaseOf(static_cast<std::size_t>(mesh.edges().size()))
 {
   const AtlasSurface& surface = mesh.atlas().surface();
   this->Surface->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
@@ -66,39 +54,40 @@ SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
   {
     for (std::size_t i = 1; i < chains[b].size(); ++i)
     {
-      const HalfedgeHandle h = mesh.graph().find_halfedge(
-        OptimizedMesh::Vertex(chains[b][i - 1]), OptimizedMesh::Vertex(chains[b][i]));
-      this->CreaseOf[mesh.graph().edge_handle(h).idx()] = { static_cast<int>(b), chains[b][i - 1],
-        chains[b][i] };
+      const Vertex from = chains[b][i - 1];
+      const Vertex to = chains[b][i];
+      mesh.forEachHalfedge(from, [&](Halfedge h) {
+        if (mesh.to(h) == to)
+        {
+          this->CreaseOf[mesh.edge(h)] = { static_cast<int>(b), from, to };
+        }
+      });
     }
   }
 }
 
 SurfaceProximity::~SurfaceProximity() = default;
 
-Vec3 SurfaceProximity::centroid(int face) const
+Vec3 SurfaceProximity::centroid(Face f) const
 {
-  const auto t = this->Mesh.corners(face);
-  return (this->Mesh.position(t[0]) + this->Mesh.position(t[1]) + this->Mesh.position(t[2])) / 3.;
+  const auto [a, b, c] = this->Mesh.corners(f);
+  return (this->Mesh.position(a) + this->Mesh.position(b) + this->Mesh.position(c)) / 3.;
 }
 
-Vec3 SurfaceProximity::middle(int edge) const
+Vec3 SurfaceProximity::middle(Edge e) const
 {
-  const auto& graph = this->Mesh.graph();
-  const HalfedgeHandle h = graph.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-  return 0.5 *
-    (this->Mesh.position(graph.from_vertex_handle(h)) +
-      this->Mesh.position(graph.to_vertex_handle(h)));
+  const Halfedge h = this->Mesh.halfedge(e);
+  return 0.5 * (this->Mesh.position(this->Mesh.from(h)) + this->Mesh.position(this->Mesh.to(h)));
 }
 
-SurfaceReach SurfaceProximity::largest() const
+SurfaceDistances SurfaceProximity::largest() const
 {
-  SurfaceReach result;
-  for (int f = 0; f < this->Mesh.numberOfFaces(); ++f)
+  SurfaceDistances result;
+  for (const Face f : this->Mesh.faces())
   {
     result.faces = std::max(result.faces, this->Surface->nearest(this->centroid(f)).distance);
   }
-  for (int e = 0; e < this->Mesh.numberOfEdges(); ++e)
+  for (const Edge e : this->Mesh.edges())
   {
     result.faces = std::max(result.faces, this->Surface->nearest(this->middle(e)).distance);
     result.creases = std::max(result.creases, this->distanceOfCrease(e));
@@ -106,48 +95,47 @@ SurfaceReach SurfaceProximity::largest() const
   return result;
 }
 
-bool SurfaceProximity::isNear(const std::vector<int>& faces, const SurfaceReach& reach) const
+bool SurfaceProximity::isNear(const std::vector<Face>& faces, const SurfaceDistances& bound) const
 {
-  const auto& graph = this->Mesh.graph();
-  std::vector<int> edges;
-  for (int f : faces)
+  std::vector<Edge> edges;
+  for (const Face f : faces)
   {
-    HalfedgeHandle h = graph.halfedge_handle(OpenMesh::FaceHandle(f));
-    for (int k = 0; k < 3; ++k, h = graph.next_halfedge_handle(h))
+    const Halfedge h = this->Mesh.halfedge(f);
+    for (const Halfedge g : { h, this->Mesh.next(h), this->Mesh.previous(h) })
     {
-      edges.push_back(graph.edge_handle(h).idx());
+      edges.push_back(this->Mesh.edge(g));
     }
   }
   makeUnique(edges);
-  const auto isEdgeNear = [&](int e) {
-    return this->Surface->nearest(this->middle(e)).distance <= reach.faces;
+  const auto isEdgeNear = [&](Edge e) {
+    return this->Surface->nearest(this->middle(e)).distance <= bound.faces;
   };
-  const auto isFaceNear = [&](int f) {
+  const auto isFaceNear = [&](Face f) {
     const Nearest below = this->Surface->nearest(this->centroid(f));
-    return below.distance <= reach.faces && this->agreement(f, below) >= LeastAgreement;
+    return below.distance <= bound.faces &&
+      this->agreement(f, below) >= Tuning::LeastAgreementBelow;
   };
   return std::all_of(edges.begin(), edges.end(),
-           [&](int e) { return this->distanceOfCrease(e) <= reach.creases; }) &&
+           [&](Edge e) { return this->distanceOfCrease(e) <= bound.creases; }) &&
     std::all_of(faces.begin(), faces.end(), isFaceNear) &&
     std::all_of(edges.begin(), edges.end(), isEdgeNear);
 }
 
-double SurfaceProximity::distanceAbout(int v) const
+double SurfaceProximity::distanceAbout(Vertex v) const
 {
   double largest = 0;
-  this->Mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
-    const int edge = this->Mesh.graph().edge_handle(h).idx();
-    largest = std::max(largest, this->Surface->nearest(this->middle(edge)).distance);
+  this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
+    largest = std::max(largest, this->Surface->nearest(this->middle(this->Mesh.edge(h))).distance);
   });
-  this->Mesh.forEachFace(v, [&](int f) {
+  this->Mesh.forEachFace(v, [&](Face f) {
     largest = std::max(largest, this->Surface->nearest(this->centroid(f)).distance);
   });
   return largest;
 }
 
-double SurfaceProximity::distanceOfCrease(int edge) const
+double SurfaceProximity::distanceOfCrease(Edge e) const
 {
-  const Crease& crease = this->CreaseOf[edge];
+  const Crease& crease = this->CreaseOf[e];
   if (crease.backbone < 0)
   {
     return 0.;
@@ -188,19 +176,19 @@ double SurfaceProximity::distanceOfCrease(int edge) const
 /// The least cosine between the normals of a triangle and of the surface's triangles that meet at
 /// the place nearest to its centroid. On a crease there are several, and a triangle that leans out
 /// over it faces away from one of them.
-double SurfaceProximity::agreement(int face, const Nearest& below) const
+double SurfaceProximity::agreement(Face f, const Nearest& below) const
 {
   const AtlasSurface& surface = this->Mesh.atlas().surface();
-  const Vec3 n = this->Mesh.faceNormal(face);
+  const Vec3 n = this->Mesh.faceNormal(f);
   double least = 1;
-  const auto lookAt = [&](int f) {
-    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(f)));
+  const auto lookAt = [&](int under) {
+    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(under)));
   };
   lookAt(below.face);
   const double area = surface.faceArea(below.face);
   const auto isOn = [&](int h) {
     return triangleArea(surface.points[surface.tail(h)], surface.points[surface.head(h)],
-             below.place) <= OnEdge * area;
+             below.place) <= Tuning::OnEdge * area;
   };
   for (int k = 0; k < 3; ++k)
   {
@@ -232,57 +220,55 @@ double SurfaceProximity::agreement(int face, const Nearest& below) const
   return least;
 }
 
-bool SurfaceProximity::facesOutwards(int face) const
+bool SurfaceProximity::facesOutwards(Face f) const
 {
-  const Vec3 n = this->Mesh.faceNormal(face);
-  const auto t = this->Mesh.corners(face);
-  if (std::all_of(t.begin(), t.end(), [&](int v) {
-        return this->Mesh.freedom(v) == Freedom::Surface &&
-          n.dot(this->Mesh.normal(v)) > SafeAgreement;
+  const Vec3 n = this->Mesh.faceNormal(f);
+  const auto t = this->Mesh.corners(f);
+  if (std::all_of(t.begin(), t.end(), [&](Vertex v) {
+        return this->Mesh.isFree(v) && n.dot(this->Mesh.normal(v)) > Tuning::SafeAgreement;
       }))
   {
     return true;
   }
-  return this->agreement(face, this->Surface->nearest(this->centroid(face))) >= LeastAgreement;
+  return this->agreement(f, this->Surface->nearest(this->centroid(f))) >=
+    Tuning::LeastAgreementBelow;
 }
 
-SurfaceLeash::SurfaceLeash(
-  const OptimizedMesh& mesh, const SurfaceProximity& proximity, const SurfaceReach& reach)
+ProximityGuard::ProximityGuard(
+  const OptimizedMesh& mesh, const SurfaceProximity& proximity, const SurfaceDistances& bound)
   : Mesh(mesh)
   , Proximity(proximity)
-  , Reach(reach)
-  , LargestAbout(mesh.numberOfVertices(), std::numeric_limits<double>::infinity())
+  , Bound(bound)
+  , LargestAbout(
+      static_cast<std::size_t>(mesh.vertices().size()), std::numeric_limits<double>::infinity())
 {
-  this->Position.reserve(mesh.numberOfVertices());
-  for (int v = 0; v < mesh.numberOfVertices(); ++v)
+  for (const Vertex v : mesh.vertices())
   {
     this->Position.push_back(mesh.position(v));
   }
 }
 
-bool SurfaceLeash::allows(int v)
+bool ProximityGuard::allows(Vertex v)
 {
-  const auto& graph = this->Mesh.graph();
   bool isNear = true;
-  this->Mesh.forEachHalfedge(v, [&](HalfedgeHandle h) {
-    isNear =
-      isNear && this->Proximity.distanceOfCrease(graph.edge_handle(h).idx()) <= this->Reach.creases;
+  this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
+    isNear = isNear && this->Proximity.distanceOfCrease(this->Mesh.edge(h)) <= this->Bound.creases;
   });
   const double step = (this->Mesh.position(v) - this->Position[v]).norm();
   double largest = this->LargestAbout[v] + step;
-  if (isNear && largest > this->Reach.faces)
+  if (isNear && largest > this->Bound.faces)
   {
     largest = this->Proximity.distanceAbout(v);
-    isNear = largest <= this->Reach.faces;
+    isNear = largest <= this->Bound.faces;
   }
-  this->Mesh.forEachFace(v, [&](int f) { isNear = isNear && this->Proximity.facesOutwards(f); });
+  this->Mesh.forEachFace(v, [&](Face f) { isNear = isNear && this->Proximity.facesOutwards(f); });
   if (!isNear)
   {
     return false;
   }
   this->LargestAbout[v] = largest;
   this->Position[v] = this->Mesh.position(v);
-  this->Mesh.forEachNeighbour(v, [&](int u) { this->LargestAbout[u] += step; });
+  this->Mesh.forEachNeighbour(v, [&](Vertex u) { this->LargestAbout[u] += step; });
   return true;
 }
 }

@@ -14,7 +14,7 @@
 namespace stipple
 {
 /// Distances from the surface, in units of its points.
-struct SurfaceReach
+struct SurfaceDistances
 {
   double faces = 0;   ///< of the triangles' centroids and the edges' middles
   double creases = 0; ///< from an edge along a crease to the crease's points between its ends
@@ -28,55 +28,54 @@ public:
   ~SurfaceProximity();
 
   /// The largest distances of the whole mesh.
-  SurfaceReach largest() const;
+  SurfaceDistances largest() const;
   /// No distance of these triangles is larger, and they all face the way the surface does.
-  bool isNear(const std::vector<int>& faces, const SurfaceReach& reach) const;
+  bool isNear(const std::vector<Face>& faces, const SurfaceDistances& bound) const;
 
   /// Of the edges that meet at a vertex and of its triangles.
-  double distanceAbout(int v) const;
+  double distanceAbout(Vertex v) const;
   /// Zero for edges that are no features.
-  double distanceOfCrease(int edge) const;
+  double distanceOfCrease(Edge e) const;
   /// Whether a triangle faces the way the surface does: away from creases, at all of its vertices,
   /// else where the surface is nearest to the centroid: on a crease, on either side of it.
-  bool facesOutwards(int face) const;
+  bool facesOutwards(Face f) const;
 
 private:
   struct Internals;
   struct Crease
   {
     int backbone = -1;
-    int from = -1; ///< vertices; along the backbone
-    int to = -1;
+    Vertex from; ///< along the backbone
+    Vertex to;
   };
   struct Nearest;
-  double agreement(int face, const Nearest& below) const;
-  Vec3 centroid(int face) const;
-  Vec3 middle(int edge) const;
+  double agreement(Face f, const Nearest& below) const;
+  Vec3 centroid(Face f) const;
+  Vec3 middle(Edge e) const;
 
   std::unique_ptr<Internals> Surface;
   const OptimizedMesh& Mesh;
-  std::vector<Crease> CreaseOf; // by edge
+  ElementArray<Edge, Crease> CreaseOf;
 };
 
-/// Keeps the mesh within reach of the surface while vertices move one by one. Distances are
-/// measured only where the vertices' steps since the last time may have used up what is left of the
-/// reach.
-class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceLeash
+/// Keeps the mesh as near to the surface while vertices move one by one. Distances are measured
+/// only where the vertices' steps since the last time may have used up what is left of the bound.
+class STIPPLEFILTERSOPTIMIZATION_EXPORT ProximityGuard
 {
 public:
   /// Borrows both.
-  SurfaceLeash(
-    const OptimizedMesh& mesh, const SurfaceProximity& proximity, const SurfaceReach& reach);
+  ProximityGuard(
+    const OptimizedMesh& mesh, const SurfaceProximity& proximity, const SurfaceDistances& bound);
 
   /// Whether a vertex, which has moved, may stay there; else it must be put back.
-  bool allows(int v);
+  bool allows(Vertex v);
 
 private:
   const OptimizedMesh& Mesh;
   const SurfaceProximity& Proximity;
-  const SurfaceReach Reach;
-  std::vector<Vec3> Position;       // of the vertices, when they were allowed last
-  std::vector<double> LargestAbout; // no distance about a vertex is larger
+  const SurfaceDistances Bound;
+  ElementArray<Vertex, Vec3> Position;       // of the vertices, when they were allowed last
+  ElementArray<Vertex, double> LargestAbout; // no distance about a vertex is larger
 };
 }
 

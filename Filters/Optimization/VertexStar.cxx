@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexStar.h"
 
+#include "Tuning.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +11,6 @@ namespace stipple
 {
 namespace
 {
-/// A vertex and a triangle whose normals' cosine is below this face away from each other.
-constexpr double WorstCosine = -0.3;
-
 /// A quality before the arc tangent is taken: of a sound triangle the sine and cosine of its
 /// smallest angle, scaled alike.
 struct Quality
@@ -39,14 +38,14 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
   // as OptimizedMesh has it
   const double agreement =
     normals == 0 ? onCreases : (area > 0 ? (d0 + d1 + d2) / (normals * area) : 1.);
-  if (agreement < OptimizedMesh::minimumAgreement())
+  if (agreement < Tuning::LeastAgreement)
   {
     return { agreement - 1., 0., 0. };
   }
   // A vertex that has slipped out of its ring turns its back on some of its triangles, though these
   // may agree on average.
   const double worst = std::min({ d0, d1, d2 });
-  if (worst < WorstCosine * area)
+  if (worst < Tuning::LeastCosineAtVertex * area)
   {
     return { worst / area, 0., 0. };
   }
@@ -58,15 +57,10 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
   return { 0., area, -dot };
 }
 
-const Vec3& normalOf(const OptimizedMesh& mesh, int v)
+const Vec3& normalOf(const OptimizedMesh& mesh, Vertex v)
 {
   static const Vec3 None = Vec3::Zero();
-  return mesh.freedom(v) == Freedom::Surface ? mesh.normal(v) : None;
-}
-
-bool hasNormal(const OptimizedMesh& mesh, int v)
-{
-  return mesh.freedom(v) == Freedom::Surface;
+  return mesh.isFree(v) ? mesh.normal(v) : None;
 }
 
 /// The sum of what is folded, else the least value.
@@ -86,68 +80,78 @@ private:
 };
 }
 
-double triangleQuality(const OptimizedMesh& mesh, int a, int b, int c)
+double triangleQuality(const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c)
 {
-  const int normals = hasNormal(mesh, a) + hasNormal(mesh, b) + hasNormal(mesh, c);
+  const int normals = mesh.isFree(a) + mesh.isFree(b) + mesh.isFree(c);
   const Vec3& p = mesh.position(a);
   const Vec3& q = mesh.position(b);
   const Vec3& r = mesh.position(c);
   return qualityOf(p, q, r, { { &normalOf(mesh, a), &normalOf(mesh, b), &normalOf(mesh, c) } },
-    normals, normals > 0 ? 1. : mesh.agreementOnCreases(a, b, c, (q - p).cross(r - p)))
+    normals, normals > 0 ? 1. : mesh.normalAgreementOnCreases(a, b, c, (q - p).cross(r - p)))
     .value();
 }
 
-double faceQuality(const OptimizedMesh& mesh, int face)
+double faceQuality(const OptimizedMesh& mesh, Face f)
 {
-  const auto t = mesh.corners(face);
-  return triangleQuality(mesh, t[0], t[1], t[2]);
+  const auto [a, b, c] = mesh.corners(f);
+  return triangleQuality(mesh, a, b, c);
 }
 
-double starQuality(const OptimizedMesh& mesh, int v)
+double worstQuality(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  double worst = 10;
+  for (const Face f : faces)
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
+
+double starQuality(const OptimizedMesh& mesh, Vertex v)
 {
   WorstQuality worst;
-  mesh.forEachFace(v, [&](int f) { worst.add(faceQuality(mesh, f)); });
+  mesh.forEachFace(v, [&](Face f) { worst.add(faceQuality(mesh, f)); });
   return worst.value();
 }
 
-VertexStar::VertexStar(const OptimizedMesh& mesh, int v)
+VertexStar::VertexStar(const OptimizedMesh& mesh, Vertex v)
   : Mesh(mesh)
   , V(v)
-  , HasNormal(hasNormal(mesh, v))
+  , HasNormal(mesh.isFree(v))
 {
   this->Triangles.reserve(8);
-  mesh.forEachFace(v, [&](int f) {
-    auto t = mesh.corners(f);
-    std::rotate(t.begin(), std::find(t.begin(), t.end(), v), t.end());
-    this->Triangles.push_back({ mesh.position(t[1]), mesh.position(t[2]), normalOf(mesh, t[1]),
-      normalOf(mesh, t[2]), hasNormal(mesh, t[1]) + hasNormal(mesh, t[2]), { { t[1], t[2] } } });
+  mesh.forEachCorner(v, [&](Halfedge h) {
+    const Vertex q = mesh.to(h);
+    const Vertex r = mesh.apex(h);
+    this->Triangles.push_back({ mesh.position(q), mesh.position(r), normalOf(mesh, q),
+      normalOf(mesh, r), mesh.isFree(q) + mesh.isFree(r), { { q, r } } });
   });
 }
 
-double VertexStar::agreementOnCreases(const Triangle& t, const Footing& there) const
+double VertexStar::normalAgreementOnCreases(const Triangle& t, const SurfacePoint& there) const
 {
   if (this->HasNormal || t.normals > 0)
   {
     return 1.;
   }
   const Vec3 normal = (t.q - there.position).cross(t.r - there.position);
-  return this->Mesh.agreementOnCreases(this->V, t.ends[0], t.ends[1], normal);
+  return this->Mesh.normalAgreementOnCreases(this->V, t.ends[0], t.ends[1], normal);
 }
 
-double VertexStar::quality(const Footing& there) const
+double VertexStar::quality(const SurfacePoint& there) const
 {
   const Vec3 normal = this->HasNormal ? there.normal : Vec3(Vec3::Zero());
   WorstQuality worst;
   for (const Triangle& t : this->Triangles)
   {
     worst.add(qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
-      t.normals + this->HasNormal, this->agreementOnCreases(t, there))
+      t.normals + this->HasNormal, this->normalAgreementOnCreases(t, there))
                 .value());
   }
   return worst.value();
 }
 
-bool VertexStar::exceeds(const Footing& there, double bound) const
+bool VertexStar::exceeds(const SurfacePoint& there, double bound) const
 {
   if (bound < 0)
   {
@@ -162,7 +166,7 @@ bool VertexStar::exceeds(const Footing& there, double bound) const
     const std::size_t k = this->First + i < n ? this->First + i : this->First + i - n;
     const Triangle& t = this->Triangles[k];
     const Quality q = qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
-      t.normals + this->HasNormal, this->agreementOnCreases(t, there));
+      t.normals + this->HasNormal, this->normalAgreementOnCreases(t, there));
     if (q.folded < 0 || q.sine * cosine <= q.cosine * sine)
     {
       this->First = k;

@@ -12,24 +12,27 @@ namespace stipple
 /// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
 /// lower the farther.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(
-  const OptimizedMesh& mesh, int a, int b, int c);
-double faceQuality(const OptimizedMesh& mesh, int face);
+  const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double faceQuality(const OptimizedMesh& mesh, Face f);
+/// The least of some triangles; 10 of none.
+STIPPLEFILTERSOPTIMIZATION_EXPORT double worstQuality(
+  const OptimizedMesh& mesh, const std::vector<Face>& faces);
 
 /// The worst quality of the triangles about a vertex; if some are folded, the sum of theirs.
-STIPPLEFILTERSOPTIMIZATION_EXPORT double starQuality(const OptimizedMesh& mesh, int v);
+STIPPLEFILTERSOPTIMIZATION_EXPORT double starQuality(const OptimizedMesh& mesh, Vertex v);
 
 /// The triangles about a vertex, copied: as long as the vertices around it and its edges stay, they
 /// are asked for many places of the vertex without changing the mesh. (A vertex on a crease must
 /// have been put there.)
-class VertexStar
+class STIPPLEFILTERSOPTIMIZATION_EXPORT VertexStar
 {
 public:
-  VertexStar(const OptimizedMesh& mesh, int v);
+  VertexStar(const OptimizedMesh& mesh, Vertex v);
 
   /// starQuality() with the vertex there.
-  double quality(const Footing& there) const;
+  double quality(const SurfacePoint& there) const;
   /// quality(there) > bound, without looking on once that is out of the question.
-  bool exceeds(const Footing& there, double bound) const;
+  bool exceeds(const SurfacePoint& there, double bound) const;
 
 private:
   struct Triangle
@@ -38,14 +41,14 @@ private:
     Vec3 r;
     Vec3 normalQ; ///< zero on a crease, where the surface has no one normal
     Vec3 normalR;
-    int normals;             ///< of q and r, those that are not on a crease
-    std::array<int, 2> ends; ///< the vertices at q and r
+    int normals;                ///< of q and r, those that are not on a crease
+    std::array<Vertex, 2> ends; ///< the vertices at q and r
   };
   /// OptimizedMesh's, if all three vertices are on creases; else 1.
-  double agreementOnCreases(const Triangle& t, const Footing& there) const;
+  double normalAgreementOnCreases(const Triangle& t, const SurfacePoint& there) const;
 
   const OptimizedMesh& Mesh;
-  int V;
+  Vertex V;
   std::vector<Triangle> Triangles; // (v, q, r)
   bool HasNormal = false;          // v is not on a crease
   mutable std::size_t First = 0;   // the triangle that failed last is likely to fail again

@@ -98,7 +98,16 @@ int vtkRemeshOptimizer::RequestData(
       result->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
     }
   }
-  const auto lines = stipple::featureLines(atlas.graph(), mesh.chains(), result, false);
+  std::vector<std::vector<int>> chains;
+  for (const std::vector<stipple::Vertex>& chain : mesh.chains())
+  {
+    chains.emplace_back();
+    for (const stipple::Vertex v : chain)
+    {
+      chains.back().push_back(v.index());
+    }
+  }
+  const auto lines = stipple::featureLines(atlas.graph(), chains, result, false);
   meshOutput->ShallowCopy(result);
   linesOutput->ShallowCopy(lines);
   this->UpdateProgress(1.);

@@ -4,6 +4,7 @@
 // and nothing depending on threads.
 #include "DensityField.h"
 #include "MeshCreation.h"
+#include "MeshRegion.h"
 #include "SelfIntersections.h"
 #include "SmallComponents.h"
 #include "SyntheticAtlas.h"
@@ -554,32 +555,26 @@ void checkKnots()
   Run run(atlas, 900);
   run.optimizer->Update();
   ReadMesh read(atlas, run.optimizer->GetOutput(0));
-  OptimizedMesh& mesh = read.mesh;
+  const OptimizedMesh& mesh = read.mesh;
+  MeshEdit edit(read.mesh);
   check(SelfIntersections(mesh).faces().empty(), "the mesh does not intersect itself");
-  std::set<int> disk = { 400 };
-  for (int ring = 0; ring < 2; ++ring)
+  const std::vector<Vertex> disk = withRings(mesh, { Vertex(400) }, 2);
+  std::vector<SurfacePoint> places;
+  for (const Vertex v : disk)
   {
-    for (int v : std::set<int>(disk))
-    {
-      mesh.forEachNeighbour(v, [&](int u) { disk.insert(u); });
-    }
-  }
-  std::vector<Footing> places;
-  for (int v : disk)
-  {
-    places.push_back(mesh.footing(v));
+    places.push_back(mesh.state(v));
   }
   std::size_t next = places.size() / 2;
-  for (int v : disk)
+  for (const Vertex v : disk)
   {
-    mesh.put(v, places[next++ % places.size()]);
+    edit.put(v, places[next++ % places.size()]);
   }
   const std::size_t before = SelfIntersections(mesh).faces().size();
   check(before > 20, "the knot intersects itself");
-  check(resolveSelfIntersections(mesh, 0.5, 8) == 0, "the knot is undone");
+  check(resolveSelfIntersections(edit, 8) == 0, "the knot is undone");
   check(SelfIntersections(mesh).faces().empty(), "no triangles intersect");
   double worst = 10;
-  for (int v = 0; v < mesh.numberOfVertices(); ++v)
+  for (const Vertex v : mesh.vertices())
   {
     worst = std::min(worst, starQuality(mesh, v));
   }
@@ -597,35 +592,36 @@ void checkSmallComponents()
     Run run(atlas, points);
     run.mesher->Update();
     ReadMesh read(atlas, run.mesher->GetOutput(0));
-    OptimizedMesh& mesh = read.mesh;
-    int free = -1;
+    const OptimizedMesh& mesh = read.mesh;
+    MeshEdit edit(read.mesh);
+    Vertex free;
     std::vector<Vec3> before;
-    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    for (const Vertex v : mesh.vertices())
     {
-      free = mesh.freedom(v) == Freedom::Surface ? v : free;
+      free = mesh.isFree(v) ? v : free;
       before.push_back(mesh.position(v));
     }
-    check(free >= 0, "small components: a vertex is free");
+    check(free.valid(), "small components: a vertex is free");
     SmallComponents small(mesh);
     small.note();
-    small.restore();
+    small.restore(edit);
     check(!small.rests(free), "small components: what keeps its area goes on");
-    const Footing place = mesh.footing(free);
+    const SurfacePoint place = mesh.state(free);
     small.note();
-    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    for (const Vertex v : mesh.vertices())
     {
-      if (mesh.freedom(v) == Freedom::Surface)
+      if (mesh.isFree(v))
       {
-        mesh.put(v, place);
+        edit.put(v, place);
       }
     }
-    small.restore();
+    small.restore(edit);
     const bool isSmall = points < 30;
     check(small.rests(free) == isSmall, "small components: what has lost it rests");
     bool isBack = true;
-    for (int v = 0; v < mesh.numberOfVertices(); ++v)
+    for (const Vertex v : mesh.vertices())
     {
-      isBack = isBack && mesh.position(v) == before[v];
+      isBack = isBack && mesh.position(v) == before[v.index()];
     }
     check(isBack == isSmall, "small components: and is where it was");
   }

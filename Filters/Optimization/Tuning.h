@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// All tuned numbers of the optimisation. Angles are in radians (a triangle's is its smallest),
+// cosines are between unit normals, shares have no unit. Where no evidence is given, the value was
+// chosen by trial on the 13 development models at 1,000 to 20,000 points: the largest smallest
+// angle, mean Q and share of valences 5 to 7 at equal distance from the input.
+#ifndef stipple_Tuning_h
+#define stipple_Tuning_h
+
+#include <array>
+#include <cstddef>
+
+namespace stipple
+{
+struct Tuning
+{
+  static constexpr double Pi = 3.14159265358979323846;
+
+  // Rounding: what is nearer than this counts as equal.
+  static constexpr double RoundingOfAngle = 1e-9;
+  static constexpr double DelaunayTolerance = 1e-6;   ///< sine of the sum of opposite angles
+  static constexpr double LeastGainOfAspect = 1e-9;   ///< share of area / perimeter^2
+  static constexpr double ConstraintTolerance = 1e-8; ///< share of the diagonal: a point is one
+  static constexpr double CoplanarTolerance = 1e-9;   ///< a hair's breadth above a plane, over
+                                                      ///< lengths
+  static constexpr double OnEdge = 1e-4; ///< barycentric coordinate of places on an edge
+
+  // What a sound triangle is (OptimizedMesh, VertexStar).
+  /// Height over the longest edge.
+  static constexpr double LeastSoundHeight = 0.02;
+  /// Mean cosine with the surface at its vertices. Over a rim thinner than a triangle it is small
+  /// for good reason; in a fold it is about -1.
+  static constexpr double LeastAgreement = 0.1;
+  /// With the surface at one vertex: below, it has slipped out of its ring and turns its back.
+  static constexpr double LeastCosineAtVertex = -0.3;
+  /// A triangle that is worse than this is as good as folded.
+  static constexpr double AngleOfFold = 0.01;
+  /// Where one is worse than this, valences and errors are the lesser worry.
+  static constexpr double HopelessAngle = 0.05;
+
+  // Densities.
+  /// Share of the largest, to which lesser ones are raised: spacing varies 1,000 times at most.
+  static constexpr double SmallestDensity = 1e-6;
+  /// Range over the largest, up to which the density counts as the same everywhere.
+  static constexpr float UniformDensity = 1e-4F;
+
+  // Rounds of swaps and moves (MeshOptimizer).
+  /// Lloyd's step goes overRelaxation times as far, and keeps a share of the step before.
+  struct Pace
+  {
+    double overRelaxation;
+    double momentum;
+  };
+  /// What is too much for rest stirs vertices out of poor arrangements, so it comes first: better
+  /// meshes in 42 rounds than with one pace (1.5, 0.7) in 60.
+  static constexpr Pace Stirring = { 1.7, 0.85 };
+  static constexpr Pace Resting = { 1., 0.3 };
+  static constexpr double BeginOfRest = 0.8; ///< share of the rounds
+  static constexpr Pace StirringWithDensity = { 1.5, 0.85 };
+  static constexpr Pace RestingWithDensity = { 1.5, 0.5 };
+  /// Over the mean length of the edges about a vertex: beyond, the one-ring says nothing.
+  static constexpr double LongestStep = 0.5;
+  static constexpr double LaplacianStep = 0.3;    ///< share of the weighted Laplacian
+  static constexpr double LargestCotangent = 10.; ///< in its weights: slivers stay finite
+  static constexpr double LongestSlide = 0.4;     ///< of the way to the next on a backbone
+  static constexpr int RoundsOfDrawingBack = 12;  ///< of steps that make triangles unsound
+  static constexpr int PassesInRound = 2;         ///< of swaps
+  static constexpr int ManyPasses = 10;           ///< of swaps, first and last
+  static constexpr int RepairInterval = 10;       ///< rounds between repairs
+  static constexpr int FirstRepair = 2;           ///< round: the first have brought order
+  static constexpr int PassesOfRepair = 3;
+  static constexpr int LastPassesOfRepair = 5;
+  static constexpr int PassesOfParting = 8;
+
+  // Lloyd's step (Relaxation).
+  /// Area of the surface under a triangle over the triangle's, at most. More crowds vertices on
+  /// rims and tips, less lets them slide off: then sheets thinner than an edge pass through each
+  /// other.
+  static constexpr double MostHiddenArea = 3.;
+  /// 1 + cosine by which turning a step into the tangent plane divides, at least.
+  static constexpr double LeastTurn = 0.2;
+  static constexpr double LeastDensityInCell = 0.1; ///< share of the least at a triangle's corners
+  /// Of the ring's mass: in a ring that is not Delaunay pieces overlap until little is left.
+  static constexpr double LeastMassOfCell = 0.1;
+  /// Unmarked ridges and thin rims keep vertices (bunny at 5,000 points: Hausdorff distance .42 %
+  /// of the diagonal, .80 without; foot .44 and 3.3). Cosine from which planes beside a vertex
+  /// count, fully at 0; what staying on course and in the tangent plane weigh against them.
+  static constexpr double RidgeCosine = 0.6;
+  static constexpr double RidgeInertia = 20.;
+  static constexpr double RidgeFlatness = 10.;
+
+  // Angles that triangles keep or get. 36 degrees by swaps for valences; they come last: mixed with
+  // Delaunay swaps and moves they cost quality, for the moves spread what they disturb.
+  static constexpr double RegularityAngle = 36. * Pi / 180.;
+  static constexpr double SmallAngle = 0.62;  ///< below, triangles are repaired at the end
+  static constexpr double SliverAngle = 0.25; ///< and in between
+  static constexpr double ErrorAngle = 0.616; ///< kept when the error is reduced
+  static constexpr double PartingAngle = 0.5; ///< kept when self-intersections are parted
+  /// Kept when valences are repaired (33 degrees on smooth models): what can be had at a good angle
+  /// is not had at a lesser one. Armadillo at 5,000 points: 99.6 % of valence 5 to 7, for 98.9.
+  static constexpr std::array<double, 2> ValenceAngles = { { 0.613, 0.577 } };
+
+  // Repair of single triangles (LocalRepair). Sizes are shares of the mean distance to the ring.
+  static constexpr std::array<double, 5> PatternSizes = { { 0.2, 0.1, 0.05, 0.025, 0.0125 } };
+  static constexpr std::array<double, 2> SlideSizes = { { 0.2, 0.05 } };
+  static constexpr double LeastGainOfAngle = 1e-6;
+  /// By how much a place may be better than the tangent plane has it: where it promises less, no
+  /// walk is made, which takes most of the time.
+  static constexpr double PromisedAngle = 0.05;
+  /// Vertices of worse triangles may have got to the wrong side of a crease.
+  static constexpr double SlippedAngle = 0.003;
+  static constexpr int SettlingRounds = 4; ///< of moves after a swap
+
+  // Placing regions anew (LocalEmbedding).
+  static constexpr int RoundsOfEmbedding = 60;
+  static constexpr int RoundsAfterEmbedding = 6;  ///< of swaps and moves
+  static constexpr double AngleOfEmbedding = 0.6; ///< up to which these improve triangles
+  /// Of the longest edge: more, and vertices were drawn off a part of the surface.
+  static constexpr double GrowthByEmbedding = 1.2;
+  static constexpr int RingsOfUnfolding = 4;
+  static constexpr int RingsOfParting = 5;
+  static constexpr double LeastGainOfFolds = 0.5; ///< of a triangle that is folded by 90 degrees
+
+  // Bringing the mesh nearer (SurfaceError). rocker_arm at 5,000 points: Hausdorff distance .42 %
+  // of the diagonal, .64 without; armadillo .69 and .82.
+  static constexpr std::array<double, 2> ErrorSizes = { { 0.2, 0.07 } }; ///< of the mean edge
+  static constexpr double LeastGainOfError = 0.01;                       ///< share of it, by a move
+  static constexpr double ErrorAfterSwap = 0.8; ///< share of it that a swap may leave
+  /// Smallest area over the mean about a vertex, and the mean over the largest.
+  static constexpr double EvennessOfAreas = 0.6;
+  /// Over the mean edge: a point that far away was a tip, which is cut off. A ridge of rocker_arm
+  /// stood out by .51 % of the diagonal at .5. There areas may become less even, angles smaller.
+  static constexpr double DistanceOfTip = 0.33;
+  static constexpr double EvennessAtTip = 0.5;
+  static constexpr double AngleAtTip = 0.577;
+
+  // Parting triangles that pass through each other (SelfIntersections): two thirds of the pairs in
+  // the armadillo's ears and claws at 5,000 points.
+  static constexpr std::array<double, 4> PartingSizes = { { 0.05, 0.15, 0.3, 0.5 } }; ///< of edges
+  /// Triangles, and one in 50 of all: more, and there is nothing to part.
+  static constexpr int FewIntersecting = 250;
+
+  // Components that may shrink to a point (SmallComponents); eight vertices on a level set's did.
+  static constexpr std::size_t VerticesOfSmallComponent = 30;
+  static constexpr double AreaOfSmallComponent = 0.75; ///< share of the first that it keeps
+
+  // Acute corners (AcuteCorners, CoarseRegions), in spacings; the table in Design.md.
+  static constexpr double FarthestOpening = 3.4;   ///< of the first points on the creases
+  static constexpr double LeastBeyondOpening = 2.; ///< of a crease
+  static constexpr double StepOfOpening = 0.05;
+  /// The triangle is better with its points at unequal distances: not all of the way is needed.
+  static constexpr double ShareOfOpening = 0.75;
+  /// By how much more creases are opened than asked for: Lloyd's method is not exact there.
+  static constexpr double AcuteMargin = 0.01;
+  /// Spacing keeps its full growth over this part of it, then falls by this much a spacing: slowly
+  /// enough for regular triangles, fast enough for even areas elsewhere.
+  static constexpr double GrowthPlateau = 0.5;
+  static constexpr double GrowthSlope = 0.5;
+
+  // Least squares (LeastSquaresPlacement). Weights are over the mean area of a vertex.
+  static constexpr double PlacementInertia = 0.01; ///< of staying where a vertex is
+  static constexpr double PlacementFixed = 1e6;    ///< of those that must: as good as infinite
+  static constexpr double FarthestPlacement = 0.3; ///< over the mean edge
+  static constexpr double LeastTurnedCosine = 0.5; ///< between a triangle before and after
+
+  // Ribs (Ribs, RibSearch, SurfaceProximity); the table in Design.md.
+  static constexpr std::array<double, 4> RibAngles = { { 0.5, 0.43, 0.35, 0.26 } }; ///< in turn
+  /// Worth a thorough search. Where creases are one edge apart, nothing but the last will do.
+  static constexpr std::array<double, 2> LastRibAngles = { { 0.35, 0.26 } };
+  static constexpr int RibPasses = 10;
+  /// Sequences of swaps that are looked at for a side, and tried out. Single swaps come first, for
+  /// they are cheap, then what most sides are mended with. Longest searches are made where more
+  /// than one side in 60 is left: in coarse meshes, where every one counts.
+  struct RibEffort
+  {
+    int sequences;
+    int trials;
+  };
+  static constexpr RibEffort SingleSwap = { 1, 10 };
+  static constexpr RibEffort BriefSearch = { 100, 10 };
+  static constexpr RibEffort ThoroughSearch = { 1000, 50 };
+  static constexpr RibEffort LongSearch = { 3000, 300 };
+  static constexpr RibEffort LongestSearch = { 16000, 300 };
+  static constexpr int RibsOneInMany = 60;
+  static constexpr int RibBudget = 110000;   ///< sequences for all but single swaps: about a second
+  static constexpr int TrialCost = 20;       ///< sequences that are looked at in a trial's time
+  static constexpr int RibWeight = 8;        ///< of a side against an irregular vertex elsewhere
+  static constexpr int LongestSequence = 40; ///< swaps; with 20, 93 to 95 % at some numbers of
+                                             ///< points
+  static constexpr int InnerExcess = 2; ///< of valence: inner vertices with more are helped, too
+  static constexpr int SpreadingRounds = 3; ///< of moves to the middle after swaps
+  static constexpr int RibSettling = 6;     ///< rounds of moves after swaps
+  /// Cosine between triangles that meet at no crease: below, one is folded over.
+  static constexpr double LeastBend = 0.5;
+  /// Cosine between a triangle and the surface below it: less, and it may be flipped.
+  static constexpr double LeastAgreementBelow = 0.3;
+  /// With the surface at its corners, none on a crease: if all are more, it is not looked below.
+  static constexpr double SafeAgreement = 0.7;
+  /// Shares of the mesh's largest distance from the surface: what was found in vain may go a little
+  /// farther at last; moves for the sake of quality may not go as far.
+  static constexpr double LastRibDistance = 1.3;
+  static constexpr double RibEqualizingDistance = 0.8;
+  static constexpr double PoorRibAngle = 0.43; ///< below, triangles are repaired where vertices
+                                               ///< moved
+  static constexpr int RibRepairRounds = 3;
+  static constexpr int RibEqualizingRounds = 7;
+  static constexpr int RibRings = 2; ///< about what moved, that are repaired and equalized
+};
+}
+
+#endif
