@@ -17,6 +17,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
+#include "vtkDataArraySelection.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkImageData.h"
@@ -169,6 +170,10 @@ Status remesh(vtkPolyData* input, const Session& o, vtkGeometryRemesher* remeshe
   ProgressObserver progress(remesher, bar);
   ErrorCollector errors(remesher);
   remesher->SetInputData(input);
+  if (!o.has("picture") && !o.has("save_maps")) // nobody looks at others than the remesher's own
+  {
+    remesher->GetMapRenderer()->GetMapSelection()->DisableAllArrays();
+  }
   remesher->Update();
   bar.clear();
   if (interrupted())

@@ -32,6 +32,8 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkGeometryRemesher);
 
@@ -84,7 +86,7 @@ struct vtkGeometryRemesher::Internals
   bool Trying = false;        ///< numbers of points: nobody is told
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
-  std::string EnabledArray; ///< the map that the importance made this filter add
+  std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
 
   explicit Internals(vtkGeometryRemesher* self)
     : Self(self)
@@ -172,26 +174,66 @@ struct vtkGeometryRemesher::Internals
     this->InputTime = input->GetMTime();
   }
 
-  /// The importance ARRAY, and a projected picture, read a map that is not made by default.
+  /// The maps that control map and sampler read.
+  std::vector<std::string> neededMaps() const
+  {
+    const char* name = this->ControlMap->GetImportanceArrayName();
+    const bool projected = this->ControlMap->GetImageProjection() != vtkControlMap::CHART;
+    std::vector<std::string> maps{ "AreaDistortion", "FaceIndex" };
+    switch (const int importance = this->ControlMap->GetImportance())
+    {
+      case vtkControlMap::MEAN:
+      case vtkControlMap::GAUSSIAN:
+      case vtkControlMap::MINIMUM:
+      case vtkControlMap::MAXIMUM:
+      case vtkControlMap::TOTAL:
+      {
+        static const char* const curvatures[] = { "MeanCurvature", "GaussianCurvature",
+          "MinimumCurvature", "MaximumCurvature", "TotalCurvature" };
+        maps.emplace_back(curvatures[importance - vtkControlMap::MEAN]);
+        break;
+      }
+      case vtkControlMap::L2:
+        maps.insert(maps.end(), { "MeanCurvature", "GaussianCurvature" });
+        break;
+      case vtkControlMap::IMAGE:
+        maps.insert(maps.end(), projected ? 1 : 0, "Position");
+        break;
+      case vtkControlMap::ARRAY:
+        maps.insert(maps.end(), name ? 1 : 0, name ? name : "");
+        break;
+      default:
+        break;
+    }
+    return maps;
+  }
+
+  /// Adds them to what the caller selected, and takes back what was added for another importance.
   void selectMaps()
   {
     vtkDataArraySelection* maps = this->MapRenderer->GetMapSelection();
-    const char* name = this->ControlMap->GetImportanceArrayName();
-    const int importance = this->ControlMap->GetImportance();
-    const bool projected = importance == vtkControlMap::IMAGE &&
-      this->ControlMap->GetImageProjection() != vtkControlMap::CHART;
-    const std::string wanted =
-      importance == vtkControlMap::ARRAY && name ? name : (projected ? "Position" : "");
-    if (wanted != this->EnabledArray && !this->EnabledArray.empty())
+    const std::vector<std::string> needed = this->neededMaps();
+    std::vector<std::string> added;
+    for (const std::string& map : this->EnabledMaps)
     {
-      maps->DisableArray(this->EnabledArray.c_str());
-      this->EnabledArray.clear();
+      if (std::find(needed.begin(), needed.end(), map) == needed.end())
+      {
+        maps->DisableArray(map.c_str());
+      }
+      else
+      {
+        added.push_back(map);
+      }
     }
-    if (!wanted.empty() && !maps->ArrayIsEnabled(wanted.c_str()))
+    for (const std::string& map : needed)
     {
-      maps->EnableArray(wanted.c_str());
-      this->EnabledArray = wanted;
+      if (!maps->ArrayIsEnabled(map.c_str()))
+      {
+        maps->EnableArray(map.c_str());
+        added.push_back(map);
+      }
     }
+    this->EnabledMaps = std::move(added);
   }
 };
 

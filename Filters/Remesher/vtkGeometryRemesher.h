@@ -22,7 +22,8 @@
  * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
  * - 3: the feature graph, a vtkPolyData (vtkConformalAtlas)
- * - 4: the maps with `Control`, a vtkPartitionedDataSetCollection of images (vtkControlMap)
+ * - 4: the maps with `Control`, a vtkPartitionedDataSetCollection of images (vtkControlMap): those
+ * that GetMapRenderer()->GetMapSelection() enables, and those that the importance needs
  * - 5: the samples, a vtkPolyData of vertices (vtkErrorDiffusionSampler)
  * - 6: the halftones, a vtkPartitionedDataSetCollection of images (vtkErrorDiffusionSampler)
  *

@@ -13,6 +13,7 @@
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
 #include "vtkCubeSource.h"
+#include "vtkDataArraySelection.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
@@ -31,6 +32,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -200,6 +202,44 @@ void testArrayImportance()
   check(remesher->GetOutput()->GetNumberOfPoints() == 800, "importance by an array of the input");
 }
 
+/// Port 4 has the maps that are selected, and those that the importance needs.
+void testSelectedMaps()
+{
+  const auto torus = makeTorus();
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputConnection(torus->GetOutputPort());
+  remesher->SetNumberOfPoints(500);
+  remesher->SetBackendToCPU();
+  const auto maps = [&] {
+    remesher->Update();
+    check(remesher->GetOutput()->GetNumberOfPoints() == 500, "500 points");
+    auto* port = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
+    auto* image = vtkImageData::SafeDownCast(port->GetPartitionAsDataObject(0, 0));
+    std::set<std::string> names;
+    for (int k = 0; image && k < image->GetPointData()->GetNumberOfArrays(); ++k)
+    {
+      names.insert(image->GetPointData()->GetArrayName(k));
+    }
+    return names;
+  };
+  using Names = std::set<std::string>;
+  const Names least{ "AreaDistortion", "Control", "FaceIndex" };
+  const auto with = [&](Names names) {
+    names.insert(least.begin(), least.end());
+    return names;
+  };
+  check(maps().size() == 8, "the seven default maps, and Control");
+  remesher->GetMapRenderer()->GetMapSelection()->DisableAllArrays();
+  check(maps() == least, "what a uniform remeshing needs");
+  remesher->SetImportanceToTotal();
+  check(maps() == with({ "TotalCurvature" }), "and total curvature");
+  remesher->SetImportanceToL2();
+  check(maps() == with({ "GaussianCurvature", "MeanCurvature" }), "mean and Gaussian for L2");
+  remesher->GetMapRenderer()->GetMapSelection()->EnableArray("Normal");
+  remesher->SetImportanceToUniform();
+  check(maps() == with({ "Normal" }), "what is selected stays, what was added goes");
+}
+
 struct Messages
 {
   std::vector<std::string> texts;
@@ -328,6 +368,7 @@ int TestGeometryRemesher(int, char*[])
   testExecutions();
   testOutputs();
   testArrayImportance();
+  testSelectedMaps();
   testErrors();
   testEmptyInput();
   testProgressAndAbort();

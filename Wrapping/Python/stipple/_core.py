@@ -377,6 +377,7 @@ def remesh(
     _choose(remesher, "Pattern", pattern, "pattern")
     _set(remesher, "NumberOfSubdivisions", subdivisions, "subdivisions")
     remesher.SetInputData(data)
+    remesher.GetMapRenderer().GetMapSelection().DisableAllArrays()  # none is returned: only those it needs are made
     update(remesher, progress, _inner_algorithms(remesher))
     return to_mesh(remesher.GetOutput(), mesh)
 
