@@ -346,7 +346,7 @@ void Maker::mesh()
   o->choices = { "uniform", "adaptive", "rib" };
   o->initial = std::string("adaptive");
   o->stage = "vtkRemeshOptimizer";
-  o->property = "PresetTo";
+  o->property = "Preset";
   // Connectivity and smoothing, which a preset sets too, have their own rows with the same
   // defaults.
   o->apply = [](vtkAlgorithm* stage, const Option&, const OptionValue& value) {

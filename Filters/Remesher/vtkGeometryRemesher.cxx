@@ -3,6 +3,7 @@
 #include "vtkGeometryRemesher.h"
 
 #include "MessageText.h"
+#include "OptionTable.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
@@ -12,16 +13,13 @@
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
@@ -417,50 +415,34 @@ int vtkGeometryRemesher::RequestData(
   return s.Failed ? 0 : 1;
 }
 
+std::string vtkGeometryRemesher::GetOptionTable()
+{
+  return stipple::optionTableText();
+}
+
 double vtkGeometryRemesher::GetStageSeconds(int stage)
 {
   return stage >= 0 && stage < NumberOfStages ? this->Stages->Seconds[stage] : 0.;
 }
 
 // Parameters that live in the stages.
-#define stippleGetFrom(stage, name, type)                                                          \
+#define stippleForward(stage, name, type)                                                          \
   type vtkGeometryRemesher::Get##name()                                                            \
   {                                                                                                \
     return this->Stages->stage->Get##name();                                                       \
-  }
-#define stippleForward(stage, name, type)                                                          \
-  stippleGetFrom(stage, name, type);                                                               \
+  }                                                                                                \
   void vtkGeometryRemesher::Set##name(type value)                                                  \
   {                                                                                                \
     this->Stages->stage->Set##name(value);                                                         \
   }
-#define stippleForwardClamped(stage, name, type)                                                   \
-  stippleForward(stage, name, type);                                                               \
-  stippleGetFrom(stage, name##MinValue, type);                                                     \
-  stippleGetFrom(stage, name##MaxValue, type)
 #define stippleForwardChoice(stage, name, choice)                                                  \
   void vtkGeometryRemesher::Set##name##To##choice()                                                \
   {                                                                                                \
     this->Stages->stage->Set##name##To##choice();                                                  \
   }
 
-stippleForwardClamped(Atlas, FeatureAngle, double);
-stippleForward(Atlas, FeatureEdges, vtkIdTypeArray*);
-stippleForward(Atlas, FeatureCurves, vtkPolyData*);
-stippleForward(Atlas, Constraints, vtkPoints*);
-stippleForward(Atlas, ChartConstraints, vtkDoubleArray*);
-stippleForwardClamped(Atlas, NumberOfCharts, int);
-stippleForward(Atlas, MaximumDensityRatio, double);
-stippleForward(Atlas, BoundaryPlacement, int);
-stippleForwardChoice(Atlas, BoundaryPlacement, AreaMedian);
-stippleForwardChoice(Atlas, BoundaryPlacement, Middle);
-stippleForwardChoice(Atlas, BoundaryPlacement, Voronoi);
-stippleForwardClamped(MapRenderer, MapSize, int);
-stippleForward(MapRenderer, Backend, int);
-stippleForwardChoice(MapRenderer, Backend, Auto);
-stippleForwardChoice(MapRenderer, Backend, OpenGL);
-stippleForwardChoice(MapRenderer, Backend, CPU);
-stippleForward(MapRenderer, RenderWindow, vtkWindow*);
+stippleForward(Atlas, FeatureAngle, double);
+stippleForward(Atlas, NumberOfCharts, int);
 stippleForward(ControlMap, Importance, int);
 stippleForwardChoice(ControlMap, Importance, Uniform);
 stippleForwardChoice(ControlMap, Importance, Mean);
@@ -473,73 +455,32 @@ stippleForwardChoice(ControlMap, Importance, Image);
 stippleForwardChoice(ControlMap, Importance, Array);
 stippleForward(ControlMap, ImportanceArrayName, const char*);
 stippleForward(ControlMap, ImportanceImage, vtkImageData*);
-stippleForward(ControlMap, ImageProjection, int);
-stippleForwardChoice(ControlMap, ImageProjection, Chart);
-stippleForwardChoice(ControlMap, ImageProjection, XAxis);
-stippleForwardChoice(ControlMap, ImageProjection, YAxis);
-stippleForwardChoice(ControlMap, ImageProjection, ZAxis);
-stippleGetFrom(ControlMap, BandPass, double*);
-stippleForward(ControlMap, Strokes, vtkDoubleArray*);
-stippleForwardClamped(ControlMap, Gamma, double);
-stippleForward(ControlMap, TransferFunction, vtkPiecewiseFunction*);
-stippleForwardClamped(ControlMap, Gradation, double);
-stippleForwardClamped(ControlMap, MinimumDensity, double);
-stippleForward(Sampler, DiffusionMethod, int);
-stippleForwardChoice(Sampler, DiffusionMethod, Ostromoukhov);
-stippleForwardChoice(Sampler, DiffusionMethod, ZhouFang);
-stippleForward(Optimizer, Connectivity, int);
-stippleForwardChoice(Optimizer, Connectivity, None);
-stippleForwardChoice(Optimizer, Connectivity, Regularity);
-stippleForwardChoice(Optimizer, Connectivity, Aspect);
-stippleForward(Optimizer, Smoothing, int);
-stippleForwardChoice(Optimizer, Smoothing, None);
-stippleForwardChoice(Optimizer, Smoothing, Area);
-stippleForwardChoice(Optimizer, Smoothing, Density);
-stippleForwardChoice(Optimizer, Smoothing, Lloyd);
-stippleForwardClamped(Optimizer, NumberOfIterations, int);
-stippleForwardClamped(Optimizer, ErrorReduction, double);
-stippleForwardClamped(Optimizer, AcuteCornerAngle, double);
+stippleForward(ControlMap, Gamma, double);
+stippleForward(ControlMap, Gradation, double);
+stippleForward(Optimizer, NumberOfIterations, int);
 stippleForwardChoice(Optimizer, Preset, Uniform);
 stippleForwardChoice(Optimizer, Preset, Adaptive);
 stippleForwardChoice(Optimizer, Preset, Rib);
-stippleForward(Optimizer, Placement, int);
-stippleForwardChoice(Optimizer, Placement, OnSurface);
-stippleForwardChoice(Optimizer, Placement, LeastSquares);
-stippleForwardClamped(Subdivider, NumberOfSubdivisions, int);
+stippleForward(Subdivider, NumberOfSubdivisions, int);
 
-void vtkGeometryRemesher::SetBandPass(double fine, double coarse)
+int vtkGeometryRemesher::GetNumberOfPointsMinValue()
 {
-  this->Stages->ControlMap->SetBandPass(fine, coarse);
+  return 0;
 }
 
-void vtkGeometryRemesher::SetBandPass(const double sizes[2])
+int vtkGeometryRemesher::GetNumberOfPointsMaxValue()
 {
-  this->Stages->ControlMap->SetBandPass(sizes);
+  return this->Stages->Sampler->GetNumberOfSamplesMaxValue();
 }
 
-bool vtkGeometryRemesher::AddStroke(double x, double y, double z, double radius, double strength)
+void vtkGeometryRemesher::SetNumberOfPoints(int points)
 {
-  return this->Stages->ControlMap->AddStroke(x, y, z, radius, strength);
-}
-
-bool vtkGeometryRemesher::AddStroke(const double position[3], double radius, double strength)
-{
-  return this->Stages->ControlMap->AddStroke(position, radius, strength);
-}
-
-void vtkGeometryRemesher::RemoveLastStroke()
-{
-  this->Stages->ControlMap->RemoveLastStroke();
-}
-
-void vtkGeometryRemesher::RemoveAllStrokes()
-{
-  this->Stages->ControlMap->RemoveAllStrokes();
-}
-
-int vtkGeometryRemesher::GetNumberOfStrokes()
-{
-  return this->Stages->ControlMap->GetNumberOfStrokes();
+  points = std::clamp(points, this->GetNumberOfPointsMinValue(), this->GetNumberOfPointsMaxValue());
+  if (this->NumberOfPoints != points)
+  {
+    this->NumberOfPoints = points;
+    this->Modified();
+  }
 }
 
 vtkConformalAtlas* vtkGeometryRemesher::GetAtlas()

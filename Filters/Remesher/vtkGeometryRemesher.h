@@ -7,10 +7,11 @@
  * vtkGeometryRemesher runs the whole of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing",
  * SIGGRAPH 2002: vtkConformalAtlas, vtkGeometryMapRenderer, vtkControlMap,
  * vtkErrorDiffusionSampler, vtkCDTRemesh and vtkRemeshOptimizer, one behind the other. It takes any
- * vtkPolyData with polygons or strips; the atlas repairs what needs to be. Parameters are those of
- * the stages, which can also be reached directly, and a stage executes again only if its own
- * parameters or what flows into it changed: a new Gamma or Importance re-executes from the control
- * map on, and so does a new NumberOfPoints unless the maps must grow.
+ * vtkPolyData with polygons or strips; the atlas repairs what needs to be. What is set most is set
+ * here; all else that the stages have, as GetAtlas()->SetConstraints() or
+ * GetControlMap()->AddStroke(). A stage executes again only if its own parameters or what flows
+ * into it changed: a new Gamma or Importance re-executes from the control map on, a new
+ * NumberOfPoints from the maps on if they need another size for it.
  *
  * Output ports:
  * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`,
@@ -54,15 +55,9 @@
 class vtkCDTRemesh;
 class vtkConformalAtlas;
 class vtkControlMap;
-class vtkDoubleArray;
 class vtkErrorDiffusionSampler;
 class vtkGeometryMapRenderer;
-class vtkIdTypeArray;
 class vtkImageData;
-class vtkPartitionedDataSetCollection;
-class vtkPiecewiseFunction;
-class vtkPoints;
-class vtkPolyData;
 class vtkQuadRemesh;
 class vtkRemeshOptimizer;
 class vtkSemiRegularSubdivision;
@@ -76,10 +71,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The exact number of points of the mesh, 0 to 10 million; 0 is as many as the input has after
-  /// repairs. The default is 0.
-  vtkSetClampMacro(NumberOfPoints, int, 0, 10000000);
+  /// The exact number of points of the mesh, from 0 to as many as vtkErrorDiffusionSampler makes; 0
+  /// is as many as the input has after repairs. The default is 0.
+  void SetNumberOfPoints(int points);
   vtkGetMacro(NumberOfPoints, int);
+  int GetNumberOfPointsMinValue();
+  int GetNumberOfPointsMaxValue();
   ///@}
 
   ///@{
@@ -87,75 +84,13 @@ public:
   /// finds none. The default is 40. See vtkConformalAtlas.
   void SetFeatureAngle(double degrees);
   double GetFeatureAngle();
-  double GetFeatureAngleMinValue();
-  double GetFeatureAngleMaxValue();
   ///@}
 
   ///@{
-  /// Edges to keep as features besides the sharp ones: two components, the input's point ids. The
-  /// default is none.
-  void SetFeatureEdges(vtkIdTypeArray* edges);
-  vtkIdTypeArray* GetFeatureEdges();
-  /// Curves to keep as features: the polylines of a vtkPolyData, whose points are moved to the
-  /// nearest place on the surface. The default is none. See vtkConformalAtlas.
-  void SetFeatureCurves(vtkPolyData* curves);
-  vtkPolyData* GetFeatureCurves();
-  /// Positions that must become vertices; each is moved to the nearest place on the surface. The
-  /// default is none.
-  void SetConstraints(vtkPoints* positions);
-  vtkPoints* GetConstraints();
-  /// Places that must become vertices, in parameters: three components, chart, u, v. The default is
-  /// none.
-  void SetChartConstraints(vtkDoubleArray* places);
-  vtkDoubleArray* GetChartConstraints();
-  ///@}
-
-  ///@{
-  /// Least number of charts, 1 or more; topology and MaximumDensityRatio may ask for more. The
-  /// default is 1.
+  /// Least number of charts, 1 or more; topology and densities may ask for more. The default is 1.
+  /// See vtkConformalAtlas.
   void SetNumberOfCharts(int charts);
   int GetNumberOfCharts();
-  int GetNumberOfChartsMinValue();
-  int GetNumberOfChartsMaxValue();
-  ///@}
-
-  ///@{
-  /// Bound on a chart's density ratio, without unit, 2 or more. The default is 100. See
-  /// vtkConformalAtlas.
-  void SetMaximumDensityRatio(double ratio);
-  double GetMaximumDensityRatio();
-  ///@}
-
-  ///@{
-  /// Where the seam between two charts runs, a member of vtkConformalAtlas::BoundaryPlacementType.
-  /// The default is AREA_MEDIAN.
-  void SetBoundaryPlacement(int placement);
-  int GetBoundaryPlacement();
-  void SetBoundaryPlacementToAreaMedian();
-  void SetBoundaryPlacementToMiddle();
-  void SetBoundaryPlacementToVoronoi();
-  ///@}
-
-  ///@{
-  /// Pixels along the longer side of every chart's maps, 0 to 16384; 0 is what NumberOfPoints
-  /// needs. The default is 0.
-  void SetMapSize(int pixels);
-  int GetMapSize();
-  int GetMapSizeMinValue();
-  int GetMapSizeMaxValue();
-  ///@}
-
-  ///@{
-  /// What draws the maps: vtkGeometryMapRenderer::AUTO, OPENGL or CPU. The default is AUTO.
-  void SetBackend(int backend);
-  int GetBackend();
-  void SetBackendToAuto();
-  void SetBackendToOpenGL();
-  void SetBackendToCPU();
-  /// An OpenGL vtkRenderWindow whose context may draw the maps; the caller keeps it alive. The
-  /// default is none.
-  void SetRenderWindow(vtkWindow* window);
-  vtkWindow* GetRenderWindow();
   ///@}
 
   ///@{
@@ -178,37 +113,13 @@ public:
   /// The picture for the importance IMAGE; bright means many points. The default is nullptr.
   void SetImportanceImage(vtkImageData* image);
   vtkImageData* GetImportanceImage();
-  /// Where the picture lies: pasted in every chart, or projected along an axis; a member of
-  /// vtkControlMap::ProjectionType. The default is CHART.
-  void SetImageProjection(int projection);
-  int GetImageProjection();
-  void SetImageProjectionToChart();
-  void SetImageProjectionToXAxis();
-  void SetImageProjectionToYAxis();
-  void SetImageProjectionToZAxis();
   ///@}
 
   ///@{
-  /// Keeps the importance's detail of sizes between a fine and a coarse one, in percent of the
-  /// bounding box's diagonal; a coarse one of 0 is none. The default is (0, 0). See vtkControlMap.
-  void SetBandPass(double fine, double coarse);
-  void SetBandPass(const double sizes[2]);
-  double* GetBandPass() VTK_SIZEHINT(2);
-  ///@}
-
-  ///@{
-  /// The power that the importance is raised to, without unit, 0 (uniform) or more. The default
+  /// The power that the importance is raised to, without unit, 0 (uniform) to 100. The default
   /// is 1.
   void SetGamma(double gamma);
   double GetGamma();
-  double GetGammaMinValue();
-  double GetGammaMaxValue();
-  ///@}
-
-  ///@{
-  /// A function from importance in [0, 1] to importance. The default is nullptr: none.
-  void SetTransferFunction(vtkPiecewiseFunction* function);
-  vtkPiecewiseFunction* GetTransferFunction();
   ///@}
 
   ///@{
@@ -216,103 +127,21 @@ public:
   /// 100. The default is 0.
   void SetGradation(double percent);
   double GetGradation();
-  double GetGradationMinValue();
-  double GetGradationMaxValue();
   ///@}
 
   ///@{
-  /// The least density, as a part of the largest, 0 to 1. The default is vtkControlMap's.
-  void SetMinimumDensity(double fraction);
-  double GetMinimumDensity();
-  double GetMinimumDensityMinValue();
-  double GetMinimumDensityMaxValue();
-  ///@}
-
-  ///@{
-  /// Painting: dabs of a brush that add density to the surface, or erase it; radius in the unit of
-  /// the points, strength -1 or more. The default is none. See vtkControlMap.
-  bool AddStroke(double x, double y, double z, double radius, double strength);
-  bool AddStroke(const double position[3], double radius, double strength);
-  void RemoveLastStroke();
-  void RemoveAllStrokes();
-  int GetNumberOfStrokes();
-  /// All strokes: x, y, z, radius, strength.
-  void SetStrokes(vtkDoubleArray* strokes);
-  vtkDoubleArray* GetStrokes();
-  ///@}
-
-  ///@{
-  /// Coefficients of error diffusion, a member of vtkErrorDiffusionSampler::DiffusionMethodType.
-  /// The default is OSTROMOUKHOV.
-  void SetDiffusionMethod(int method);
-  int GetDiffusionMethod();
-  void SetDiffusionMethodToOstromoukhov();
-  void SetDiffusionMethodToZhouFang();
-  ///@}
-
-  ///@{
-  /// What edge swaps are for, a member of vtkRemeshOptimizer::ConnectivityType. The default is
-  /// vtkRemeshOptimizer's.
-  void SetConnectivity(int connectivity);
-  int GetConnectivity();
-  void SetConnectivityToNone();
-  void SetConnectivityToRegularity();
-  void SetConnectivityToAspect();
-  ///@}
-
-  ///@{
-  /// How vertices move, a member of vtkRemeshOptimizer::SmoothingType. The default is
-  /// vtkRemeshOptimizer's.
-  void SetSmoothing(int smoothing);
-  int GetSmoothing();
-  void SetSmoothingToNone();
-  void SetSmoothingToArea();
-  void SetSmoothingToDensity();
-  void SetSmoothingToLloyd();
-  ///@}
-
-  ///@{
-  /// Rounds of swaps and moves, 0 to 10,000. The default is vtkRemeshOptimizer's.
+  /// Rounds of swaps and moves, 0 to 10,000. The default is 42. See vtkRemeshOptimizer.
   void SetNumberOfIterations(int rounds);
   int GetNumberOfIterations();
-  int GetNumberOfIterationsMinValue();
-  int GetNumberOfIterationsMaxValue();
   ///@}
 
   ///@{
-  /// Percentage of the points, 0 to 100, about which the last step brings the mesh nearer to the
-  /// input. The default is vtkRemeshOptimizer's.
-  void SetErrorReduction(double percent);
-  double GetErrorReduction();
-  double GetErrorReductionMinValue();
-  double GetErrorReductionMaxValue();
-  ///@}
-
-  ///@{
-  /// Smallest angle, in degrees from 0 to 60, that triangles in sharp corners get by larger spacing
-  /// there, where that helps. The default is vtkRemeshOptimizer's.
-  void SetAcuteCornerAngle(double degrees);
-  double GetAcuteCornerAngle();
-  double GetAcuteCornerAngleMinValue();
-  double GetAcuteCornerAngleMaxValue();
-  ///@}
-
-  ///@{
-  /// The paper's combinations: each sets Connectivity to REGULARITY and Smoothing to LLOYD,
-  /// whatever they were, and whether the density is followed and features get ribs (see
-  /// vtkRemeshOptimizer). A new filter is as after SetPresetToAdaptive().
+  /// The paper's combinations: each sets the optimizer's Connectivity to REGULARITY and its
+  /// Smoothing to LLOYD, whatever they were, and whether the density is followed and features get
+  /// ribs (see vtkRemeshOptimizer). A new filter is as after SetPresetToAdaptive().
   void SetPresetToUniform();
   void SetPresetToAdaptive();
   void SetPresetToRib();
-  ///@}
-
-  ///@{
-  /// Whether points stay on the surface (vtkRemeshOptimizer::ON_SURFACE, the default) or leave it
-  /// to fit it better (vtkRemeshOptimizer::LEAST_SQUARES).
-  void SetPlacement(int placement);
-  int GetPlacement();
-  void SetPlacementToOnSurface();
-  void SetPlacementToLeastSquares();
   ///@}
 
   enum PatternType
@@ -335,8 +164,6 @@ public:
   /// Levels of the pattern SEMIREGULAR, 0 to 8. The default is 2.
   void SetNumberOfSubdivisions(int levels);
   int GetNumberOfSubdivisions();
-  int GetNumberOfSubdivisionsMinValue();
-  int GetNumberOfSubdivisionsMaxValue();
   ///@}
 
   ///@{
@@ -362,6 +189,10 @@ public:
     MESHING = 4,
     OPTIMISATION = 5
   };
+
+  /// The options that the program and Python have of this filter and its stages, as text: names of
+  /// fields, then an option a line, between tabs; lists are parted by bars.
+  static std::string GetOptionTable();
 
   /// Wall-clock seconds that a stage took in the last execution; 0 if it had nothing to do.
   double GetStageSeconds(int stage);

@@ -9,6 +9,7 @@
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ Figures remesh(vtkPolyData* input, int points, double acuteCornerAngle)
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(input);
   remesher->SetNumberOfPoints(points);
-  remesher->SetAcuteCornerAngle(acuteCornerAngle);
+  remesher->GetOptimizer()->SetAcuteCornerAngle(acuteCornerAngle);
   remesher->Update();
   Figures result;
   result.mesh = fromPolyData(remesher->GetOutput());

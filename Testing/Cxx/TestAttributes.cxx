@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -224,7 +225,7 @@ int TestAttributes(int, char*[])
         pattern == static_cast<int>(vtkGeometryRemesher::TRIANGLES) ? 1500 : 200);
       remesher->SetPattern(pattern);
       remesher->SetNumberOfCharts(charts);
-      remesher->SetBackendToCPU();
+      remesher->GetMapRenderer()->SetBackendToCPU();
       remesher->Update();
       const std::string name =
         std::to_string(charts) + " charts, pattern " + std::to_string(pattern);

@@ -10,12 +10,14 @@
 #include "ModelFile.h"
 
 #include "vtkCamera.h"
+#include "vtkControlMap.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
@@ -52,7 +54,7 @@ std::vector<Setting> settings()
   return { [](vtkGeometryRemesher*) {}, curvature(0.5), curvature(1.), curvature(2.),
     [=](vtkGeometryRemesher* r) {
       curvature(2.)(r);
-      r->SetMinimumDensity(0.3);
+      r->GetControlMap()->SetMinimumDensity(0.3);
     },
     [=](vtkGeometryRemesher* r) {
       curvature(1.)(r);
@@ -60,7 +62,7 @@ std::vector<Setting> settings()
       function->AddPoint(0., 1.);
       function->AddPoint(0.4, 0.05);
       function->AddPoint(1., 0.05);
-      r->SetTransferFunction(function);
+      r->GetControlMap()->SetTransferFunction(function);
     },
     [=](vtkGeometryRemesher* r) {
       curvature(2.)(r);
@@ -68,16 +70,16 @@ std::vector<Setting> settings()
     },
     [=](vtkGeometryRemesher* r) {
       curvature(1.)(r);
-      r->SetBandPass(0.5, 2.);
+      r->GetControlMap()->SetBandPass(0.5, 2.);
     },
     [](vtkGeometryRemesher* r) {
-      r->AddStroke(-0.29, 0.22, 0.28, 0.22, 6.); // on the head
-      r->AddStroke(0.25, -0.1, 0.35, 0.3, -1.);  // on the haunch
+      r->GetControlMap()->AddStroke(-0.29, 0.22, 0.28, 0.22, 6.); // on the head
+      r->GetControlMap()->AddStroke(0.25, -0.1, 0.35, 0.3, -1.);  // on the haunch
     },
     stripes,
     [=](vtkGeometryRemesher* r) {
       stripes(r);
-      r->SetImageProjectionToZAxis();
+      r->GetControlMap()->SetImageProjectionToZAxis();
     },
     [](vtkGeometryRemesher* r) { r->SetImportanceToL2(); } };
 }
@@ -116,8 +118,8 @@ int TestControlPictures(int argc, char* argv[])
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(mesh);
   remesher->SetNumberOfPoints(5000);
-  remesher->SetSmoothingToNone();
-  remesher->SetConnectivityToNone();
+  remesher->GetOptimizer()->SetSmoothingToNone();
+  remesher->GetOptimizer()->SetConnectivityToNone();
   remesher->SetNumberOfIterations(0);
   vtkNew<vtkHeadlessRenderWindow> window;
   window->SetMultiSamples(0);
@@ -127,12 +129,12 @@ int TestControlPictures(int argc, char* argv[])
   {
     remesher->SetImportanceToUniform();
     remesher->SetGamma(1.);
-    remesher->SetMinimumDensity(0.02);
-    remesher->SetTransferFunction(nullptr);
+    remesher->GetControlMap()->SetMinimumDensity(0.02);
+    remesher->GetControlMap()->SetTransferFunction(nullptr);
     remesher->SetGradation(0.);
-    remesher->SetBandPass(0., 0.);
-    remesher->RemoveAllStrokes();
-    remesher->SetImageProjectionToChart();
+    remesher->GetControlMap()->SetBandPass(0., 0.);
+    remesher->GetControlMap()->RemoveAllStrokes();
+    remesher->GetControlMap()->SetImageProjectionToChart();
     all[i](remesher);
     remesher->Update();
     const auto samples = vtkSmartPointer<vtkPolyData>::New();

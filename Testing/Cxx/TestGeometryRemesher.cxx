@@ -97,7 +97,7 @@ void testExecutions()
   Executions executions(remesher);
   remesher->SetInputConnection(sphere->GetOutputPort());
   remesher->SetNumberOfPoints(1000);
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   remesher->Update();
   check(remesher->GetOutput()->GetNumberOfPoints() == 1000, "1000 points");
   check(remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) > 0, "the atlas took time");
@@ -110,7 +110,7 @@ void testExecutions()
   remesher->SetGamma(0.5);
   remesher->Update();
   executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "importance and gamma");
-  remesher->SetMinimumDensity(0.3);
+  remesher->GetControlMap()->SetMinimumDensity(0.3);
   remesher->Update();
   executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "minimum density");
   check(remesher->GetStageSeconds(vtkGeometryRemesher::CONTROL) > 0, "the control map took time");
@@ -124,7 +124,7 @@ void testExecutions()
   remesher->Update();
   executions.expect({ { 0, 1, 1, 1, 1, 1 } }, "twenty times the points need larger maps");
 
-  remesher->SetSmoothingToArea();
+  remesher->GetOptimizer()->SetSmoothingToArea();
   remesher->Update();
   executions.expect({ { 0, 0, 0, 0, 0, 1 } }, "smoothing");
 
@@ -146,7 +146,7 @@ void testOutputs()
   const auto torus = makeTorus();
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputConnection(torus->GetOutputPort());
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   remesher->Update();
   vtkPolyData* mesh = remesher->GetOutput();
   const vtkIdType welded = remesher->GetAtlas()->GetNumberOfSurfacePoints();
@@ -195,7 +195,7 @@ void testArrayImportance()
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(input);
   remesher->SetNumberOfPoints(800);
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   remesher->SetImportanceArrayName("Normals");
   remesher->SetImportanceToArray();
   remesher->Update();
@@ -209,7 +209,7 @@ void testSelectedMaps()
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputConnection(torus->GetOutputPort());
   remesher->SetNumberOfPoints(500);
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   const auto maps = [&] {
     remesher->Update();
     check(remesher->GetOutput()->GetNumberOfPoints() == 500, "500 points");
@@ -254,7 +254,7 @@ void testErrors()
   vtkNew<vtkCubeSource> cube;
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputConnection(cube->GetOutputPort());
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   remesher->SetNumberOfPoints(3);
   Messages messages;
   vtkNew<vtkCallbackCommand> command;
@@ -332,7 +332,7 @@ void testProgressAndAbort()
   torus->Update();
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputDataObject(torus->GetOutputDataObject(0));
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   remesher->SetNumberOfPoints(2000);
   Watcher watcher;
   vtkNew<vtkCallbackCommand> command;

@@ -106,7 +106,7 @@ class MapsTest(unittest.TestCase):
     def test_bad_input(self):
         with self.assertRaisesRegex(TypeError, "cannot apply"):
             stipple.maps(self.atlas, charts=3)
-        with self.assertRaisesRegex(ValueError, "map_size"):
+        with self.assertRaisesRegex(ValueError, r"^size must be from 16"):
             stipple.maps(self.atlas, size=0)
 
 

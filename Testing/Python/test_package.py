@@ -48,16 +48,10 @@ class Package(unittest.TestCase):
             body = ast.parse(file.read()).body
         typed = {node.name for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         self.assertEqual(typed, set(stipple.__all__))
-        atlas = list(inspect.signature(stipple.atlas).parameters.values())
         for node in body:
             if not isinstance(node, ast.FunctionDef):
                 continue
-            wanted = []
-            for parameter in inspect.signature(getattr(stipple, node.name)).parameters.values():
-                # maps() passes options on to atlas(); the stub names them.
-                wanted += [parameter] if parameter.kind != parameter.VAR_KEYWORD else [
-                    p.replace(kind=p.KEYWORD_ONLY) for p in atlas if p.name not in ("mesh", "progress")
-                ]
+            wanted = inspect.signature(getattr(stipple, node.name)).parameters.values()
             self.assertIsNone(node.args.kwarg)
             optional = len(node.args.args) - len(node.args.defaults)
             typed = [(a.arg, False, i >= optional) for i, a in enumerate(node.args.args)]

@@ -33,8 +33,8 @@ int main()
     return EXIT_FAILURE;
   }
 
-  // Charts and geometry maps are kept: only the control map, the sampler and what follows execute
-  // again.
+  // Charts are kept, and so are the maps, unless they need another size for another number: what
+  // follows executes again.
   remesher->SetImportanceToMean();
   remesher->SetNumberOfPoints(1000);
   remesher->Update();

@@ -3,6 +3,7 @@
 """Runs VTK algorithms so that errors are exceptions, warnings are warnings, and progress can stop them."""
 import contextlib
 import re
+import sys
 import warnings
 
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkObject
@@ -79,6 +80,14 @@ def _observed(run, algorithm, others):
             source.RemoveObserver(tag)
 
 
+def _level_of_caller():
+    """The stack level, for warnings.warn in the function that asks, of the first frame outside of this package."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back and frame.f_globals["__name__"].split(".")[0] == __name__.split(".")[0]:
+        level, frame = level + 1, frame.f_back
+    return level
+
+
 def update(algorithm, progress=None, others=()):
     """Executes an algorithm.
 
@@ -105,6 +114,6 @@ def update(algorithm, progress=None, others=()):
     if run.errors:
         raise StippleError(run.errors[0])
     for text in dict.fromkeys(run.warnings):
-        warnings.warn(text, StippleWarning, stacklevel=4)
+        warnings.warn(text, StippleWarning, stacklevel=_level_of_caller())
     if progress is not None and algorithm.GetProgress() < 1.0:
         progress(1.0)

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The program `stipple` with one more row in the table of options, a second gamma; and the table,
+// and what a window would save of a command line, as text.
+#include "CommandLine.h"
+#include "Messages.h"
+#include "Program.h"
+#include "Run.h"
+#include "Session.h"
+
+using namespace stipple;
+
+int main(int argc, char* argv[])
+{
+  Option dummy = *findOption("gamma");
+  dummy.group = Option::Group::Mesh;
+  dummy.name = "dummy_power";
+  dummy.argument = "P";
+  dummy.help = "what no one needs";
+  dummy.unit = "dummies";
+  dummy.high = 7.5;
+  dummy.initial = 1.25;
+  optionTable().push_back(dummy);
+
+  const auto window = CollectingOutputWindow::install();
+  const Program program("stipple");
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--table")
+  {
+    return program.print(optionTableText());
+  }
+  if (first == "--save-session")
+  {
+    arguments.erase(arguments.begin());
+  }
+  const CommandLine line = parseCommandLine(arguments);
+  switch (line.action)
+  {
+    case CommandLine::Action::Help:
+      return program.print(helpText());
+    case CommandLine::Action::HelpForReadme:
+      return program.print(readmeTable());
+    case CommandLine::Action::Run:
+      if (first == "--save-session")
+      {
+        Session session;
+        session.setAll(line.options);
+        return program.print(toJson(session));
+      }
+      return program.perform([&line] { return run(line.options); });
+    default:
+      return program.complain(line.message, WrongUsage);
+  }
+}
