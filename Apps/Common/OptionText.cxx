@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionText.h"
 
+#include "MeshFile.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
@@ -170,10 +171,97 @@ Status readRows(const Option& option, const std::string& file, std::vector<doubl
   return stream.bad() ? Status::error("cannot read '" + file + "'") : Status::success();
 }
 
-std::string unknownOption(const std::string& typed, const std::vector<std::string>& names)
+Option programOption(Option::Group group, Option::Kind kind, const char* name, const char* argument,
+  const char* help, const std::vector<std::string>& endings)
 {
-  const std::string near = didYouMean(typed, names);
-  return "unknown option '" + typed + "'" + (near.empty() ? "; --help lists them all" : near);
+  Option option;
+  option.kind = kind;
+  option.group = group;
+  option.name = name;
+  option.argument = argument;
+  option.help = help;
+  option.endings = endings;
+  option.initial = std::string();
+  option.places = Option::CommandLine;
+  return option;
+}
+
+Arguments parseArguments(const std::vector<std::string>& arguments,
+  const std::vector<Option>& table, const std::string& usage)
+{
+  Arguments result;
+  const auto complainIf = [&result](bool wrong, const std::string& sentence) {
+    result.problem = wrong && result.problem.empty() ? sentence : result.problem;
+  };
+  bool onlyFiles = false; // after "--"
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string& argument = arguments[i];
+    if (onlyFiles || argument.size() < 2 || argument[0] != '-')
+    {
+      complainIf(result.options.has("model"),
+        "two input files, '" + result.options.text("model") + "' and '" + argument + "'");
+      result.options.set("model", argument);
+      continue;
+    }
+    if (argument == "--")
+    {
+      onlyFiles = true;
+      continue;
+    }
+    const std::size_t equals =
+      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
+    const bool hasValue = equals != std::string::npos;
+    const std::string typed = argument.substr(0, equals);
+    const std::string name = typed == "-o" ? "--output" : (typed == "-h" ? "--help" : typed);
+    if (name == "--help" || name == "--version")
+    {
+      result.asked = name.substr(2) + argument.substr(typed.size());
+      return result;
+    }
+    std::vector<std::string> names;
+    for (const Option& option : table)
+    {
+      names.push_back(option.flag());
+    }
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+    {
+      const std::string near = didYouMean(name, names);
+      complainIf(
+        true, "unknown option '" + name + "'" + (near.empty() ? "; --help lists them all" : near));
+      continue;
+    }
+    const Option& option = table[found - names.begin()];
+    const bool isFlag = option.kind == Option::Kind::Flag;
+    complainIf(isFlag && hasValue, typed + " takes no value");
+    if (!isFlag && !hasValue && i + 1 == arguments.size())
+    {
+      complainIf(true, typed + " needs " + option.argument);
+      break;
+    }
+    const std::string value =
+      hasValue ? argument.substr(equals + 1) : (isFlag ? std::string() : arguments[++i]);
+    const std::string wrong = parseOption(option, value, result.options);
+    complainIf(!wrong.empty(), typed + " " + wrong);
+    result.inOrder.emplace_back(option.name, value);
+  }
+  complainIf(!result.options.has("model") && !result.options.has("session"),
+    "no input file; usage: " + usage);
+  const auto checkEnding = [&](const std::string& name, const std::string& called,
+                             const std::vector<std::string>& endings) {
+    const std::string& file = result.options.text(name);
+    complainIf(result.options.has(name) && !endings.empty() &&
+        std::find(endings.begin(), endings.end(), fileExtension(file)) == endings.end(),
+      called + " '" + file + "' must end in " + listed(endings, ", "));
+  };
+  checkEnding("model", "the input", meshFileExtensions());
+  for (const Option& option : table)
+  {
+    checkEnding(
+      option.name, option.name == "output" ? "the output" : option.flag(), option.endings);
+  }
+  return result;
 }
 
 std::string nearestWord(const std::string& typed, const std::vector<std::string>& words)
@@ -193,30 +281,47 @@ std::string nearestWord(const std::string& typed, const std::vector<std::string>
   return best;
 }
 
-std::string helpEntry(const std::string& left, const std::string& right, std::size_t indent)
+std::string helpEntry(const std::string& left, const std::string& right)
 {
+  constexpr std::size_t Indent = 30;
   constexpr std::size_t Width = 90;
   std::string text = "  " + left;
   std::size_t column = text.size();
   const auto newLine = [&] {
-    text += "\n" + std::string(indent, ' ');
-    column = indent;
+    text += "\n" + std::string(Indent, ' ');
+    column = Indent;
   };
-  if (column + 2 > indent)
+  if (column + 2 > Indent)
   {
     newLine();
   }
-  text += std::string(indent - column, ' ');
-  column = indent;
+  text += std::string(Indent - column, ' ');
+  column = Indent;
   for (const std::string& word : parted(right, ' '))
   {
-    if (column > indent && column + 1 + word.size() > Width)
+    if (column > Indent && column + 1 + word.size() > Width)
     {
       newLine();
     }
-    text += (column > indent ? " " : "") + word;
-    column += (column > indent ? 1 : 0) + word.size();
+    text += (column > Indent ? " " : "") + word;
+    column += (column > Indent ? 1 : 0) + word.size();
   }
   return text + "\n";
+}
+
+std::string helpEntry(const Option& option)
+{
+  std::string columns;
+  for (const Option::Column& column : option.columns)
+  {
+    columns += (columns.empty() ? "; " : " ") + column.name;
+  }
+  const std::string range = option.range();
+  const std::string initial = option.initialText();
+  const bool words = option.kind == Option::Kind::Choice;
+  return helpEntry(option.flag() + (option.argument.empty() ? "" : " " + option.argument),
+    (words ? range + ": " : "") + option.help + (option.fromFile ? columns + " a line" : "") +
+      (words || range.empty() ? "" : "; " + range) +
+      (initial.empty() ? "" : " (default: " + initial + ")"));
 }
 }

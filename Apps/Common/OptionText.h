@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Options as text: what a user types, files of rows, and help.
+// Options as text: command lines, files of rows, and help.
 #ifndef stipple_OptionText_h
 #define stipple_OptionText_h
 
@@ -22,17 +22,34 @@ namespace stipple
 [[nodiscard]] Status readRows(
   const Option& option, const std::string& file, std::vector<double>& values);
 
-/// "unknown option '--gama'; did you mean '--gamma'?"
-[[nodiscard]] std::string unknownOption(
-  const std::string& typed, const std::vector<std::string>& names);
+/// An option that is a program's, not the table's.
+[[nodiscard]] Option programOption(Option::Group group, Option::Kind kind, const char* name,
+  const char* argument, const char* help, const std::vector<std::string>& endings = {});
+
+/// What a command line says.
+struct Arguments
+{
+  /// What was given, by the options' names; "model" is the input.
+  OptionValues options;
+  /// The same as it was typed.
+  std::vector<std::pair<std::string, std::string>> inOrder;
+  std::string asked;   ///< "help" or "version", with what was typed behind it: all else is idle
+  std::string problem; ///< what is wrong first, one sentence
+};
+
+/// Reads a command line with these options; -o is --output and -h is --help. It needs a model or a
+/// session.
+[[nodiscard]] Arguments parseArguments(const std::vector<std::string>& arguments,
+  const std::vector<Option>& table, const std::string& usage);
 
 /// Of some words, the one that was probably meant; empty if none is near.
 [[nodiscard]] std::string nearestWord(
   const std::string& typed, const std::vector<std::string>& words);
 
 /// An entry of a help text: `left`, and `right` in lines beside it.
-[[nodiscard]] std::string helpEntry(
-  const std::string& left, const std::string& right, std::size_t indent);
+[[nodiscard]] std::string helpEntry(const std::string& left, const std::string& right);
+/// The same of an option, with its range and default.
+[[nodiscard]] std::string helpEntry(const Option& option);
 }
 
 #endif

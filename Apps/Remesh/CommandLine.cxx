@@ -17,7 +17,6 @@ using Group = Option::Group;
 
 constexpr const char* GroupTitles[] = { "Sampling", "Features and charts", "Mesh",
   "Files beside the output", "General" };
-constexpr const char* NoInput = "no input file; usage: stipple INPUT -o OUTPUT [options]";
 
 /// All options of the command line: the table's, and those that only the program has.
 std::vector<Option> programOptions()
@@ -32,16 +31,7 @@ std::vector<Option> programOptions()
   }
   const auto add = [&options](Group group, Kind kind, const char* name, const char* argument,
                      const char* help, const std::vector<std::string>& endings = {}) -> Option& {
-    Option option;
-    option.kind = kind;
-    option.group = group;
-    option.name = name;
-    option.argument = argument;
-    option.help = help;
-    option.endings = endings;
-    option.initial = std::string();
-    option.places = Option::CommandLine;
-    options.push_back(option);
+    options.push_back(programOption(group, kind, name, argument, help, endings));
     return options.back();
   };
   add(Group::Files, Kind::File, "output", "FILE", "the mesh to write", meshFileExtensions());
@@ -74,10 +64,6 @@ std::vector<Option> programOptions()
 /// What no single option can tell.
 std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
 {
-  if (!o.has("model") && !o.has("session"))
-  {
-    return NoInput;
-  }
   if (!o.has("output"))
   {
     return "no output file; say -o FILE";
@@ -107,121 +93,17 @@ std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
   {
     return "--picture-panel needs --picture FILE.png";
   }
-  const auto wrongEnding = [&o](const std::string& name, const std::string& called,
-                             const std::vector<std::string>& endings) -> std::string {
-    const bool good = !o.has(name) || endings.empty() ||
-      std::find(endings.begin(), endings.end(), fileExtension(o.text(name))) != endings.end();
-    return good ? "" : called + " '" + o.text(name) + "' must end in " + listed(endings, ", ");
-  };
-  std::string wrong = wrongEnding("model", "the input", meshFileExtensions());
   std::set<std::string> files;
   for (const Option& option : table)
   {
-    wrong = !wrong.empty()
-      ? wrong
-      : wrongEnding(
-          option.name, option.name == "output" ? "the output" : option.flag(), option.endings);
-    if (wrong.empty() && option.group == Group::Files && option.kind == Kind::File &&
-      o.has(option.name) && !files.insert(o.text(option.name)).second)
+    if (option.group == Group::Files && option.kind == Kind::File && o.has(option.name) &&
+      !files.insert(o.text(option.name)).second)
     {
-      wrong = "'" + o.text(option.name) + "' is named as the output of two options";
+      return "'" + o.text(option.name) + "' is named as the output of two options";
     }
   }
-  return wrong;
+  return {};
 }
-
-/// Reads options until one is wrong.
-class Parser
-{
-public:
-  CommandLine Line;
-  const std::vector<Option> Table = programOptions();
-
-  void parse(const std::vector<std::string>& arguments)
-  {
-    bool onlyFiles = false; // after "--"
-    for (std::size_t i = 0; i < arguments.size() && this->Line.action == CommandLine::Action::Run;
-         ++i)
-    {
-      const std::string& argument = arguments[i];
-      if (onlyFiles || argument.size() < 2 || argument[0] != '-')
-      {
-        this->complainIf(this->Line.options.has("model"),
-          "two input files, '" + this->Line.options.text("model") + "' and '" + argument + "'");
-        this->Line.options.set("model", argument);
-      }
-      else if (argument == "--")
-      {
-        onlyFiles = true;
-      }
-      else
-      {
-        this->option(arguments, i);
-      }
-    }
-    if (this->Line.action == CommandLine::Action::Run)
-    {
-      this->complainIf(arguments.empty(), NoInput);
-      if (this->Line.message.empty())
-      {
-        this->Line.message = checkTogether(this->Line.options, this->Table);
-      }
-      this->Line.action =
-        this->Line.message.empty() ? CommandLine::Action::Run : CommandLine::Action::UsageError;
-    }
-  }
-
-private:
-  void complainIf(bool wrong, const std::string& sentence)
-  {
-    this->Line.message = wrong && this->Line.message.empty() ? sentence : this->Line.message;
-  }
-
-  void option(const std::vector<std::string>& arguments, std::size_t& i)
-  {
-    const std::string& argument = arguments[i];
-    const std::size_t equals =
-      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
-    const std::string typed = argument.substr(0, equals);
-    const std::string name = typed == "-o" ? "--output" : (typed == "-h" ? "--help" : typed);
-    const bool hasValue = equals != std::string::npos;
-    if (name == "--help" || name == "--version")
-    {
-      this->Line.action = name == "--version" ? CommandLine::Action::Version
-        : argument == "--help=readme"         ? CommandLine::Action::HelpForReadme
-                                              : CommandLine::Action::Help;
-      return;
-    }
-    const auto found = std::find_if(this->Table.begin(), this->Table.end(),
-      [&name](const Option& option) { return option.flag() == name; });
-    if (found == this->Table.end())
-    {
-      std::vector<std::string> names;
-      for (const Option& option : this->Table)
-      {
-        names.push_back(option.flag());
-      }
-      this->complainIf(true, unknownOption(name, names));
-      return;
-    }
-    std::string value;
-    if (found->kind == Kind::Flag)
-    {
-      this->complainIf(hasValue, typed + " takes no value");
-    }
-    else if (!hasValue && i + 1 == arguments.size())
-    {
-      this->complainIf(true, typed + " needs " + found->argument);
-      return;
-    }
-    else
-    {
-      value = hasValue ? argument.substr(equals + 1) : arguments[++i];
-    }
-    const std::string wrong = parseOption(*found, value, this->Line.options);
-    this->complainIf(!wrong.empty(), typed + " " + wrong);
-  }
-};
 
 /// Calls back with every group's title and options.
 template <typename Call>
@@ -238,45 +120,31 @@ void forEachGroup(const Call& call)
     call(GroupTitles[group], options);
   }
 }
+}
 
-/// What it means, its range and its default.
-std::string description(const Option& option)
+Arguments parseCommandLine(const std::vector<std::string>& arguments)
 {
-  std::string columns;
-  for (const Option::Column& column : option.columns)
+  const std::vector<Option> table = programOptions();
+  Arguments line = parseArguments(arguments, table, "stipple INPUT -o OUTPUT [options]");
+  if (line.asked.empty() && line.problem.empty())
   {
-    columns += (columns.empty() ? "; " : " ") + column.name;
+    line.problem = checkTogether(line.options, table);
   }
-  const std::string range = option.range();
-  const std::string initial = option.initialText();
-  const bool words = option.kind == Kind::Choice;
-  return (words ? range + ": " : "") + option.help + (option.fromFile ? columns + " a line" : "") +
-    (words || range.empty() ? "" : "; " + range) +
-    (initial.empty() ? "" : " (default: " + initial + ")");
-}
-}
-
-CommandLine parseCommandLine(const std::vector<std::string>& arguments)
-{
-  Parser parser;
-  parser.parse(arguments);
-  return parser.Line;
+  return line;
 }
 
 std::string helpText()
 {
-  constexpr std::size_t Indent = 30;
   std::string help = "usage: stipple INPUT -o OUTPUT [options]\n\n"
                      "Remeshes a triangle surface: charts, maps, halftoned samples, triangles.\n"
                      "Meshes are read and written as " +
     listed(meshFileExtensions(), ", ") + ".\n\n" +
-    helpEntry("-o, --output FILE", "the mesh to write", Indent);
+    helpEntry("-o, --output FILE", "the mesh to write");
   forEachGroup([&help](const char* title, const std::vector<Option>& options) {
     help += std::string("\n") + title + ":\n";
     for (const Option& option : options)
     {
-      help += helpEntry(option.flag() + (option.argument.empty() ? "" : " " + option.argument),
-        description(option), Indent);
+      help += helpEntry(option);
     }
   });
   return help +

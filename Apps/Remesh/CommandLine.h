@@ -4,31 +4,15 @@
 #ifndef stipple_CommandLine_h
 #define stipple_CommandLine_h
 
-#include "OptionTable.h"
+#include "OptionText.h"
 
 #include <string>
 #include <vector>
 
 namespace stipple
 {
-struct CommandLine
-{
-  enum class Action
-  {
-    Run,
-    Help,
-    HelpForReadme,
-    Version,
-    UsageError
-  };
-  Action action = Action::Run;
-  /// What was given, by the options' names; "model" is the input, and rows that come from a file
-  /// are still its name.
-  OptionValues options;
-  std::string message; ///< UsageError: one sentence
-};
-
-[[nodiscard]] CommandLine parseCommandLine(const std::vector<std::string>& arguments);
+/// Rows that come from a file are still its name; "help=readme" asks for README's table.
+[[nodiscard]] Arguments parseCommandLine(const std::vector<std::string>& arguments);
 
 /// The text of --help: every option in its group, with its unit, range and default.
 [[nodiscard]] std::string helpText();

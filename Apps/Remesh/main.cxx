@@ -12,22 +12,19 @@ int main(int argc, char* argv[])
 {
   const auto window = stipple::CollectingOutputWindow::install();
   const stipple::Program program("stipple");
-  const stipple::CommandLine line = stipple::parseCommandLine({ argv + 1, argv + argc });
-  switch (line.action)
+  const stipple::Arguments line = stipple::parseCommandLine({ argv + 1, argv + argc });
+  if (!line.asked.empty())
   {
-    case stipple::CommandLine::Action::Help:
-      return program.print(stipple::helpText());
-    case stipple::CommandLine::Action::HelpForReadme:
-      return program.print(stipple::readmeTable());
-    case stipple::CommandLine::Action::Version:
-      return program.print(stipple::versionText());
-    case stipple::CommandLine::Action::UsageError:
-      return program.complain(line.message, stipple::WrongUsage);
-    case stipple::CommandLine::Action::Run:
-      return program.perform([&line] {
-        stipple::catchInterrupts();
-        return stipple::run(line.options);
-      });
+    return program.print(line.asked == "version" ? stipple::versionText()
+        : line.asked == "help=readme"            ? stipple::readmeTable()
+                                                 : stipple::helpText());
   }
-  return stipple::Failed;
+  if (!line.problem.empty())
+  {
+    return program.complain(line.problem, stipple::WrongUsage);
+  }
+  return program.perform([&line] {
+    stipple::catchInterrupts();
+    return stipple::run(line.options);
+  });
 }

@@ -26,76 +26,78 @@ namespace
 {
 constexpr int DefaultPoints = 5000;
 
-Status makeSession(const ViewOptions& o, Session& session)
+Status makeSession(const OptionValues& o, Session& session)
 {
   // Something to see when gamma is moved.
   session.set("importance", "total");
   session.set("gamma", 0.5);
-  if (!o.session.empty())
+  if (o.has("session"))
   {
-    if (Status status = readSession(o.session, session); !status.ok())
+    if (Status status = readSession(o.text("session"), session); !status.ok())
     {
       return status;
     }
   }
-  if (!o.input.empty())
+  if (o.has("model"))
   {
-    session.set("model", o.input);
+    session.set("model", o.text("model"));
   }
   if (session.text("model").empty())
   {
-    return Status::error("the session '" + o.session + "' names no model: say which FILE");
+    return Status::error("the session '" + o.text("session") + "' names no model: say which FILE");
   }
-  const int points = o.points > 0 ? o.points : session.integer("points");
+  const int points = o.has("points") ? o.integer("points") : session.integer("points");
   session.set("points", points > 0 ? points : DefaultPoints);
   return Status::success();
 }
 
-ViewerFiles filesOf(const ViewOptions& o, const Session& session)
+ViewerFiles filesOf(const OptionValues& o, const Session& session)
 {
   const std::string stem = std::filesystem::path(session.text("model")).stem().string();
   ViewerFiles files;
-  files.mesh = o.output.empty() ? stem + "-remeshed.ply" : o.output;
-  files.picture = o.picture.empty() ? stem + "-view.png" : o.picture;
-  files.session = o.saveSession.empty() ? stem + "-session.json" : o.saveSession;
+  files.mesh = o.has("output") ? o.text("output") : stem + "-remeshed.ply";
+  files.picture = o.has("picture") ? o.text("picture") : stem + "-view.png";
+  files.session = o.has("save_session") ? o.text("save_session") : stem + "-session.json";
   return files;
 }
 
-Status perform(const ViewOptions::Step& step, Viewer& viewer)
+Status useWindow(const Arguments& line, Viewer& viewer)
 {
-  if (step.kind == ViewOptions::Step::Kind::Play)
-  {
-    return playEvents(viewer, step.file);
-  }
-  viewer.settle();
-  return viewer.writePicture(step.file);
-}
-
-Status useWindow(const ViewOptions& o, Viewer& viewer)
-{
+  const OptionValues& o = line.options;
   viewer.open();
-  if (!o.benchmark.empty())
+  if (o.has("benchmark"))
   {
-    return runBenchmark(viewer, o.benchmark);
+    return runBenchmark(viewer, o.text("benchmark"));
   }
-  if (!o.steps.empty())
+  const bool steps = o.has("play") || o.has("shot"); // the program ends after them
+  if (steps)
   {
     viewer.hideTimes();
   }
-  for (const ViewOptions::Step& step : o.steps)
+  for (const auto& [name, file] : line.inOrder)
   {
-    if (Status status = perform(step, viewer); !status.ok())
+    Status status = Status::success();
+    if (name == "play")
+    {
+      status = playEvents(viewer, file);
+    }
+    else if (name == "shot")
+    {
+      viewer.settle();
+      status = viewer.writePicture(file);
+    }
+    if (!status.ok())
     {
       return status;
     }
   }
-  if (o.steps.empty())
+  if (!steps)
   {
     vtkNew<vtkInteractorEventRecorder> recorder;
-    if (!o.record.empty())
+    if (o.has("record"))
     {
       recorder->SetInteractor(viewer.interactor());
-      recorder->SetFileName(o.record.c_str());
+      recorder->SetFileName(o.text("record").c_str());
       recorder->On();
       recorder->Record();
     }
@@ -106,15 +108,16 @@ Status useWindow(const ViewOptions& o, Viewer& viewer)
 }
 }
 
-Status runViewer(const ViewOptions& o)
+Status runViewer(const Arguments& line)
 {
+  const OptionValues& o = line.options;
   Session session;
   Status status = makeSession(o, session);
-  for (const std::string& file : { o.record, o.benchmark })
+  for (const char* name : { "record", "benchmark" })
   {
-    if (status.ok() && !file.empty())
+    if (status.ok() && o.has(name))
     {
-      status = OutputFiles::check(file);
+      status = OutputFiles::check(o.text(name));
     }
   }
   vtkSmartPointer<vtkPolyData> input;
@@ -139,8 +142,10 @@ Status runViewer(const ViewOptions& o)
   {
     return status;
   }
-  Viewer viewer(input, image, session, filesOf(o, session), o.width, o.height);
-  return useWindow(o, viewer);
+  const std::vector<double>& size = o.list("size");
+  Viewer viewer(input, image, session, filesOf(o, session), static_cast<int>(size[0]),
+    static_cast<int>(size[1]));
+  return useWindow(line, viewer);
 }
 
 std::string viewVersionText()

@@ -10,10 +10,10 @@
 
 namespace stipple
 {
-struct ViewOptions;
+struct Arguments;
 
 /// An error is the one sentence for stderr.
-[[nodiscard]] Status runViewer(const ViewOptions& options);
+[[nodiscard]] Status runViewer(const Arguments& line);
 
 /// What --version prints.
 [[nodiscard]] std::string viewVersionText();

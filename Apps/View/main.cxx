@@ -10,15 +10,15 @@ int main(int argc, char* argv[])
 {
   const auto window = stipple::CollectingOutputWindow::install();
   const stipple::Program program("stipple-view");
-  stipple::ViewOptions options;
-  const stipple::Status status = stipple::parseViewOptions({ argv + 1, argv + argc }, options);
-  if (!status.ok())
+  const stipple::Arguments line = stipple::parseViewOptions({ argv + 1, argv + argc });
+  if (!line.asked.empty())
   {
-    return program.complain(status.message(), stipple::WrongUsage);
+    return program.print(
+      line.asked == "version" ? stipple::viewVersionText() : stipple::viewHelpText());
   }
-  if (options.help || options.version)
+  if (!line.problem.empty())
   {
-    return program.print(options.help ? stipple::viewHelpText() : stipple::viewVersionText());
+    return program.complain(line.problem, stipple::WrongUsage);
   }
-  return program.perform([&options] { return stipple::runViewer(options); });
+  return program.perform([&line] { return stipple::runViewer(line); });
 }

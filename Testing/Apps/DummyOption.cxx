@@ -34,22 +34,20 @@ int main(int argc, char* argv[])
   {
     arguments.erase(arguments.begin());
   }
-  const CommandLine line = parseCommandLine(arguments);
-  switch (line.action)
+  const Arguments line = parseCommandLine(arguments);
+  if (!line.asked.empty())
   {
-    case CommandLine::Action::Help:
-      return program.print(helpText());
-    case CommandLine::Action::HelpForReadme:
-      return program.print(readmeTable());
-    case CommandLine::Action::Run:
-      if (first == "--save-session")
-      {
-        Session session;
-        session.setAll(line.options);
-        return program.print(toJson(session));
-      }
-      return program.perform([&line] { return run(line.options); });
-    default:
-      return program.complain(line.message, WrongUsage);
+    return program.print(line.asked == "help" ? helpText() : readmeTable());
   }
+  if (!line.problem.empty())
+  {
+    return program.complain(line.problem, WrongUsage);
+  }
+  if (first == "--save-session")
+  {
+    Session session;
+    session.setAll(line.options);
+    return program.print(toJson(session));
+  }
+  return program.perform([&line] { return run(line.options); });
 }

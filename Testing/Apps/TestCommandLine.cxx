@@ -13,10 +13,10 @@ using namespace stipple;
 
 TEST(CommandLine, Values)
 {
-  const CommandLine line = parseCommandLine({ "in.off", "-o", "out.ply", "--points", "+500",
+  const Arguments line = parseCommandLine({ "in.off", "-o", "out.ply", "--points", "+500",
     "--gamma=0.25", "--transfer", "0:1,0.5:0,1:.5", "--map-size", "auto", "--picture", "p.png",
     "--picture-panel", "samples", "--iterations", "0" });
-  ASSERT_EQ(line.action, CommandLine::Action::Run) << line.message;
+  ASSERT_EQ(line.problem, "");
   EXPECT_EQ(line.options.text("model"), "in.off");
   EXPECT_EQ(line.options.text("output"), "out.ply");
   EXPECT_EQ(line.options.integer("points"), 500);
@@ -40,10 +40,9 @@ TEST(CommandLine, AnArrayImpliesItsImportance)
 
 TEST(CommandLine, TheFirstMistakeIsTold)
 {
-  const CommandLine line =
+  const Arguments line =
     parseCommandLine({ "a.off", "-o", "b.off", "--gama", "2", "--points", "x" });
-  EXPECT_EQ(line.action, CommandLine::Action::UsageError);
-  EXPECT_EQ(line.message, "unknown option '--gama'; did you mean '--gamma'?");
+  EXPECT_EQ(line.problem, "unknown option '--gama'; did you mean '--gamma'?");
 }
 
 TEST(CommandLine, NearestWord)

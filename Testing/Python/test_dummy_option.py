@@ -96,7 +96,8 @@ class DummyOption(unittest.TestCase):
             "except ValueError as error: assert str(error) == 'dummy_power must be from 0 to 7.5, not 8', error\n"
             "else: raise AssertionError\n"
         )
-        environment = {**os.environ, "PYTHONPATH": str(self.folder)}
+        libraries = pathlib.Path(stipple.__file__).parents[3]  # the copies don't find them by themselves
+        environment = {**os.environ, "PYTHONPATH": str(self.folder), "LD_LIBRARY_PATH": str(libraries)}
         subprocess.run([sys.executable, "-B", "-c", code], check=True, env=environment)
         stub = self.folder / "stub.pyi"
         template = self.folder / "template"

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """stipple.remesh: what comes out, and that bad input raises."""
+import inspect
 import os
 import subprocess
 import sys
@@ -9,6 +10,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import shapes
@@ -127,6 +129,51 @@ class Result(unittest.TestCase):
                 result = shapes.arrays(stipple.remesh(mesh, points=800, importance="mean", **options))[0]
                 self.assertEqual(result.shape, plain.shape)
                 self.assertFalse(np.array_equal(result, plain))
+
+    def test_options_of_the_stages_are_obeyed(self):
+        mesh = shapes.torus()
+        plain = shapes.arrays(stipple.remesh(mesh, points=800))[0]
+        for options in ({"error_reduction": 0}, {"boundary_placement": "voronoi"}, {"domain_shape": "square"}, {"charts": 4}):
+            with self.subTest(options):
+                result = shapes.arrays(stipple.remesh(mesh, points=800, **options))[0]
+                self.assertFalse(np.array_equal(result, plain))
+        for chart in stipple.atlas(mesh, domain_shape="square"):
+            np.testing.assert_array_equal(chart.extent, (1, 1))
+        for graph, number in ((stipple.atlas(mesh, chart_constraints=c).feature_graph, len(c)) for c in ([], [(0, 0.05, 0.05)])):
+            self.assertEqual(graph.GetNumberOfVerts(), number)
+
+    def test_none_is_the_default(self):
+        nothing = dict.fromkeys(p for p in inspect.signature(stipple.remesh).parameters if p not in ("mesh", "points"))
+        np.testing.assert_array_equal(
+            stipple.remesh(shapes.arrays(shapes.cube()), 300, **nothing)[0],
+            stipple.remesh(shapes.arrays(shapes.cube()), 300)[0],
+        )
+
+    def test_an_array_implies_its_importance(self):
+        mesh = shapes.torus(40)
+        array = numpy_to_vtk(shapes.arrays(mesh)[0][:, 0].clip(0) + 0.1, deep=True)
+        array.SetName("Wanted")
+        mesh.GetPointData().AddArray(array)
+        implied, said, uniform = (
+            shapes.arrays(stipple.remesh(mesh, 400, **options))[0]
+            for options in (
+                {"importance_array": "Wanted"}, {"importance_array": "Wanted", "importance": "array"}, {},
+            )
+        )  # fmt: skip
+        np.testing.assert_array_equal(implied, said)
+        self.assertFalse(np.array_equal(implied, uniform))
+
+    def test_threads(self):
+        before = vtkSMPTools.GetEstimatedNumberOfThreads()
+        seen = []
+
+        def progress(fraction):
+            seen.append(vtkSMPTools.GetEstimatedNumberOfThreads())
+
+        mesh = shapes.arrays(shapes.sphere())
+        one = stipple.remesh(mesh, 500, threads=1, progress=progress)
+        self.assertEqual((set(seen), vtkSMPTools.GetEstimatedNumberOfThreads()), ({1}, before))
+        np.testing.assert_array_equal(one[0], stipple.remesh(mesh, 500)[0])
 
     def test_presets(self):
         mesh = shapes.cube()

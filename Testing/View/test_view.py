@@ -290,7 +290,7 @@ class Program(ViewTest):
         self.fail_with(2, "no input file")
         self.fail_with(2, "did you mean '--points'", BUNNY, "--point", 5)
         self.fail_with(2, "at least 640x480", BUNNY, "--size", "10x10")
-        self.fail_with(2, "meshes end in", BUNNY, "-o", "mesh.doc")
+        self.fail_with(2, "the output .mesh.doc. must end in .ply", BUNNY, "-o", "mesh.doc")
         out = self.succeed("--help")
         for option in ("--session", "--record", "--play", "--shot", "--benchmark", "Ctrl+Z"):
             self.assertIn(option, out)
