@@ -41,38 +41,24 @@ private:
   std::string Members;
 };
 
-/// The names of the figures that this project's measurements use everywhere.
-std::string qualityJson(const MeshQuality& q, const MeshDistance& d)
+std::string qualityJson(const MeshQuality& quality, const MeshDistance& distance)
 {
   JsonObject json(1);
-  json.add("V", q.numberOfPoints);
-  json.add("F", q.numberOfTriangles);
-  json.add("isolated", q.isolatedPoints);
-  json.add("nonmanifold_edges", q.nonManifoldEdges);
-  json.add("boundary_edges", q.boundaryEdges);
-  json.add("misoriented_edges", q.misorientedEdges);
-  json.add("nonmanifold_vertices", q.nonManifoldVertices);
-  json.add("components", q.components);
-  json.add("boundary_loops", q.boundaryLoops);
-  json.add("euler", q.euler);
-  json.add("genus", q.genus);
-  json.add("degenerate", q.degenerate);
-  json.add("Qmin", q.minimumQ);
-  json.add("Qavg", q.averageQ);
-  json.add("angle_min", q.minimumAngle);
-  json.add("angle_min_avg", q.averageMinimumAngle);
-  json.add("angle_max", q.maximumAngle);
-  json.add("pct_lt30", q.percentBelow30);
-  json.add("pct_gt90", q.percentAbove90);
-  json.add("V6_pct", q.percentValence6);
-  json.add("V567_pct", q.percentValence567);
-  json.add("area_cv", q.areaVariation);
-  json.add("edge_cv", q.edgeVariation);
-  json.add("area", q.area);
-  json.add("rms_pct", d.rmsPercent);
-  json.add("hausdorff_pct", d.hausdorffPercent);
-  json.add("area_ratio", d.areaRatio);
-  json.add("same_topology", d.sameTopology);
+  for (const QualityFigure& figure : figuresOf(quality, &distance))
+  {
+    switch (figure.kind)
+    {
+      case QualityFigure::Count:
+        json.add(figure.name, static_cast<long long>(figure.value));
+        break;
+      case QualityFigure::Number:
+        json.add(figure.name, figure.value);
+        break;
+      case QualityFigure::Truth:
+        json.add(figure.name, figure.value != 0.);
+        break;
+    }
+  }
   return json.text();
 }
 }

@@ -13,7 +13,7 @@ from stipple_program import ProgramTest, mesh_check, points_of
 SECONDS = ["load", "atlas", "maps", "control", "sampling", "meshing", "optimisation", "write", "total"]
 QUALITY = """V F isolated nonmanifold_edges boundary_edges misoriented_edges nonmanifold_vertices components boundary_loops
 euler genus degenerate Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_gt90 V6_pct V567_pct area_cv edge_cv area
-rms_pct hausdorff_pct area_ratio same_topology""".split()
+closed manifold rms_pct hausdorff_pct rms_to_pct hausdorff_to_pct rms_from_pct hausdorff_from_pct area_ratio same_topology""".split()
 
 
 def png_pixels(path):

@@ -46,9 +46,7 @@ class AgainstProgram(unittest.TestCase):
         quality = stipple.quality(mine, reference=mesh)
         self.assertEqual(set(quality), set(figures))
         for name, value in figures.items():
-            # Distances are taken from random places, other ones here and there.
-            tolerance = {"rms_pct": 0.05, "hausdorff_pct": 0.25}.get(name, 1e-5)
-            self.assertAlmostEqual(quality[name], value, delta=tolerance * max(1e-9, abs(value)), msg=name)
+            self.assertAlmostEqual(quality[name], value, delta=1e-5 * max(1e-9, abs(value)), msg=name)
 
     def test_same_options(self):
         """What is asked of the program in a remesh can be asked of remesh(), by the same names, with the same defaults."""

@@ -7,6 +7,7 @@ import numpy as np
 
 import shapes
 import stipple
+from stipple._convert import vtk_poly_data
 
 
 class Quality(unittest.TestCase):
@@ -19,7 +20,7 @@ class Quality(unittest.TestCase):
             "misoriented_edges": 0, "components": 1, "boundary_loops": 0, "euler": 2, "genus": 0,
             "degenerate": 0, "Qmin": 1, "Qavg": 1, "angle_min": 60, "angle_max": 60, "pct_lt30": 0,
             "pct_gt90": 0, "V6_pct": 0, "area_cv": 0, "edge_cv": 0, "area": 8 * np.sqrt(3),
-            "rms_pct": 0, "hausdorff_pct": 0,
+            "rms_pct": 0, "hausdorff_pct": 0, "closed": True, "manifold": True,
         }.items():  # fmt: skip
             self.assertAlmostEqual(figures[name], value, places=6, msg=name)
 
@@ -37,6 +38,7 @@ class Quality(unittest.TestCase):
         fins = [[0, 1, 2], [0, 1, 3], [1, 0, 4]]  # three triangles at the edge 0 1, two along it
         figures = stipple.quality((points, fins + [[0, 1, 5]]))
         self.assertEqual(figures["nonmanifold_edges"], 1)
+        self.assertEqual((figures["closed"], figures["manifold"]), (False, False))
         self.assertEqual(figures["misoriented_edges"], 1)
         self.assertEqual(figures["degenerate"], 1)
 
@@ -69,6 +71,47 @@ class Quality(unittest.TestCase):
             stipple.quality(shapes.plane(), reference=([], []))
         with self.assertRaisesRegex(TypeError, "mesh must be"):
             stipple.quality(5)
+
+    def test_bad_references_and_samples(self):
+        mesh = shapes.plane()
+        line = [[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]
+        point = [[1, 1, 1]] * 3, [[0, 1, 2]]
+        for reference in (line, point):
+            with self.assertRaisesRegex(ValueError, "reference has no triangle with an area"):
+                stipple.quality(mesh, reference=reference)
+        for samples in (-1, -20000):
+            with self.assertRaisesRegex(ValueError, f"samples must be 0 or more, not {samples}"):
+                stipple.quality(mesh, reference=mesh, samples=samples)
+        with self.assertRaises(TypeError):
+            stipple.quality(mesh, reference=mesh, samples=2.5)
+
+    def test_both_directions(self):
+        """Half a square against the whole: nothing is missing on the way there, half of it on the way back."""
+        points, triangles = shapes.arrays(shapes.plane())
+        low = points[triangles][:, :, 1].max(axis=1) <= np.median(points[:, 1]) + 1e-9
+        figures = stipple.quality((points, triangles[low]), reference=(points, triangles), samples=0)
+        self.assertLess(figures["hausdorff_to_pct"], 1e-9)
+        height = np.ptp(points[:, 1]) / 2
+        self.assertAlmostEqual(figures["hausdorff_from_pct"], 100 * height / np.linalg.norm(np.ptp(points, axis=0)), 6)
+        self.assertEqual(figures["hausdorff_pct"], figures["hausdorff_from_pct"])
+        self.assertGreater(figures["rms_from_pct"], 5)
+        self.assertLess(figures["rms_to_pct"], 1e-9)
+
+    def test_the_filter_measures_cells_and_points(self):
+        points, triangles = shapes.arrays(shapes.plane())
+        lifted = points.copy()
+        lifted[7, 2] += 0.25
+        measured = stipple.vtkSurfaceQuality()
+        measured.SetInputData(vtk_poly_data(lifted, triangles))
+        measured.SetReferenceData(vtk_poly_data(points, triangles))
+        measured.Update()
+        output = measured.GetOutput()
+        distance = np.array([output.GetPointData().GetArray("Distance").GetValue(i) for i in range(len(points))])
+        self.assertAlmostEqual(distance[7], 0.25, places=9)
+        self.assertLess(np.delete(distance, 7).max(), 1e-9)
+        quality = output.GetCellData().GetArray("Quality").GetRange()
+        self.assertAlmostEqual(quality[0], measured.GetFigure("Qmin"))
+        self.assertTrue(np.isnan(measured.GetFigure("nothing")))
 
 
 if __name__ == "__main__":

@@ -182,7 +182,7 @@ void measureConnectivity(const TriangleSurface& mesh, MeshQuality& q)
   q.edgeVariation = lengths.coefficient();
 }
 
-/// Shape of single triangles. Q is Frey and Borouchaki's measure, the paper's section 5.
+/// Shape of single triangles.
 void measureShape(const TriangleSurface& mesh, MeshQuality& q)
 {
   Variation areas;
@@ -192,38 +192,18 @@ void measureShape(const TriangleSurface& mesh, MeshQuality& q)
   int above90 = 0;
   q.minimumQ = std::numeric_limits<double>::max();
   q.minimumAngle = 180.;
-  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  for (const Face f : mesh.faces())
   {
-    double length[3]; // of the edge opposite to each corner
-    for (int k = 0; k < 3; ++k)
-    {
-      length[k] = (mesh.point(f, (k + 2) % 3) - mesh.point(f, (k + 1) % 3)).norm();
-    }
-    const double area = mesh.faceArea(f);
-    const double longest = std::max({ length[0], length[1], length[2] });
-    const double halfPerimeter = 0.5 * (length[0] + length[1] + length[2]);
-    const double shape = longest > 0 ? 6. / std::sqrt(3.) * area / (halfPerimeter * longest) : 0.;
-    double smallest = 180.;
-    double largest = 0.;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double x = length[k];
-      const double y = length[(k + 1) % 3];
-      const double z = length[(k + 2) % 3];
-      const double cosine = (y * y + z * z - x * x) / std::max(2. * y * z, 1e-300);
-      const double angle = vtkMath::DegreesFromRadians(std::acos(std::clamp(cosine, -1., 1.)));
-      smallest = std::min(smallest, angle);
-      largest = std::max(largest, angle);
-    }
-    areas.add(area);
-    sumOfQ += shape;
-    sumOfAngles += smallest;
-    below30 += smallest < 30.;
-    above90 += largest > 90.;
-    q.degenerate += area <= 1e-12 * longest * longest;
-    q.minimumQ = std::min(q.minimumQ, shape);
-    q.minimumAngle = std::min(q.minimumAngle, smallest);
-    q.maximumAngle = std::max(q.maximumAngle, largest);
+    const TriangleShape shape = measureTriangle(mesh, f);
+    areas.add(shape.area);
+    sumOfQ += shape.quality;
+    sumOfAngles += shape.smallestAngle;
+    below30 += shape.smallestAngle < 30.;
+    above90 += shape.largestAngle > 90.;
+    q.degenerate += shape.degenerate;
+    q.minimumQ = std::min(q.minimumQ, shape.quality);
+    q.minimumAngle = std::min(q.minimumAngle, shape.smallestAngle);
+    q.maximumAngle = std::max(q.maximumAngle, shape.largestAngle);
   }
   const double n = mesh.numberOfFaces();
   q.averageQ = sumOfQ / n;
@@ -232,6 +212,25 @@ void measureShape(const TriangleSurface& mesh, MeshQuality& q)
   q.percentAbove90 = 100. * above90 / n;
   q.areaVariation = areas.coefficient();
   q.area = areas.sum;
+}
+
+/// Those of a triangle, in order.
+std::vector<int> usedPoints(const TriangleSurface& mesh)
+{
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  std::vector<int> points;
+  for (int p = 0; p < static_cast<int>(used.size()); ++p)
+  {
+    if (used[p])
+    {
+      points.push_back(p);
+    }
+  }
+  return points;
 }
 
 /// Points spread by area (one in each of equal shares, so that the mean hardly depends on chance),
@@ -263,56 +262,86 @@ std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples
     }
     samples.push_back(mesh.position(face, { 1. - u - v, u, v }));
   }
-  std::vector<char> used(mesh.points.size(), 0);
-  for (const Triangle& t : mesh.triangles)
+  for (const int p : usedPoints(mesh))
   {
-    used[t[0]] = used[t[1]] = used[t[2]] = 1;
-  }
-  for (std::size_t p = 0; p < mesh.points.size(); ++p)
-  {
-    if (used[p])
-    {
-      samples.push_back(mesh.points[p]);
-    }
+    samples.push_back(mesh.points[p]);
   }
   return samples;
 }
 
-struct OneSided
-{
-  double rms = 0;
-  double maximum = 0;
-};
-
-OneSided distanceTo(const std::vector<Vec3>& samples, const TriangleSurface& target)
+/// Squared, of each sample.
+Status distancesTo(const std::vector<Vec3>& samples, const TriangleSurface& target,
+  const Progress& progress, std::vector<double>& squared)
 {
   vtkSmartPointer<vtkPolyData> data = toPolyData(target.points, target.triangles);
   data->BuildCells();
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(data);
   locator->BuildLocator();
-  std::vector<double> squared(samples.size());
+  squared.resize(samples.size());
   vtkSMPThreadLocalObject<vtkGenericCell> cells;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(samples.size()), [&](vtkIdType begin, vtkIdType end) {
-    vtkGenericCell* cell = cells.Local();
-    for (vtkIdType i = begin; i < end; ++i)
+  const auto size = static_cast<vtkIdType>(samples.size());
+  constexpr vtkIdType Portion = 5000; // a few hundredths of a second
+  for (vtkIdType first = 0; first < size; first += Portion)
+  {
+    vtkSMPTools::For(first, std::min(first + Portion, size), [&](vtkIdType begin, vtkIdType end) {
+      vtkGenericCell* cell = cells.Local();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double closest[3];
+        vtkIdType cellId;
+        int subId;
+        locator->FindClosestPoint(samples[i].data(), closest, cell, cellId, subId, squared[i]);
+      }
+    });
+    if (!report(progress, static_cast<double>(first) / static_cast<double>(size)))
     {
-      double closest[3];
-      vtkIdType cellId;
-      int subId;
-      locator->FindClosestPoint(samples[i].data(), closest, cell, cellId, subId, squared[i]);
+      return Status::aborted();
     }
-  });
-  OneSided result;
+  }
+  return Status::success();
+}
+
+OneSidedDistance summaryOf(const std::vector<double>& squared, double percent)
+{
+  double sum = 0;
+  double largest = 0;
   for (double d : squared) // in order, so that the sum is the same for any number of threads
   {
-    result.rms += d;
-    result.maximum = std::max(result.maximum, d);
+    sum += d;
+    largest = std::max(largest, d);
   }
-  result.rms = std::sqrt(result.rms / static_cast<double>(squared.size()));
-  result.maximum = std::sqrt(result.maximum);
-  return result;
+  return { percent * std::sqrt(sum / static_cast<double>(squared.size())),
+    percent * std::sqrt(largest) };
 }
+}
+
+/// Q is Frey and Borouchaki's measure, the paper's section 5.
+TriangleShape measureTriangle(const TriangleSurface& mesh, Face face)
+{
+  double length[3]; // of the edge opposite to each corner
+  for (int k = 0; k < 3; ++k)
+  {
+    length[k] = (mesh.point(face, (k + 2) % 3) - mesh.point(face, (k + 1) % 3)).norm();
+  }
+  TriangleShape shape;
+  shape.area = mesh.faceArea(face);
+  const double longest = std::max({ length[0], length[1], length[2] });
+  const double halfPerimeter = 0.5 * (length[0] + length[1] + length[2]);
+  shape.quality = longest > 0 ? 6. / std::sqrt(3.) * shape.area / (halfPerimeter * longest) : 0.;
+  shape.degenerate = shape.area <= 1e-12 * longest * longest;
+  shape.smallestAngle = 180.;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double x = length[k];
+    const double y = length[(k + 1) % 3];
+    const double z = length[(k + 2) % 3];
+    const double cosine = (y * y + z * z - x * x) / std::max(2. * y * z, 1e-300);
+    const double angle = vtkMath::DegreesFromRadians(std::acos(std::clamp(cosine, -1., 1.)));
+    shape.smallestAngle = std::min(shape.smallestAngle, angle);
+    shape.largestAngle = std::max(shape.largestAngle, angle);
+  }
+  return shape;
 }
 
 MeshQuality measureQuality(const TriangleSurface& mesh)
@@ -329,19 +358,39 @@ MeshQuality measureQuality(const TriangleSurface& mesh)
   return q;
 }
 
-MeshDistance measureDistance(
-  const TriangleSurface& mesh, const TriangleSurface& reference, int numberOfSamples)
+Status measureDistance(const TriangleSurface& mesh, const TriangleSurface& reference,
+  int numberOfSamples, const Progress& progress, MeshDistance& result)
 {
-  MeshDistance result;
+  result = {};
+  result.ofPoint.assign(mesh.points.size(), std::numeric_limits<double>::quiet_NaN());
   if (mesh.triangles.empty() || reference.triangles.empty())
   {
-    return result;
+    return Status::success();
   }
+  const auto half = [&progress](double begin) {
+    return [&progress, begin](double x) { return report(progress, begin + 0.5 * x); };
+  };
   const double percent = 100. / reference.boundingBoxDiagonal();
-  const OneSided there = distanceTo(sampleSurface(mesh, numberOfSamples), reference);
-  const OneSided back = distanceTo(sampleSurface(reference, numberOfSamples), mesh);
-  result.rmsPercent = percent * std::max(there.rms, back.rms);
-  result.hausdorffPercent = percent * std::max(there.maximum, back.maximum);
+  std::vector<double> squared;
+  Status status = distancesTo(sampleSurface(mesh, numberOfSamples), reference, half(0.), squared);
+  if (!status.ok())
+  {
+    return status;
+  }
+  result.to = summaryOf(squared, percent);
+  std::size_t i = numberOfSamples; // the mesh's own points come last
+  for (const int p : usedPoints(mesh))
+  {
+    result.ofPoint[p] = std::sqrt(squared[i++]);
+  }
+  status = distancesTo(sampleSurface(reference, numberOfSamples), mesh, half(0.5), squared);
+  if (!status.ok())
+  {
+    return status;
+  }
+  result.from = summaryOf(squared, percent);
+  result.rmsPercent = std::max(result.to.rmsPercent, result.from.rmsPercent);
+  result.hausdorffPercent = std::max(result.to.hausdorffPercent, result.from.hausdorffPercent);
   result.areaRatio = mesh.area() / reference.area();
   MeshQuality a;
   MeshQuality b;
@@ -349,6 +398,55 @@ MeshDistance measureDistance(
   measureConnectivity(reference, b);
   result.sameTopology =
     a.components == b.components && a.boundaryLoops == b.boundaryLoops && a.euler == b.euler;
-  return result;
+  return status;
+}
+
+MeshDistance measureDistance(
+  const TriangleSurface& mesh, const TriangleSurface& reference, int numberOfSamples)
+{
+  MeshDistance result;
+  const Status status = measureDistance(mesh, reference, numberOfSamples, {}, result);
+  return status.ok() ? result : MeshDistance(); // without a progress, nothing stops it
+}
+
+std::vector<QualityFigure> figuresOf(const MeshQuality& q, const MeshDistance* d)
+{
+  constexpr auto Count = QualityFigure::Count;
+  constexpr auto Number = QualityFigure::Number;
+  constexpr auto Truth = QualityFigure::Truth;
+  const bool empty = q.numberOfTriangles == 0;
+  const auto shape = [empty](
+                       double x) { return empty ? std::numeric_limits<double>::quiet_NaN() : x; };
+  const bool manifold = q.nonManifoldEdges + q.nonManifoldVertices + q.misorientedEdges == 0;
+  std::vector<QualityFigure> figures = { { "V", Count, double(q.numberOfPoints) },
+    { "F", Count, double(q.numberOfTriangles) }, { "isolated", Count, double(q.isolatedPoints) },
+    { "nonmanifold_edges", Count, double(q.nonManifoldEdges) },
+    { "boundary_edges", Count, double(q.boundaryEdges) },
+    { "misoriented_edges", Count, double(q.misorientedEdges) },
+    { "nonmanifold_vertices", Count, double(q.nonManifoldVertices) },
+    { "components", Count, double(q.components) },
+    { "boundary_loops", Count, double(q.boundaryLoops) }, { "euler", Count, double(q.euler) },
+    { "genus", Number, q.genus }, { "degenerate", Count, double(q.degenerate) },
+    { "Qmin", Number, shape(q.minimumQ) }, { "Qavg", Number, shape(q.averageQ) },
+    { "angle_min", Number, shape(q.minimumAngle) },
+    { "angle_min_avg", Number, shape(q.averageMinimumAngle) },
+    { "angle_max", Number, shape(q.maximumAngle) }, { "pct_lt30", Number, shape(q.percentBelow30) },
+    { "pct_gt90", Number, shape(q.percentAbove90) }, { "V6_pct", Number, shape(q.percentValence6) },
+    { "V567_pct", Number, shape(q.percentValence567) },
+    { "area_cv", Number, shape(q.areaVariation) }, { "edge_cv", Number, shape(q.edgeVariation) },
+    { "area", Number, q.area }, { "closed", Truth, double(!empty && q.boundaryEdges == 0) },
+    { "manifold", Truth, double(manifold) } };
+  if (d)
+  {
+    const std::vector<QualityFigure> more = { { "rms_pct", Number, shape(d->rmsPercent) },
+      { "hausdorff_pct", Number, shape(d->hausdorffPercent) },
+      { "rms_to_pct", Number, shape(d->to.rmsPercent) },
+      { "hausdorff_to_pct", Number, shape(d->to.hausdorffPercent) },
+      { "rms_from_pct", Number, shape(d->from.rmsPercent) },
+      { "hausdorff_from_pct", Number, shape(d->from.hausdorffPercent) },
+      { "area_ratio", Number, d->areaRatio }, { "same_topology", Truth, double(d->sameTopology) } };
+    figures.insert(figures.end(), more.begin(), more.end());
+  }
+  return figures;
 }
 }

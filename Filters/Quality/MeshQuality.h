@@ -5,11 +5,23 @@
 #ifndef stipple_MeshQuality_h
 #define stipple_MeshQuality_h
 
-#include "StippleFiltersCoreModule.h"
+#include "Progress.h"
+#include "StippleFiltersQualityModule.h"
 #include "TriangleSurface.h"
+
+#include <vector>
 
 namespace stipple
 {
+struct TriangleShape
+{
+  double area = 0;
+  double quality = 0;       ///< 6 / sqrt 3 area / (half perimeter, longest edge): 1 if equilateral
+  double smallestAngle = 0; ///< degrees
+  double largestAngle = 0;  ///< degrees
+  bool degenerate = false;  ///< its area is at most 1e-12 of its longest edge squared
+};
+
 /// Any triangle soup can be measured; it need not be manifold. Averages are over triangles unless
 /// said otherwise.
 struct MeshQuality
@@ -40,22 +52,55 @@ struct MeshQuality
   double area = 0;                ///< of the surface, in the square of its unit of length
 };
 
-/// A mesh against the surface that it stands for; distances in percent of the reference's
-/// bounding-box diagonal.
+/// From one surface to another, in percent of the reference's bounding-box diagonal.
+struct OneSidedDistance
+{
+  double rmsPercent = 0;
+  double hausdorffPercent = 0; ///< the largest
+};
+
+/// A mesh against the surface that it stands for.
 struct MeshDistance
 {
+  OneSidedDistance to;         ///< from the mesh to the reference
+  OneSidedDistance from;       ///< from the reference to the mesh
   double rmsPercent = 0;       ///< root mean square distance, the larger of the two directions
   double hausdorffPercent = 0; ///< largest distance, the larger of the two directions
+  std::vector<double> ofPoint; ///< of each of the mesh's points, as a length; NaN if it is not used
   double areaRatio = 0;        ///< area over the reference's area
   bool sameTopology = false;   ///< components, boundary loops and Euler characteristic agree
 };
 
-[[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshQuality measureQuality(const TriangleSurface& mesh);
+/// A figure by the name that the report, Python and this project's measurements use everywhere.
+struct QualityFigure
+{
+  enum Kind
+  {
+    Count,
+    Number,
+    Truth
+  };
+  const char* name;
+  Kind kind;
+  double value;
+};
+
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT TriangleShape measureTriangle(
+  const TriangleSurface& mesh, Face face);
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT MeshQuality measureQuality(const TriangleSurface& mesh);
 
 /// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and
-/// measures to the other; the same for any number of threads.
-[[nodiscard]] STIPPLEFILTERSCORE_EXPORT MeshDistance measureDistance(
+/// measures to the other; the same for any number of threads. All 0 if one of them is empty.
+STIPPLEFILTERSQUALITY_EXPORT Status measureDistance(const TriangleSurface& mesh,
+  const TriangleSurface& reference, int numberOfSamples, const Progress& progress,
+  MeshDistance& result);
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT MeshDistance measureDistance(
   const TriangleSurface& mesh, const TriangleSurface& reference, int numberOfSamples = 20000);
+
+/// In the order of the report; those of a distance only if there is one. Figures of shape and
+/// distance are NaN for a mesh without triangles.
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT std::vector<QualityFigure> figuresOf(
+  const MeshQuality& q, const MeshDistance* d = nullptr);
 }
 
 #endif
