@@ -120,9 +120,14 @@ TEST(AcuteCorners, StayWhereTheirCreasesAreStraight)
 TEST(AcuteCorners, OfTheFandiskAtManySizes)
 {
   const auto model = readModel("fandisk");
-  for (const int points : { 1000, 2500, 4000, 5000, 6000 })
+  for (const int points : { 1000, 2000, 2500, 3000, 4000, 5000, 6000 })
   {
     EXPECT_GE(remesh(model, points, 25.).smallest, 25.) << points;
+  }
+  // Two creases are too near to each other there; Documentation/Design.md has the figures.
+  for (const int points : { 7000 })
+  {
+    EXPECT_GE(remesh(model, points, 25.).smallest, 21.5) << points;
   }
 }
 

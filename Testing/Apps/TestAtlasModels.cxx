@@ -226,7 +226,7 @@ Seams seams(vtkPolyData* input, int numberOfCharts, int placement)
   FeatureGraph graph;
   EXPECT_TRUE(
     readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), graph).ok());
-  result.meanTurn = testing::meanTurnOfSeams(graph, surface.points, step);
+  result.meanTurn = test::meanTurnOfSeams(graph, surface.points, step);
   return result;
 }
 }

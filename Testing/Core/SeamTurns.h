@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // How straight the seams between charts are.
-#ifndef stipple_testing_SeamTurns_h
-#define stipple_testing_SeamTurns_h
+#ifndef stipple_test_SeamTurns_h
+#define stipple_test_SeamTurns_h
 
 #include "FeatureGraph.h"
 
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace testing
+namespace test
 {
 /// Mean turn in degrees of the seams over the points of a surface, resampled at a step.
 inline double meanTurnOfSeams(

@@ -56,7 +56,7 @@ double areaRatio(const Partition& partition)
 
 double meanTurn(const Partition& partition, double step)
 {
-  return testing::meanTurnOfSeams(
+  return test::meanTurnOfSeams(
     buildFeatureGraph(partition.surface, 180), partition.surface.points, step);
 }
 

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <string>
 
-namespace testing
+namespace test
 {
 inline int failures = 0;
 

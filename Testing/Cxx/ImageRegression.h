@@ -26,7 +26,7 @@
 #include <iostream>
 #include <string>
 
-namespace testing
+namespace test
 {
 inline std::string argument(int argc, char* argv[], const char* name, const char* otherwise)
 {
@@ -113,6 +113,6 @@ inline bool compareWindow(vtkRenderWindow* window, const std::string& name, int 
 {
   return comparePicture(takePicture(window), name, argc, argv);
 }
-} // namespace testing
+} // namespace test
 
 #endif

@@ -17,7 +17,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 /// The back end's name and the error that drawing made.
 std::pair<std::string, std::string> draw(int backend)
@@ -72,5 +72,5 @@ int main(int argc, char* argv[])
     }
     expect(true);
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace testing
+namespace test
 {
 using Check = std::function<void(bool, const std::string&)>;
 
@@ -127,6 +127,6 @@ inline void compareMaps(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow*
     }
   }
 }
-} // namespace testing
+} // namespace test
 
 #endif

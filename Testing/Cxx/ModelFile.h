@@ -13,7 +13,7 @@
 #include <fstream>
 #include <string>
 
-namespace testing
+namespace test
 {
 /// Null if there is no such file, or something else in it.
 inline vtkSmartPointer<vtkPolyData> readOff(const std::string& name)

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <vector>
 
-namespace testing
+namespace test
 {
 /// Every point of the mesh gets a weight for the importance ARRAY.
 inline void addWeight(vtkPolyData* mesh)

@@ -26,7 +26,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 using Point = std::array<double, 3>;
 
@@ -234,5 +234,5 @@ int TestAttributes(int, char*[])
       checkCells(name, remesher->GetOutput(), edge);
     }
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -14,7 +14,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 std::pair<int, int> ordered(int a, int b)
 {
@@ -216,5 +216,5 @@ int TestCDTRemesh(int, char*[])
   wrong->SetInputData(0, atlas.graphData);
   wrong->Update();
   check(wrong->GetOutput(0)->GetNumberOfPoints() == 0, "points that are no samples are refused");
-  return testing::exitStatus();
+  return test::exitStatus();
 }

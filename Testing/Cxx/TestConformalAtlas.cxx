@@ -35,7 +35,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 vtkPolyData* graphOf(vtkConformalAtlas* atlas)
 {
@@ -273,7 +273,7 @@ void testPicture(int argc, char* argv[])
     atlases.push_back(atlas);
   }
   window->Render();
-  check(testing::compareWindow(window, "BoundaryPlacement", argc, argv),
+  check(test::compareWindow(window, "BoundaryPlacement", argc, argv),
     "raw, middle and area-weighted seams look as they should");
 }
 }
@@ -285,5 +285,5 @@ int TestConformalAtlas(int argc, char* argv[])
   testConstraints();
   testProgressAndAbort();
   testPicture(argc, argv);
-  return testing::exitStatus();
+  return test::exitStatus();
 }

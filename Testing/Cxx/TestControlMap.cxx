@@ -26,7 +26,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 constexpr int Size = 64;
 
@@ -338,5 +338,5 @@ int TestControlMap(int, char*[])
   testChartsAreAskedFor();
   testFlat();
   testBadInput();
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -24,7 +24,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 constexpr int GridSize = 40;
 
@@ -339,5 +339,5 @@ int TestControlMapSurface(int, char*[])
   testGammaKeepsWhatItCan();
   testProjection();
   testFaceIndexOfOtherCharts();
-  return testing::exitStatus();
+  return test::exitStatus();
 }

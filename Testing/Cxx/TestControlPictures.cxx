@@ -27,7 +27,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 using Setting = std::function<void(vtkGeometryRemesher*)>;
 
@@ -106,7 +106,7 @@ std::vector<double> coarse(vtkImageData* image, int square)
 int TestControlPictures(int argc, char* argv[])
 {
   const auto mesh =
-    testing::readOff(testing::argument(argc, argv, "--models", "") + std::string("/bunny00.off"));
+    test::readOff(test::argument(argc, argv, "--models", "") + std::string("/bunny00.off"));
   if (!mesh)
   {
     std::cerr << "FAILED: read bunny00\n";
@@ -168,14 +168,14 @@ int TestControlPictures(int argc, char* argv[])
     window->AddRenderer(renderer);
   }
   window->Render();
-  const auto picture = testing::takePicture(window);
+  const auto picture = test::takePicture(window);
   const std::string name = "ControlMaps";
   if (std::getenv("STIPPLE_WRITE_BASELINES"))
   {
-    check(testing::comparePicture(picture, name, argc, argv), "write the picture");
-    return testing::exitStatus();
+    check(test::comparePicture(picture, name, argc, argv), "write the picture");
+    return test::exitStatus();
   }
-  const std::string folder = testing::argument(argc, argv, "-D", ".");
+  const std::string folder = test::argument(argc, argv, "-D", ".");
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName((folder + "/Baseline/" + name + ".png").c_str());
   reader->Update();
@@ -190,9 +190,8 @@ int TestControlPictures(int argc, char* argv[])
   std::cout << "mean difference " << difference << "\n";
   if (difference > 3.)
   {
-    testing::writePicture(
-      picture, testing::argument(argc, argv, "-T", ".") + ("/" + name + ".png"));
+    test::writePicture(picture, test::argument(argc, argv, "-T", ".") + ("/" + name + ".png"));
     check(false, "the picture has changed");
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -36,7 +36,7 @@ namespace
 {
 using namespace stipple;
 
-using testing::check;
+using test::check;
 
 /// A run of the remesher, ready to be measured.
 struct Sampling
@@ -301,14 +301,14 @@ double spacingAlongOverBeside(const Sampling& s)
 
 int TestDensityFidelity(int argc, char* argv[])
 {
-  const std::string folder = testing::argument(argc, argv, "--models", "");
+  const std::string folder = test::argument(argc, argv, "--models", "");
   const bool measure = std::find(argv, argv + argc, std::string("--measure")) != argv + argc;
   const std::vector<std::string> models = { "bunny00", "fandisk", "elephant", "armadillo", "holes",
     "anchor_dense", "bones", "blade" };
   constexpr int numberOfSamples = 5000;
   for (const std::string& model : models)
   {
-    const auto mesh = testing::readOff(folder + "/" + model + ".off");
+    const auto mesh = test::readOff(folder + "/" + model + ".off");
     check(mesh != nullptr, "read " + model);
     if (!mesh)
     {
@@ -350,5 +350,5 @@ int TestDensityFidelity(int argc, char* argv[])
       }
     }
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

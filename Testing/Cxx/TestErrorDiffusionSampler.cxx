@@ -26,7 +26,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 /// Counts the executions of a filter.
 struct Executions
@@ -276,5 +276,5 @@ int TestErrorDiffusionSampler(int, char*[])
   testOnDemand();
   testOtherArrayTypes();
   testAbort();
-  return testing::exitStatus();
+  return test::exitStatus();
 }

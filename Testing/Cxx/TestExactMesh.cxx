@@ -30,7 +30,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 int refused = 0; // numbers that were refused with another one
 
@@ -163,7 +163,7 @@ void testRandomDraws(int draws)
 {
   std::mt19937 engine(1);
   const auto random = [&] { return engine() / 4294967296.; };
-  const auto shapes = testing::makeShapes();
+  const auto shapes = test::makeShapes();
   const int kinds[] = { vtkControlMap::UNIFORM, vtkControlMap::MEAN, vtkControlMap::ARRAY };
   Remesher r;
   vtkGeometryRemesher* filter = r.Filter;
@@ -216,7 +216,7 @@ void testSmallNumbers(const std::string& folder, const std::vector<std::string>&
 {
   for (const std::string& model : models)
   {
-    const auto mesh = testing::readOff(folder + "/" + model + ".off");
+    const auto mesh = test::readOff(folder + "/" + model + ".off");
     if (!check(mesh != nullptr, "read " + model))
     {
       continue;
@@ -249,10 +249,10 @@ void testSmallNumbers(const std::string& folder, const std::vector<std::string>&
 
 int TestExactMesh(int argc, char* argv[])
 {
-  const std::string folder = testing::argument(argc, argv, "--models", "");
-  testRandomDraws(std::stoi(testing::argument(argc, argv, "--draws", "400")));
-  const int span = std::stoi(testing::argument(argc, argv, "--span", "20"));
+  const std::string folder = test::argument(argc, argv, "--models", "");
+  testRandomDraws(std::stoi(test::argument(argc, argv, "--draws", "400")));
+  const int span = std::stoi(test::argument(argc, argv, "--span", "20"));
   testSmallNumbers(folder, { "fandisk", "armadillo", "blade" }, span, { 1, 5 });
   testSmallNumbers(folder, { "elephant" }, span, { 4 });
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -30,7 +30,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 /// From the surface to the samples.
 class Pipeline
@@ -84,7 +84,7 @@ void testRandomDraws(int draws)
 {
   std::mt19937 engine(2002);
   const auto random = [&] { return engine() / 4294967296.; };
-  const auto shapes = testing::makeShapes();
+  const auto shapes = test::makeShapes();
   const int kinds[] = { vtkControlMap::UNIFORM, vtkControlMap::MEAN, vtkControlMap::GAUSSIAN,
     vtkControlMap::MAXIMUM, vtkControlMap::TOTAL, vtkControlMap::L2, vtkControlMap::ARRAY };
   int tooFew = 0;
@@ -149,12 +149,12 @@ void testModels(const std::string& folder)
 {
   for (const std::string model : { "fandisk", "elephant", "bunny00", "armadillo" })
   {
-    const auto mesh = testing::readOff(folder + "/" + model + ".off");
+    const auto mesh = test::readOff(folder + "/" + model + ".off");
     if (!check(mesh != nullptr, "read " + model))
     {
       continue;
     }
-    testing::addWeight(mesh);
+    test::addWeight(mesh);
     Pipeline p;
     p.Atlas->SetInputDataObject(mesh);
     for (int importance : { vtkControlMap::UNIFORM, vtkControlMap::MEAN })
@@ -183,6 +183,6 @@ void testModels(const std::string& folder)
 int TestExactNumber(int argc, char* argv[])
 {
   testRandomDraws(1000);
-  testModels(testing::argument(argc, argv, "--models", ""));
-  return testing::exitStatus();
+  testModels(test::argument(argc, argv, "--models", ""));
+  return test::exitStatus();
 }

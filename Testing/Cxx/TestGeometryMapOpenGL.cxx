@@ -18,17 +18,17 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 /// Compares all maps of one size.
 void compare(vtkPartitionedDataSetCollection* atlas, vtkRenderWindow* window, int size,
   const std::string& what, bool folded = false)
 {
-  testing::MapComparison options;
+  test::MapComparison options;
   options.size = size;
   options.more = { "Heat", "Quad", "Region" };
   options.folded = folded;
-  testing::compareMaps(atlas, window, what, options, check);
+  test::compareMaps(atlas, window, what, options, check);
 }
 
 void compareAll(vtkRenderWindow* window, const std::string& what)
@@ -55,7 +55,7 @@ void testSharedWindow(vtkRenderWindow* window)
   window->AddRenderer(renderer);
   window->SetSize(100, 80);
   window->Render();
-  const auto before = testing::takePicture(window);
+  const auto before = test::takePicture(window);
   vtkNew<vtkGeometryMapRenderer> maps;
   maps->SetInputDataObject(synthetic::makeAtlas());
   maps->SetRenderWindow(window);
@@ -64,7 +64,7 @@ void testSharedWindow(vtkRenderWindow* window)
   check(
     std::string(maps->GetBackendName()).find("OpenGL") == 0, "AUTO draws in the caller's window");
   window->Render();
-  const auto after = testing::takePicture(window);
+  const auto after = test::takePicture(window);
   const auto* p = static_cast<unsigned char*>(before->GetScalarPointer());
   const auto* q = static_cast<unsigned char*>(after->GetScalarPointer());
   check(std::equal(p, p + 3 * 100 * 80, q) && p[2] > 200, "the picture is as before");
@@ -73,7 +73,7 @@ void testSharedWindow(vtkRenderWindow* window)
 
 int TestGeometryMapOpenGL(int argc, char* argv[])
 {
-  const std::string platform = testing::argument(argc, argv, "--platform", "OSMESA");
+  const std::string platform = test::argument(argc, argv, "--platform", "OSMESA");
   if (platform == "GLX")
   {
     vtkNew<vtkRenderWindow> window;
@@ -81,7 +81,7 @@ int TestGeometryMapOpenGL(int argc, char* argv[])
     window->Render();
     compareAll(window, window->GetClassName());
     testSharedWindow(window);
-    return testing::exitStatus();
+    return test::exitStatus();
   }
   vtkNew<vtkHeadlessRenderWindow> window;
   window->SetPlatform(
@@ -90,5 +90,5 @@ int TestGeometryMapOpenGL(int argc, char* argv[])
   compareAll(window, platform);
   testSharedWindow(window);
   compare(synthetic::makeAtlas(), nullptr, 200, "a window of its own");
-  return testing::exitStatus();
+  return test::exitStatus();
 }

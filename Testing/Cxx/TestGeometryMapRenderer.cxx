@@ -19,7 +19,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 vtkImageData* imageOf(vtkGeometryMapRenderer* maps, unsigned int chart)
 {
@@ -122,7 +122,7 @@ void testMeaning(vtkPartitionedDataSetCollection* atlas)
       data->GetArray("Normal")->GetTuple(p, normal.data());
       worstNormal = std::max(worstNormal, std::abs(normal.norm() - 1.));
       check(normal.z() > 0.3, "normals point to the side that counterclockwise triangles show");
-      if (testing::failures > 5)
+      if (test::failures > 5)
       {
         return;
       }
@@ -279,8 +279,8 @@ void testPicture(vtkPartitionedDataSetCollection* atlas, int argc, char* argv[])
   stipple::ContactSheetOptions options;
   options.tile = 140;
   const auto sheet = stipple::mapContactSheet(maps->GetOutput(), options);
-  check(testing::comparePicture(sheet, "GeometryMaps", argc, argv),
-    "the contact sheet is the baseline");
+  check(
+    test::comparePicture(sheet, "GeometryMaps", argc, argv), "the contact sheet is the baseline");
   const auto one = stipple::mapPicture(maps->GetOutput(), 1, "AreaDistortion");
   check(one && one->GetDimensions()[0] == 128 && one->GetDimensions()[1] == 256,
     "a map, pixel by pixel");
@@ -298,5 +298,5 @@ int TestGeometryMapRenderer(int argc, char* argv[])
   testThreads(atlas);
   testErrors();
   testPicture(atlas, argc, argv);
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -38,7 +38,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 /// Counts how often each stage executes.
 class Executions
@@ -372,5 +372,5 @@ int TestGeometryRemesher(int, char*[])
   testErrors();
   testEmptyInput();
   testProgressAndAbort();
-  return testing::exitStatus();
+  return test::exitStatus();
 }

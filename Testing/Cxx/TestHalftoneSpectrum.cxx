@@ -18,7 +18,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 using Complex = std::complex<double>;
 
@@ -193,6 +193,6 @@ int TestHalftoneSpectrum(int argc, char* argv[])
   {
     plot(picture, 160 * i, levels[i]);
   }
-  check(testing::comparePicture(picture, "HalftoneSpectrum", argc, argv), "the picture");
-  return testing::exitStatus();
+  check(test::comparePicture(picture, "HalftoneSpectrum", argc, argv), "the picture");
+  return test::exitStatus();
 }

@@ -17,7 +17,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 vtkSmartPointer<vtkRenderer> makeScene(int resolution)
 {
@@ -47,12 +47,12 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   check(std::string(window->GetPlatformName()) == name, "the platform is the one asked for");
   check(*window->GetRendererName() != '\0', "the renderer has a name");
   check(window->SupportsOpenGL() == 1, "OpenGL is supported");
-  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv),
-    "the picture is the baseline");
+  check(
+    test::compareWindow(window, "HeadlessRenderWindow", argc, argv), "the picture is the baseline");
 
   window->SetSize(200, 120);
   window->Render();
-  const auto smaller = testing::takePicture(window);
+  const auto smaller = test::takePicture(window);
   check(
     smaller->GetDimensions()[0] == 200 && smaller->GetDimensions()[1] == 120, "the window resizes");
 
@@ -67,14 +67,13 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   window->Render();
   check(window->IsCurrent() && !other->IsCurrent(), "the last window that drew is current");
   check(
-    testing::compareWindow(other, "HeadlessRenderWindow", argc, argv), "a second window draws too");
-  check(
-    testing::compareWindow(window, "HeadlessRenderWindow", argc, argv), "and the first one still");
+    test::compareWindow(other, "HeadlessRenderWindow", argc, argv), "a second window draws too");
+  check(test::compareWindow(window, "HeadlessRenderWindow", argc, argv), "and the first one still");
 
   // A context that was given up comes back.
   window->Finalize();
   check(!window->IsCurrent(), "a finalized window is not current");
-  check(testing::compareWindow(window, "HeadlessRenderWindow", argc, argv),
+  check(test::compareWindow(window, "HeadlessRenderWindow", argc, argv),
     "a finalized window draws again");
 
   // One triangle less in each ring is another picture: the comparison is not blind.
@@ -86,13 +85,13 @@ void testDrawing(int platform, const char* name, int argc, char* argv[])
   char folder[] = "-T";
   char elsewhere[] = "Testing/Temporary/Wrong";
   char data[] = "-D";
-  std::string dataFolder = testing::argument(argc, argv, "-D", ".");
+  std::string dataFolder = test::argument(argc, argv, "-D", ".");
   char* arguments[] = { argv[0], data, dataFolder.data(), folder, elsewhere };
   if (!std::getenv("STIPPLE_WRITE_BASELINES"))
   {
     std::cerr << "(a difference is expected here)\n";
-    check(!testing::compareWindow(wrong, "HeadlessRenderWindow", 5, arguments),
-      "a coarser mesh differs");
+    check(
+      !test::compareWindow(wrong, "HeadlessRenderWindow", 5, arguments), "a coarser mesh differs");
   }
 }
 
@@ -111,7 +110,7 @@ void testTurns(int argc, char* argv[])
   {
     window[k]->Render();
     check(window[k]->IsCurrent() && !window[1 - k]->IsCurrent(), "one context at a time");
-    check(testing::compareWindow(window[k], "HeadlessRenderWindow", argc, argv), "they take turns");
+    check(test::compareWindow(window[k], "HeadlessRenderWindow", argc, argv), "they take turns");
   }
 }
 
@@ -140,8 +139,8 @@ void testFailure(int platform)
 int TestHeadlessRenderWindow(int argc, char* argv[])
 {
   // --platform EGL or OSMESA: what this program can have; --without: what it cannot.
-  const std::string platform = testing::argument(argc, argv, "--platform", "OSMESA");
-  const std::string without = testing::argument(argc, argv, "--without", "");
+  const std::string platform = test::argument(argc, argv, "--platform", "OSMESA");
+  const std::string without = test::argument(argc, argv, "--without", "");
   if (platform == "EGL")
   {
     testDrawing(vtkHeadlessRenderWindow::EGL, "EGL", argc, argv);
@@ -168,5 +167,5 @@ int TestHeadlessRenderWindow(int argc, char* argv[])
   {
     testFailure(vtkHeadlessRenderWindow::OSMESA);
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -19,7 +19,7 @@
 
 namespace
 {
-using testing::check;
+using test::check;
 
 void testIntegral(vtkPartitionedDataSetCollection* charts, const std::string& model)
 {
@@ -31,7 +31,7 @@ void testIntegral(vtkPartitionedDataSetCollection* charts, const std::string& mo
   double worst = 0.;
   for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
   {
-    vtkImageData* image = testing::imageOf(maps, c);
+    vtkImageData* image = test::imageOf(maps, c);
     vtkDataArray* array = image->GetPointData()->GetArray("AreaDistortion");
     double sum = 0.;
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -153,15 +153,15 @@ void testBaseline(vtkPolyData* mesh, const std::string& model, int argc, char* a
   options.tile = 100;
   options.labels = false;
   const auto sheet = stipple::mapContactSheet(maps->GetOutput(), options);
-  check(sheet && testing::comparePicture(sheet, "Maps-" + model, argc, argv),
+  check(sheet && test::comparePicture(sheet, "Maps-" + model, argc, argv),
     model + ": every map is the baseline");
 }
 }
 
 int TestMapsOfModels(int argc, char* argv[])
 {
-  const std::string folder = testing::argument(argc, argv, "--models", "");
-  const std::string platform = testing::argument(argc, argv, "--platform", "OSMESA");
+  const std::string folder = test::argument(argc, argv, "--models", "");
+  const std::string platform = test::argument(argc, argv, "--platform", "OSMESA");
   vtkSmartPointer<vtkRenderWindow> window;
   if (platform == "GLX")
   {
@@ -178,7 +178,7 @@ int TestMapsOfModels(int argc, char* argv[])
   window->Render();
   for (const std::string model : { "fandisk", "bunny00" })
   {
-    const auto mesh = testing::readOff(folder + "/" + model + ".off");
+    const auto mesh = test::readOff(folder + "/" + model + ".off");
     check(mesh != nullptr, "read " + model);
     if (!mesh)
     {
@@ -189,12 +189,12 @@ int TestMapsOfModels(int argc, char* argv[])
     atlas->Update();
     auto* charts = vtkPartitionedDataSetCollection::SafeDownCast(atlas->GetOutputDataObject(0));
     check(charts->GetNumberOfPartitionedDataSets() > 0, model + " has charts");
-    testing::compareMaps(charts, window, platform + ", " + model, {}, check);
+    test::compareMaps(charts, window, platform + ", " + model, {}, check);
     if (platform == "OSMESA")
     {
       testIntegral(charts, model);
       testBaseline(mesh, model, argc, argv);
     }
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

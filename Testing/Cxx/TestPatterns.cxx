@@ -15,7 +15,7 @@
 namespace
 {
 using namespace stipple;
-using testing::check;
+using test::check;
 
 template <typename Filter>
 void connect(Filter* filter, synthetic::Atlas& atlas, vtkPolyData* input)
@@ -152,5 +152,5 @@ int TestPatterns(int, char*[])
 {
   checkSubdivision();
   checkQuads();
-  return testing::exitStatus();
+  return test::exitStatus();
 }

