@@ -200,19 +200,19 @@ void SampleTextures::setCharts(vtkPartitionedDataSetCollection* charts)
   this->Actors.clear();
   this->Numbers.clear();
   this->Metrics.clear();
-  if (!readAtlas(charts, this->Surface).ok())
+  if (!Atlas::read(charts, nullptr, this->Charted).ok())
   {
     return;
   }
   this->SurfaceArea = 0;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
   Vec3 high = -low;
-  for (int f = 0; f < this->Surface.numberOfFaces(); ++f)
+  for (int f = 0; f < this->surface().numberOfFaces(); ++f)
   {
-    this->Metrics.push_back(metricOf(this->Surface, f));
-    this->SurfaceArea += this->Surface.faceArea(f);
-    low = low.cwiseMin(this->Surface.point(f, 0));
-    high = high.cwiseMax(this->Surface.point(f, 0));
+    this->Metrics.push_back(metricOf(this->surface(), f));
+    this->SurfaceArea += this->surface().faceArea(f);
+    low = low.cwiseMin(this->surface().point(f, 0));
+    high = high.cwiseMax(this->surface().point(f, 0));
   }
   this->Origin = 0.5 * (low + high);
   this->LargestDot = LargestShare * (high - low).norm();
@@ -265,7 +265,7 @@ void SampleTextures::placeDots(vtkPolyData* samples, std::vector<Dot>& dots)
     dot.position = Vec3(samples->GetPoint(i));
     dot.uv = Vec2(uv->GetComponent(i, 0), uv->GetComponent(i, 1));
     dot.chart = static_cast<int>(chart->GetComponent(i, 0));
-    dot.face = this->Surface.chartBegin[dot.chart] + static_cast<int>(cell->GetComponent(i, 0));
+    dot.face = this->surface().chartBegin[dot.chart] + static_cast<int>(cell->GetComponent(i, 0));
     dot.line = kind->GetComponent(i, 0) == 1 || kind->GetComponent(i, 0) == 2;
     dot.density = density->GetComponent(i, 0);
     dot.radius = dot.density > 0 ? std::min(most, LocalShare / std::sqrt(dot.density)) : most;
@@ -356,7 +356,7 @@ void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::ve
   }
   const int columns = halftone->GetDimensions()[0];
   const int rows = halftone->GetDimensions()[1];
-  const Vec2 extent = this->Surface.extent[chart];
+  const Vec2 extent = this->surface().extent[chart];
   const Vec2 pixel(extent.x() / columns, extent.y() / rows);
 
   // As fine as the samples are dense.
@@ -418,17 +418,17 @@ void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::ve
     {
       continue;
     }
-    const int face = this->Surface.chartBegin[chart] + std::max(0, faces->GetValue(id));
+    const int face = this->surface().chartBegin[chart] + std::max(0, faces->GetValue(id));
     const Vec2 uv((static_cast<double>(id % columns) + 0.5) * pixel.x(),
       (static_cast<double>(id / columns) + 0.5) * pixel.y());
-    const Vec2 at = uv - this->Surface.cornerUV(face, 0);
+    const Vec2 at = uv - this->surface().cornerUV(face, 0);
     Eigen::Matrix2d sides;
-    sides << this->Surface.cornerUV(face, 1) - this->Surface.cornerUV(face, 0),
-      this->Surface.cornerUV(face, 2) - this->Surface.cornerUV(face, 0);
+    sides << this->surface().cornerUV(face, 1) - this->surface().cornerUV(face, 0),
+      this->surface().cornerUV(face, 2) - this->surface().cornerUV(face, 0);
     const Vec2 w = sides.inverse() * at;
-    const Vec3 corner = this->Surface.point(face, 0);
-    const Vec3 place = corner + w[0] * (this->Surface.point(face, 1) - corner) +
-      w[1] * (this->Surface.point(face, 2) - corner);
+    const Vec3 corner = this->surface().point(face, 0);
+    const Vec3 place = corner + w[0] * (this->surface().point(face, 1) - corner) +
+      w[1] * (this->surface().point(face, 2) - corner);
     const int i = place.allFinite()
       ? nearest(onLines, place, [&dots](int k) -> const Vec3& { return dots[k].position; })
       : -1;

@@ -9,7 +9,7 @@
 #ifndef stipple_SampleTextures_h
 #define stipple_SampleTextures_h
 
-#include "AtlasSurface.h"
+#include "Atlas.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -59,7 +59,9 @@ private:
   void paintChart(int chart, vtkImageData* halftone, const std::vector<Dot>& dots,
     const std::vector<int>& ofChart, const std::vector<int>& onLines);
 
-  AtlasSurface Surface;
+  const AtlasSurface& surface() const { return this->Charted->surface(); }
+
+  Atlas::Pointer Charted;
   std::vector<SurfaceMetric> Metrics; ///< by face
   double SurfaceArea = 0;
   double LargestDot = 0;

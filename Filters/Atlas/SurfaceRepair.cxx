@@ -293,7 +293,10 @@ void compactPoints(RepairedSurface& r)
 Status repairSurface(vtkPolyData* input, RepairedSurface& r)
 {
   r = {};
-  r.surface = fromPolyData(input, &r.sourceCell);
+  if (Status status = readPolyData(input, r.surface, &r.sourceCell); !status.ok())
+  {
+    return status;
+  }
   TriangleSurface& s = r.surface;
   for (std::size_t p = 0; p < s.points.size(); ++p)
   {

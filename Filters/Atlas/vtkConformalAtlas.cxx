@@ -10,13 +10,16 @@
 #include "FeatureGraphBuilder.h"
 #include "LongEdges.h"
 #include "SurfaceRepair.h"
+#include "UserArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -153,6 +156,16 @@ int vtkConformalAtlas::RequestData(
     };
   };
 
+  for (const stipple::Status& status : { stipple::checkAttributes(input->GetPointData(),
+                                           input->GetNumberOfPoints(), "points", "the input"),
+         stipple::checkAttributes(
+           input->GetCellData(), input->GetNumberOfCells(), "cells", "the input") })
+  {
+    if (!status.ok())
+    {
+      return fail(status);
+    }
+  }
   stipple::RepairedSurface repaired;
   if (const stipple::Status status = stipple::repairSurface(input, repaired); !status.ok())
   {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureGraph.h"
 
+#include "AtlasSurface.h"
+#include "UserArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -114,65 +117,123 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   return output;
 }
 
-Status readFeatureGraph(vtkPolyData* lines, FeatureGraph& graph)
+namespace
+{
+const char* const Remedy = "pass output port 1 of vtkConformalAtlas";
+
+/// Reads the vertex cells.
+Status readConstraints(vtkPolyData* data, const AtlasSurface& surface, FeatureGraph& graph)
+{
+  const std::string owner = "The feature graph, which has constraint points,";
+  const vtkIdType n = data->GetNumberOfPoints();
+  vtkDataArray* chartId = nullptr;
+  vtkDataArray* chartCellId = nullptr;
+  vtkDataArray* bary = nullptr;
+  for (const Status& status :
+    { findArray(data->GetPointData(), "ChartId", 1, n, owner, Remedy, chartId),
+      findArray(data->GetPointData(), "ChartCellId", 1, n, owner, Remedy, chartCellId),
+      findArray(data->GetPointData(), "BarycentricCoordinates", 3, n, owner, Remedy, bary) })
+  {
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (vtkIdType i = 0; i < data->GetNumberOfVerts(); ++i)
+  {
+    data->GetVerts()->GetCellAtId(i, size, ids);
+    const std::string name = "constraint " + std::to_string(i) + " of the feature graph";
+    if (size < 1)
+    {
+      return Status::error("There is no point in " + name + ": " + Remedy + ".");
+    }
+    ConstraintPoint c;
+    data->GetPoint(ids[0], c.position.data());
+    c.chart = indexBelow(chartId->GetComponent(ids[0], 0), surface.numberOfCharts());
+    if (c.chart < 0)
+    {
+      return badId(chartId, ids[0], name, surface.numberOfCharts());
+    }
+    const int cells = surface.faces(Chart(c.chart)).size();
+    c.chartCell = indexBelow(chartCellId->GetComponent(ids[0], 0), cells);
+    if (c.chartCell < 0)
+    {
+      return badId(chartCellId, ids[0], name, cells);
+    }
+    bary->GetTuple(ids[0], c.bary.data());
+    if (!isBarycentric(c.bary))
+    {
+      return Status::error("The BarycentricCoordinates of " + name +
+        " are no numbers from 0 that sum to 1: " + Remedy + ".");
+    }
+    graph.constraints.push_back(c);
+  }
+  return Status::success();
+}
+}
+
+Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, FeatureGraph& graph)
 {
   graph = {};
   if (!lines || lines->GetNumberOfCells() == 0)
   {
     return Status::success();
   }
-  vtkDataArray* surfacePointId = lines->GetPointData()->GetArray("SurfacePointId");
-  vtkDataArray* isCorner = lines->GetPointData()->GetArray("IsCorner");
-  vtkDataArray* type = lines->GetCellData()->GetArray("BackboneType");
-  vtkDataArray* closed = lines->GetCellData()->GetArray("Closed");
-  if (!surfacePointId || !isCorner || !type || !closed)
+  const std::string owner = "The feature graph";
+  const vtkIdType numberOfPoints = lines->GetNumberOfPoints();
+  const vtkIdType numberOfCells = lines->GetNumberOfCells();
+  vtkDataArray* surfacePointId = nullptr;
+  vtkDataArray* isCorner = nullptr;
+  vtkDataArray* type = nullptr;
+  vtkDataArray* closed = nullptr;
+  for (const Status& status : { findArray(lines->GetPointData(), "SurfacePointId", 1,
+                                  numberOfPoints, owner, Remedy, surfacePointId),
+         findArray(lines->GetPointData(), "IsCorner", 1, numberOfPoints, owner, Remedy, isCorner),
+         findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, Remedy, type),
+         findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, Remedy, closed),
+         checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
+         checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
   {
-    return Status::error("The feature graph lacks one of the arrays SurfacePointId, IsCorner, "
-                         "BackboneType, Closed: pass output port 1 of vtkConformalAtlas.");
+    if (!status.ok())
+    {
+      return status;
+    }
   }
-  const vtkIdType numberOfVerts = lines->GetNumberOfVerts();
-  if (numberOfVerts > 0)
+  if (Status status = readConstraints(lines, surface, graph); !status.ok())
   {
-    vtkDataArray* chartId = lines->GetPointData()->GetArray("ChartId");
-    vtkDataArray* chartCellId = lines->GetPointData()->GetArray("ChartCellId");
-    vtkDataArray* bary = lines->GetPointData()->GetArray("BarycentricCoordinates");
-    if (!chartId || !chartCellId || !bary)
+    return status;
+  }
+  graph.isCorner.assign(surface.points.size(), 0);
+  vtkIdType n;
+  const vtkIdType* ids;
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    const std::string name = "backbone " + std::to_string(i) + " of the feature graph";
+    const vtkIdType cell = lines->GetNumberOfVerts() + i;
+    lines->GetLines()->GetCellAtId(i, n, ids);
+    Backbone b;
+    const int kind = indexBelow(type->GetComponent(cell, 0), 3);
+    if (kind < 0)
+    {
+      return badId(type, cell, name, 3);
+    }
+    b.type = static_cast<BackboneType>(kind);
+    b.closed = closed->GetComponent(cell, 0) != 0;
+    if (n < (b.closed ? 3 : 2))
     {
       return Status::error(
-        "The constraint points of the feature graph lack one of the arrays ChartId, "
-        "ChartCellId, BarycentricCoordinates: pass output port 1 of vtkConformalAtlas.");
+        "The " + name + " has " + std::to_string(n) + " points: " + Remedy + ".");
     }
-    vtkCellArray* verts = lines->GetVerts();
-    for (vtkIdType i = 0; i < verts->GetNumberOfCells(); ++i)
-    {
-      vtkIdType n;
-      const vtkIdType* ids;
-      verts->GetCellAtId(i, n, ids);
-      ConstraintPoint c;
-      lines->GetPoint(ids[0], c.position.data());
-      c.chart = static_cast<int>(chartId->GetComponent(ids[0], 0));
-      c.chartCell = static_cast<int>(chartCellId->GetComponent(ids[0], 0));
-      bary->GetTuple(ids[0], c.bary.data());
-      graph.constraints.push_back(c);
-    }
-  }
-  vtkCellArray* cells = lines->GetLines();
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    vtkIdType n;
-    const vtkIdType* ids;
-    cells->GetCellAtId(i, n, ids);
-    Backbone b;
-    b.type = static_cast<BackboneType>(static_cast<int>(type->GetComponent(numberOfVerts + i, 0)));
-    b.closed = closed->GetComponent(numberOfVerts + i, 0) != 0;
     for (vtkIdType k = 0; k < (b.closed ? n - 1 : n); ++k)
     {
-      const int p = static_cast<int>(surfacePointId->GetComponent(ids[k], 0));
-      b.points.push_back(p);
-      if (p >= static_cast<int>(graph.isCorner.size()))
+      const int p = indexBelow(surfacePointId->GetComponent(ids[k], 0), surface.numberOfVertices());
+      if (p < 0)
       {
-        graph.isCorner.resize(p + 1, 0);
+        return badId(surfacePointId, ids[k], name, surface.numberOfVertices());
       }
+      b.points.push_back(p);
       graph.isCorner[p] = isCorner->GetComponent(ids[k], 0) != 0;
     }
     graph.backbones.push_back(std::move(b));

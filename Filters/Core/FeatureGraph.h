@@ -17,6 +17,8 @@ class vtkPolyData;
 
 namespace stipple
 {
+struct AtlasSurface;
+
 enum class BackboneType : int
 {
   Sharp = 0,
@@ -64,8 +66,9 @@ struct STIPPLEFILTERSCORE_EXPORT FeatureGraph
 STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> toPolyData(
   const FeatureGraph& graph, const std::vector<Vec3>& surfacePoints);
 
-/// Reads what toPolyData() wrote, or says what is missing.
-STIPPLEFILTERSCORE_EXPORT Status readFeatureGraph(vtkPolyData* lines, FeatureGraph& graph);
+/// Reads what toPolyData() wrote for this surface, or says what is wrong with it.
+STIPPLEFILTERSCORE_EXPORT Status readFeatureGraph(
+  vtkPolyData* lines, const AtlasSurface& surface, FeatureGraph& graph);
 }
 
 #endif

@@ -20,10 +20,10 @@ bool FilterInputs::isEmpty() const
   return !this->Samples || !this->Charts || this->Samples->GetNumberOfPoints() == 0;
 }
 
-Status FilterInputs::read(SurfaceCache& atlas, std::vector<Sample>& samples) const
+Status FilterInputs::read(Atlas::Pointer& atlas, std::vector<Sample>& samples) const
 {
-  Status status = atlas.update(this->Charts, this->FeatureGraph);
-  return status.ok() ? readSamples(this->Samples, atlas.surface(), samples) : status;
+  Status status = Atlas::read(this->Charts, this->FeatureGraph, atlas);
+  return status.ok() ? readSamples(this->Samples, *atlas, samples) : status;
 }
 
 Progress progressOf(vtkAlgorithm* filter)

@@ -4,8 +4,8 @@
 #ifndef stipple_FilterInputs_h
 #define stipple_FilterInputs_h
 
+#include "Atlas.h"
 #include "SampleSet.h"
-#include "SurfaceCache.h"
 
 class vtkAlgorithm;
 class vtkInformationVector;
@@ -23,7 +23,7 @@ public:
   /// Whether there is nothing to do.
   bool isEmpty() const;
   vtkPolyData* samples() const { return this->Samples; }
-  Status read(SurfaceCache& atlas, std::vector<Sample>& samples) const;
+  Status read(Atlas::Pointer& atlas, std::vector<Sample>& samples) const;
 
 private:
   vtkPolyData* Samples;

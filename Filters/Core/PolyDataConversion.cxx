@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataConversion.h"
 
+#include "UserArrays.h"
+
 #include "PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
@@ -12,6 +14,24 @@
 
 namespace stipple
 {
+Status readPolyData(vtkPolyData* data, TriangleSurface& surface, std::vector<int>* sourceCell)
+{
+  const vtkIdType n = data->GetNumberOfPoints();
+  const std::string owner = "the input";
+  int count = 0;
+  for (const Status& status :
+    { checkedCount(n, "points", count), checkedCount(data->GetNumberOfPolys(), "polygons", count),
+      checkCells(data->GetPolys(), n, owner), checkCells(data->GetStrips(), n, owner) })
+  {
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  surface = fromPolyData(data, sourceCell);
+  return checkedCount(static_cast<vtkIdType>(surface.triangles.size()), "triangles", count);
+}
+
 TriangleSurface fromPolyData(vtkPolyData* data, std::vector<int>* sourceCell)
 {
   TriangleSurface surface;

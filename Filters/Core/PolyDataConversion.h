@@ -4,6 +4,7 @@
 #ifndef stipple_PolyDataConversion_h
 #define stipple_PolyDataConversion_h
 
+#include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
@@ -15,7 +16,11 @@ namespace stipple
 {
 /// The triangles of a poly data (polygons are triangulated, strips unrolled, other cells ignored)
 /// and its points, unwelded; not yet connected. sourceCell, if asked for, receives the
-/// cell of each triangle.
+/// cell of each triangle. Says what is wrong with data whose cells name points that there are not.
+STIPPLEFILTERSCORE_EXPORT Status readPolyData(
+  vtkPolyData* data, TriangleSurface& surface, std::vector<int>* sourceCell = nullptr);
+
+/// The same for data that is known to be sound.
 STIPPLEFILTERSCORE_EXPORT TriangleSurface fromPolyData(
   vtkPolyData* data, std::vector<int>* sourceCell = nullptr);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleSet.h"
 
-#include "AtlasSurface.h"
+#include "Atlas.h"
+#include "UserArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -12,6 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <iterator>
 
 namespace stipple
 {
@@ -84,48 +87,93 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   return output;
 }
 
-Status readSamples(vtkPolyData* vertices, const AtlasSurface& surface, std::vector<Sample>& samples)
+Status readSamples(vtkPolyData* vertices, const Atlas& atlas, std::vector<Sample>& samples)
 {
   samples.clear();
   if (!vertices || vertices->GetNumberOfPoints() == 0)
   {
     return Status::success();
   }
-  vtkPointData* data = vertices->GetPointData();
-  vtkDataArray* kind = data->GetArray("SampleKind");
-  vtkDataArray* chartId = data->GetArray("ChartId");
-  vtkDataArray* chartCellId = data->GetArray("ChartCellId");
-  vtkDataArray* bary = data->GetArray("BarycentricCoordinates");
-  vtkDataArray* backbone = data->GetArray("BackboneId");
-  vtkDataArray* arcLength = data->GetArray("ArcLength");
-  vtkDataArray* surfacePoint = data->GetArray("SurfacePointId");
-  if (!kind || !chartId || !chartCellId || !bary || !backbone || !arcLength || !surfacePoint)
+  const std::string owner = "The data set of samples";
+  const std::string remedy = "pass output port 0 of vtkErrorDiffusionSampler";
+  const vtkIdType n = vertices->GetNumberOfPoints();
+  enum Array
   {
-    return Status::error(
-      "The samples lack one of the arrays SampleKind, ChartId, ChartCellId, "
-      "BarycentricCoordinates, "
-      "BackboneId, ArcLength, SurfacePointId: pass output port 0 of vtkErrorDiffusionSampler.");
+    Kind,
+    ChartId,
+    ChartCell,
+    Barycentric,
+    BackboneOf,
+    ArcLength,
+    SurfacePoint
+  };
+  constexpr const char* Names[] = { "SampleKind", "ChartId", "ChartCellId",
+    "BarycentricCoordinates", "BackboneId", "ArcLength", "SurfacePointId" };
+  vtkDataArray* array[std::size(Names)];
+  for (std::size_t a = 0; a < std::size(Names); ++a)
+  {
+    if (Status status = findArray(
+          vertices->GetPointData(), Names[a], a == Barycentric ? 3 : 1, n, owner, remedy, array[a]);
+        !status.ok())
+    {
+      return status;
+    }
   }
-  samples.resize(vertices->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < vertices->GetNumberOfPoints(); ++i)
+  int count = 0;
+  if (Status status = checkedCount(n, "samples", count); !status.ok())
+  {
+    return status;
+  }
+  const AtlasSurface& surface = atlas.surface();
+  const int numberOfBackbones = static_cast<int>(atlas.traces().size());
+  samples.resize(n);
+  for (vtkIdType i = 0; i < n; ++i)
   {
     Sample& s = samples[i];
-    s.kind = static_cast<SampleKind>(static_cast<int>(kind->GetComponent(i, 0)));
-    const int chart = static_cast<int>(chartId->GetComponent(i, 0));
-    if (chart < 0 || chart >= surface.numberOfCharts())
+    const auto index = [&](Array a, int size) {
+      return indexBelow(array[a]->GetComponent(i, 0), size);
+    };
+    const auto bad = [&](Array a, int size) {
+      samples.clear();
+      return badId(array[a], i, "sample " + std::to_string(i), size);
+    };
+    const int kind = index(Kind, 4);
+    if (kind < 0)
     {
-      return Status::error("Sample " + std::to_string(i) + " lies in chart " +
-        std::to_string(chart) + ", which these charts do not have.");
+      return bad(Kind, 4);
     }
-    s.face = surface.chartBegin[chart] + static_cast<int>(chartCellId->GetComponent(i, 0));
-    if (s.face < surface.chartBegin[chart] || s.face >= surface.chartBegin[chart + 1])
+    s.kind = static_cast<SampleKind>(kind);
+    const int chart = index(ChartId, surface.numberOfCharts());
+    if (chart < 0)
     {
-      return Status::error("Sample " + std::to_string(i) + " lies in no triangle of its chart.");
+      return bad(ChartId, surface.numberOfCharts());
     }
-    bary->GetTuple(i, s.bary.data());
-    s.backbone = static_cast<int>(backbone->GetComponent(i, 0));
-    s.arcLength = arcLength->GetComponent(i, 0);
-    s.surfacePoint = static_cast<int>(surfacePoint->GetComponent(i, 0));
+    const int cells = surface.faces(Chart(chart)).size();
+    const int cell = index(ChartCell, cells);
+    if (cell < 0)
+    {
+      return bad(ChartCell, cells);
+    }
+    s.face = surface.chartBegin[chart] + cell;
+    array[Barycentric]->GetTuple(i, s.bary.data());
+    s.backbone = index(BackboneOf, numberOfBackbones);
+    if (s.kind == SampleKind::Backbone && s.backbone < 0)
+    {
+      return bad(BackboneOf, numberOfBackbones);
+    }
+    s.arcLength = array[ArcLength]->GetComponent(i, 0);
+    s.surfacePoint = index(SurfacePoint, surface.numberOfVertices());
+    if (s.kind == SampleKind::Corner &&
+      (s.surfacePoint < 0 || !atlas.vertexHalfedges()[Vertex(s.surfacePoint)].valid()))
+    {
+      return bad(SurfacePoint, surface.numberOfVertices());
+    }
+    if (!isBarycentric(s.bary) || !std::isfinite(s.arcLength))
+    {
+      samples.clear();
+      return Status::error("The BarycentricCoordinates of sample " + std::to_string(i) +
+        " are no numbers from 0 that sum to 1, or its ArcLength is not finite: " + remedy + ".");
+    }
   }
   return Status::success();
 }

@@ -16,6 +16,7 @@ class vtkPolyData;
 
 namespace stipple
 {
+class Atlas;
 struct AtlasSurface;
 
 enum class SampleKind : int
@@ -42,9 +43,9 @@ struct Sample
 STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> toPolyData(
   const std::vector<Sample>& samples, const AtlasSurface& surface);
 
-/// Reads what toPolyData() wrote, or says what is missing.
+/// Reads what toPolyData() wrote, or says what is wrong with it.
 STIPPLEFILTERSCORE_EXPORT Status readSamples(
-  vtkPolyData* vertices, const AtlasSurface& surface, std::vector<Sample>& samples);
+  vtkPolyData* vertices, const Atlas& atlas, std::vector<Sample>& samples);
 
 /// Adds the provenance arrays (ChartId, ChartCellId, BarycentricCoordinates, UV, SourceCellId) of
 /// places on the surface to the point data of a mesh whose points are these places.

@@ -74,24 +74,17 @@ Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts)
 {
   this->Charts.clear();
   this->Normals.clear();
-  const Status status = readAtlas(charts, this->Surface);
-  if (!status.ok())
+  if (Status status = Atlas::read(charts, nullptr, this->Charted); !status.ok())
   {
     return status;
   }
-  const AtlasSurface& s = this->Surface;
+  const AtlasSurface& s = this->Charted->surface();
   this->Charts.resize(s.numberOfCharts());
   for (int c = 0; c < s.numberOfCharts(); ++c)
   {
     const std::string name = "chart " + std::to_string(c);
     MapChart& chart = this->Charts[c];
-    chart.extent = s.extent[c];
-    if (!(chart.extent.x() > 0.) || !(chart.extent.y() > 0.))
-    {
-      return Status::error("The ChartExtent of " + name +
-        " is not positive: pass output port 0 of "
-        "vtkConformalAtlas.");
-    }
+    chart.extent = s.extent[Chart(c)];
     chart.uv.resize(s.charts[c]->GetNumberOfPoints(), Vec2::Zero());
     for (int f = s.chartBegin[c]; f < s.chartBegin[c + 1]; ++f)
     {
@@ -125,7 +118,7 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
   result = {};
   if (name == "Position")
   {
-    takeValues(this->Surface.charts[c]->GetPoints()->GetData(), result);
+    takeValues(this->Charted->surface().charts[c]->GetPoints()->GetData(), result);
     return Status::success();
   }
   if (name == "Normal")
@@ -176,7 +169,7 @@ Status MapCatalogue::find(const std::string& name, int c, MapValues& result)
 
 Status MapCatalogue::findArray(const std::string& name, int c, MapValues& result) const
 {
-  vtkPolyData* chart = this->Surface.charts[c];
+  vtkPolyData* chart = this->Charted->surface().charts[c];
   vtkDataArray* point = chart->GetPointData()->GetArray(name.c_str());
   vtkDataArray* cell = chart->GetCellData()->GetArray(name.c_str());
   // A point and a cell array may share a name: the smooth one is the better map, but for the area
@@ -206,7 +199,7 @@ Status MapCatalogue::findArray(const std::string& name, int c, MapValues& result
 /// along the seams so that the maps of neighbouring charts agree there.
 void MapCatalogue::findNormals(int c, MapValues& result)
 {
-  const AtlasSurface& s = this->Surface;
+  const AtlasSurface& s = this->Charted->surface();
   result.kind = MapKind::UnitVector;
   result.components = 3;
   vtkDataArray* given = s.charts[c]->GetPointData()->GetNormals();

@@ -4,7 +4,7 @@
 #ifndef stipple_MapCatalogue_h
 #define stipple_MapCatalogue_h
 
-#include "AtlasSurface.h"
+#include "Atlas.h"
 #include "MapRasterizer.h"
 
 #include <string>
@@ -44,7 +44,7 @@ private:
   Status findArray(const std::string& name, int c, MapValues& result) const;
   void findNormals(int c, MapValues& result);
 
-  AtlasSurface Surface;
+  Atlas::Pointer Charted; ///< its charts alone
   std::vector<MapChart> Charts;
   std::vector<Vec3> Normals; ///< of the surface's points, made when first asked for
 };

@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkCDTRemesh);
 
 struct vtkCDTRemesh::Internals
 {
-  stipple::SurfaceCache Atlas;
+  stipple::Atlas::Pointer Atlas;
 };
 
 vtkCDTRemesh::vtkCDTRemesh()
@@ -43,21 +43,21 @@ int vtkCDTRemesh::RequestData(
   {
     return 1;
   }
-  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   std::vector<stipple::Triangle> triangles;
   stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = stipple::createMesh(atlas, samples, triangles, stipple::progressOf(this));
+    status = stipple::createMesh(*atlas, samples, triangles, stipple::progressOf(this));
   }
   if (!status.ok())
   {
     return stipple::endAfter(status, this);
   }
-  const auto mesh = stipple::meshToPolyData(atlas, samples, triangles);
+  const auto mesh = stipple::meshToPolyData(*atlas, samples, triangles);
   const auto lines = stipple::featureLines(
-    atlas.graph(), stipple::backboneChains(atlas.graph(), samples), mesh, true);
+    atlas->graph(), stipple::backboneChains(atlas->graph(), samples), mesh, true);
   meshOutput->ShallowCopy(mesh);
   linesOutput->ShallowCopy(lines);
   this->UpdateProgress(1.);
@@ -67,5 +67,4 @@ int vtkCDTRemesh::RequestData(
 void vtkCDTRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

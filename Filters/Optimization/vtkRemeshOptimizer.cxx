@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkRemeshOptimizer);
 
 struct vtkRemeshOptimizer::Internals
 {
-  stipple::SurfaceCache Atlas;
+  stipple::Atlas::Pointer Atlas;
   stipple::DensityField Density;
 };
 
@@ -54,18 +54,23 @@ int vtkRemeshOptimizer::RequestData(
   {
     return 1;
   }
-  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
   stipple::DensityField& density = this->Implementation->Density;
   std::vector<stipple::Sample> samples;
   stipple::OptimizedMesh mesh;
   stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = density.read(this->FollowDensity ? control : nullptr, atlas.surface());
+    status = density.read(this->FollowDensity ? control : nullptr, atlas->surface());
+  }
+  stipple::TriangleSurface given;
+  if (status.ok())
+  {
+    status = stipple::readPolyData(inputs.samples(), given);
   }
   if (status.ok())
   {
-    status = mesh.build(atlas, density, samples, stipple::fromPolyData(inputs.samples()).triangles);
+    status = mesh.build(*atlas, density, samples, given.triangles);
   }
   if (status.ok())
   {
@@ -89,7 +94,7 @@ int vtkRemeshOptimizer::RequestData(
   const bool moved =
     this->Smoothing != vtkRemeshOptimizer::SMOOTHING_NONE && this->NumberOfIterations > 0;
   const auto result =
-    stipple::meshToPolyData(atlas, moved ? mesh.samples() : samples, mesh.triangles());
+    stipple::meshToPolyData(*atlas, moved ? mesh.samples() : samples, mesh.triangles());
   if (this->Placement == LEAST_SQUARES)
   {
     const std::vector<stipple::Vec3> positions = stipple::leastSquaresPositions(mesh);
@@ -107,7 +112,7 @@ int vtkRemeshOptimizer::RequestData(
       chains.back().push_back(v.index());
     }
   }
-  const auto lines = stipple::featureLines(atlas.graph(), chains, result, false);
+  const auto lines = stipple::featureLines(atlas->graph(), chains, result, false);
   meshOutput->ShallowCopy(result);
   linesOutput->ShallowCopy(lines);
   this->UpdateProgress(1.);
@@ -133,5 +138,4 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
   os << indent << "AcuteCornerAngle: " << this->AcuteCornerAngle << "\n";
-  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

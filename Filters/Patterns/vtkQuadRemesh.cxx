@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkQuadRemesh);
 
 struct vtkQuadRemesh::Internals
 {
-  stipple::SurfaceCache Atlas;
+  stipple::Atlas::Pointer Atlas;
 };
 
 vtkQuadRemesh::vtkQuadRemesh()
@@ -62,13 +62,13 @@ int vtkQuadRemesh::RequestData(
   {
     return 1;
   }
-  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   stipple::QuadMesh mesh;
   stipple::Status status = inputs.read(atlas, samples);
   if (status.ok())
   {
-    status = stipple::meshWithQuads(atlas, samples, mesh, stipple::progressOf(this));
+    status = stipple::meshWithQuads(*atlas, samples, mesh, stipple::progressOf(this));
   }
   if (!status.ok())
   {
@@ -80,10 +80,10 @@ int vtkQuadRemesh::RequestData(
   {
     triangles.push_back({ p[0], p[1], p[2] });
   }
-  const auto result = stipple::meshToPolyData(atlas, mesh.samples, triangles);
+  const auto result = stipple::meshToPolyData(*atlas, mesh.samples, triangles);
   setPolygons(mesh, result);
   const auto lines = stipple::featureLines(
-    atlas.graph(), stipple::backboneChains(atlas.graph(), mesh.samples), result, true);
+    atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, true);
   vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
   vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
   this->UpdateProgress(1.);
@@ -93,5 +93,4 @@ int vtkQuadRemesh::RequestData(
 void vtkQuadRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

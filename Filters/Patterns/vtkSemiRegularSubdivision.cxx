@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkSemiRegularSubdivision);
 
 struct vtkSemiRegularSubdivision::Internals
 {
-  stipple::SurfaceCache Atlas;
+  stipple::Atlas::Pointer Atlas;
 };
 
 vtkSemiRegularSubdivision::vtkSemiRegularSubdivision()
@@ -79,24 +79,28 @@ int vtkSemiRegularSubdivision::RequestData(
   {
     return 1;
   }
-  stipple::SurfaceCache& atlas = this->Implementation->Atlas;
+  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
   std::vector<stipple::Sample> samples;
   stipple::SubdividedMesh mesh;
   stipple::Status status = inputs.read(atlas, samples);
+  stipple::TriangleSurface given;
   if (status.ok())
   {
-    status = stipple::subdivideSemiRegularly(atlas, samples,
-      stipple::fromPolyData(inputs.samples()).triangles, this->NumberOfSubdivisions,
-      this->NumberOfIterations, mesh, stipple::progressOf(this));
+    status = stipple::readPolyData(inputs.samples(), given);
+  }
+  if (status.ok())
+  {
+    status = stipple::subdivideSemiRegularly(*atlas, samples, given.triangles,
+      this->NumberOfSubdivisions, this->NumberOfIterations, mesh, stipple::progressOf(this));
   }
   if (!status.ok())
   {
     return stipple::endAfter(status, this);
   }
-  const auto result = stipple::meshToPolyData(atlas, mesh.samples, mesh.triangles);
+  const auto result = stipple::meshToPolyData(*atlas, mesh.samples, mesh.triangles);
   addHierarchy(mesh, result);
   const auto lines = stipple::featureLines(
-    atlas.graph(), stipple::backboneChains(atlas.graph(), mesh.samples), result, false);
+    atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, false);
   vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
   vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
   this->UpdateProgress(1.);
@@ -108,5 +112,4 @@ void vtkSemiRegularSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSubdivisions: " << this->NumberOfSubdivisions << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Atlas read: " << this->Implementation->Atlas.generation() << " times\n";
 }

@@ -129,7 +129,7 @@ private:
 BandSection::BandSection(const SamplingDomain& domain, const std::vector<ControlImage>& images,
   int backbone, double arcLength, double scale, double fallback)
 {
-  const BackboneTrace& trace = domain.traces[backbone];
+  const BackboneTrace& trace = domain.traces()[backbone];
   const BackboneTrace::Place place = trace.locate(arcLength);
   for (int side = 0; side < 2; ++side)
   {
@@ -144,8 +144,8 @@ BandSection::BandSection(const SamplingDomain& domain, const std::vector<Control
 void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlImage>& images,
   int backbone, const BackboneTrace::Place& place, int side, double scale, double fallback)
 {
-  const AtlasSurface& surface = domain.surface;
-  const BackboneTrace& trace = domain.traces[backbone];
+  const AtlasSurface& surface = domain.surface();
+  const BackboneTrace& trace = domain.traces()[backbone];
   const double sign = side == 0 ? 1. : -1.;
   StraightWalk walk(surface, trace.halfedge[side][place.segment], trace.bary(place, side));
   const auto density = [&] {

@@ -21,9 +21,9 @@ constexpr double stepInSpacings = 0.6;
 std::vector<std::array<double, 2>> pieces(const SamplingDomain& domain, int b)
 {
   const std::vector<double>& fixed = domain.fixedPlaces[b];
-  const double length = domain.traces[b].length();
+  const double length = domain.traces()[b].length();
   std::vector<std::array<double, 2>> result;
-  if (!domain.graph.backbones[b].closed)
+  if (!domain.graph().backbones[b].closed)
   {
     double begin = 0;
     for (double s : fixed)
@@ -58,7 +58,7 @@ std::size_t segmentAt(const std::vector<double>& knots, double x)
 BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<ControlImage>& images,
   int backbone, double scale, double fallback)
 {
-  const double length = domain.traces[backbone].length();
+  const double length = domain.traces()[backbone].length();
   const double root = std::sqrt(scale);
   // Keeps the integral invertible where nothing is wanted, and is worth a billionth of a sample.
   const double least = length > 0 ? 1e-9 / length : 0.;
@@ -159,12 +159,12 @@ double BackboneDensity::widest(double begin, double end) const
 std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
   const std::vector<ControlImage>& images, double scale, double meanDensity)
 {
-  std::vector<BackboneDensity> result(domain.traces.size());
+  std::vector<BackboneDensity> result(domain.traces().size());
   // The longest ones first, so that no thread is left waiting for one.
   std::vector<int> order(result.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return domain.traces[a].length() > domain.traces[b].length(); });
+    [&](int a, int b) { return domain.traces()[a].length() > domain.traces()[b].length(); });
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(order.size()), 1, [&](vtkIdType first, vtkIdType last) {
       for (vtkIdType i = first; i < last; ++i)
@@ -179,7 +179,7 @@ std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
 std::vector<BackboneDensity> uniformBackboneDensities(const SamplingDomain& domain)
 {
   std::vector<BackboneDensity> result;
-  for (const BackboneTrace& trace : domain.traces)
+  for (const BackboneTrace& trace : domain.traces())
   {
     result.push_back({ { 0, trace.length() }, { 0, trace.length() }, { 1 }, { 1 } });
   }
@@ -193,7 +193,7 @@ std::size_t countOnBackbones(
   std::size_t count = 0;
   for (std::size_t b = 0; b < densities.size(); ++b)
   {
-    const bool closed = domain.graph.backbones[b].closed;
+    const bool closed = domain.graph().backbones[b].closed;
     if (domain.fixedPlaces[b].empty())
     {
       const double wanted = root * densities[b].total();
@@ -217,8 +217,8 @@ BackbonePlaces placeOnBackbones(
   for (std::size_t b = 0; b < densities.size(); ++b)
   {
     const BackboneDensity& density = densities[b];
-    const double length = domain.traces[b].length();
-    const bool closed = domain.graph.backbones[b].closed;
+    const double length = domain.traces()[b].length();
+    const bool closed = domain.graph().backbones[b].closed;
     std::vector<double>& places = result[b];
     if (closed && domain.fixedPlaces[b].empty())
     {

@@ -93,14 +93,14 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
   {
     this->Faces.assign(image.faceIndex, image.faceIndex + n);
   }
-  const int first = domain.surface.chartBegin[chart];
-  const int faces = domain.surface.chartBegin[chart + 1] - first;
+  const int first = domain.surface().chartBegin[chart];
+  const int faces = domain.surface().chartBegin[chart + 1] - first;
   this->Forms.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
     const int face = image.faceIndex ? image.faceIndex[i] : -1;
     const float area = image.areaDistortion[i];
-    this->Forms[i] = face >= 0 && face < faces ? domain.metric[first + face]
+    this->Forms[i] = face >= 0 && face < faces ? domain.metric(first + face)
                                                : FirstFundamentalForm{ area, 0, area };
   }
   this->Nearest.assign(n, -1);
@@ -128,9 +128,9 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
 void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
   this->Lines.clear();
-  for (std::size_t b = 0; b < domain.traces.size(); ++b)
+  for (std::size_t b = 0; b < domain.traces().size(); ++b)
   {
-    const BackboneTrace& trace = domain.traces[b];
+    const BackboneTrace& trace = domain.traces()[b];
     for (int side = 0; side < 2; ++side)
     {
       const int segments = trace.hasSide(side) && trace.chart[side] == chart
@@ -138,8 +138,8 @@ void BandMask::addLines(const SamplingDomain& domain, int chart)
         : 0;
       for (int i = 0; i < segments; ++i)
       {
-        const Vec2 a = trace.parameter(domain.surface, { i, 0. }, side);
-        const Vec2 b2 = trace.parameter(domain.surface, { i, 1. }, side);
+        const Vec2 a = trace.parameter(domain.surface(), { i, 0. }, side);
+        const Vec2 b2 = trace.parameter(domain.surface(), { i, 1. }, side);
         this->Lines.push_back({ a, b2 - a, bandLimit, static_cast<int>(b), trace.arcLength[i],
           trace.arcLength[i + 1] - trace.arcLength[i] });
       }

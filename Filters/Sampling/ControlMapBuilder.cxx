@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ControlMapBuilder.h"
 
+#include "Atlas.h"
 #include "FloatValues.h"
 #include "Importance.h"
 #include "ImportanceSource.h"
@@ -131,7 +132,6 @@ struct ControlMapBuilder::Internals
   // Kept from execution to execution, each with what it was made from:
   using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
   Key mapsKey;
-  Key chartsKey;
   /// Kind, array, picture and its time, projection, band-pass.
   using SourceKey =
     std::tuple<int, std::string, vtkSmartPointer<vtkImageData>, vtkMTimeType, int, double, double>;
@@ -140,8 +140,7 @@ struct ControlMapBuilder::Internals
   std::vector<std::vector<float>> base; ///< importance before the transfer function, in [0, 1]
   float largestBase = 0;                ///< 0: the quantity is the same everywhere
 
-  bool hasSurface = false;
-  AtlasSurface surface;
+  Atlas::Pointer atlas; ///< the charts, once something needs the surface
   double diagonal = 0;
   std::array<double, 6> bounds = { { 0. } };
 
@@ -154,7 +153,8 @@ struct ControlMapBuilder::Internals
   std::vector<ControlChart> charts; ///< of this execution
 
   static Key keyOf(vtkPartitionedDataSetCollection* data);
-  void takeInput(vtkPartitionedDataSetCollection* maps, vtkPartitionedDataSetCollection* charts);
+  void takeMaps(vtkPartitionedDataSetCollection* maps);
+  void forget();
   Status readMaps(vtkPartitionedDataSetCollection* maps);
   Status readSurface(vtkPartitionedDataSetCollection* charts, const char* what);
   Status readFaces();
@@ -181,27 +181,24 @@ ControlMapBuilder::Internals::Key ControlMapBuilder::Internals::keyOf(
   return key;
 }
 
-/// Forgets what was made from other maps or charts.
-void ControlMapBuilder::Internals::takeInput(
-  vtkPartitionedDataSetCollection* maps, vtkPartitionedDataSetCollection* surfaceCharts)
+/// Forgets what was made from other maps.
+void ControlMapBuilder::Internals::takeMaps(vtkPartitionedDataSetCollection* maps)
 {
   Key newMaps = keyOf(maps);
-  Key newCharts = keyOf(surfaceCharts);
-  if (newCharts != this->chartsKey)
-  {
-    this->chartsKey = std::move(newCharts);
-    this->hasSurface = false;
-    this->mapsKey.clear();
-  }
   if (newMaps != this->mapsKey)
   {
     this->mapsKey = std::move(newMaps);
-    this->hasBase = false;
-    this->hasDiffusion = false;
-    this->faces.clear();
-    this->painted.clear();
-    this->layers.clear();
+    this->forget();
   }
+}
+
+void ControlMapBuilder::Internals::forget()
+{
+  this->hasBase = false;
+  this->hasDiffusion = false;
+  this->faces.clear();
+  this->painted.clear();
+  this->layers.clear();
 }
 
 Status ControlMapBuilder::Internals::readMaps(vtkPartitionedDataSetCollection* maps)
@@ -240,16 +237,18 @@ Status ControlMapBuilder::Internals::readSurface(
     return Status::error(std::string(what) +
       " works on the surface: pass the charts that the maps are of to input port 1.");
   }
-  if (this->hasSurface)
-  {
-    return Status::success();
-  }
-  if (Status status = readAtlas(surfaceCharts, this->surface); !status.ok())
+  const Atlas::Pointer before = this->atlas;
+  if (Status status = Atlas::read(surfaceCharts, nullptr, this->atlas); !status.ok())
   {
     return status;
   }
+  if (this->atlas == before)
+  {
+    return Status::success();
+  }
+  this->forget();
   vtkBoundingBox box;
-  for (vtkPolyData* chart : this->surface.charts)
+  for (vtkPolyData* chart : this->atlas->surface().charts)
   {
     box.AddBounds(chart->GetBounds());
   }
@@ -259,7 +258,6 @@ Status ControlMapBuilder::Internals::readSurface(
   }
   box.GetBounds(this->bounds.data());
   this->diagonal = box.GetDiagonalLength();
-  this->hasSurface = true;
   return Status::success();
 }
 
@@ -289,8 +287,7 @@ Status ControlMapBuilder::Internals::readFaces()
     }
     double range[2];
     integers->GetRange(range);
-    const int begin = this->surface.chartBegin[c];
-    if (range[0] < 0 || range[1] >= this->surface.chartBegin[c + 1] - begin)
+    if (range[0] < 0 || range[1] >= this->atlas->surface().faces(Chart(static_cast<int>(c))).size())
     {
       return Status::error("FaceIndex of map " + std::to_string(c) +
         " names triangles that chart " + std::to_string(c) +
@@ -310,7 +307,7 @@ std::vector<ControlImage> ControlMapBuilder::Internals::views() const
     ControlImage view;
     view.width = this->charts[c].map->GetDimensions()[0];
     view.height = this->charts[c].map->GetDimensions()[1];
-    view.extent = this->surface.extent[c];
+    view.extent = this->atlas->surface().extent[Chart(static_cast<int>(c))];
     view.areaDistortion = this->charts[c].area->data();
     view.faceIndex = this->faces[c]->GetPointer(0);
     result.push_back(view);
@@ -371,7 +368,7 @@ Status ControlMapBuilder::Internals::smooth(
   }
   if (!this->hasDiffusion)
   {
-    this->diffusion.setDomain(this->surface, this->views());
+    this->diffusion.setDomain(this->atlas->surface(), this->views());
     this->hasDiffusion = true;
   }
   return this->diffusion.smooth(values, 0.01 * percent * this->diagonal, progress);
@@ -474,7 +471,7 @@ void ControlMapBuilder::Internals::paintStrokes(const std::vector<BrushStroke>& 
   const std::vector<ControlImage> images = this->views();
   for (std::size_t i = this->painted.size(); i < wanted.size(); ++i)
   {
-    paint(this->surface, images, wanted[i], this->layers);
+    paint(this->atlas->surface(), images, wanted[i], this->layers);
   }
   this->painted = wanted;
 }
@@ -541,7 +538,7 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
 {
   Internals& d = *this->Data;
   control.clear();
-  d.takeInput(maps, surfaceCharts);
+  d.takeMaps(maps);
   if (Status status = d.readMaps(maps); !status.ok() || d.charts.empty())
   {
     return status;

@@ -148,7 +148,7 @@ private:
     {
       area += cross2(this->uv(loop[i]), this->uv(loop[(i + 1) % loop.size()]));
     }
-    const Vec2& extent = this->Domain.surface.extent[this->Chart];
+    const Vec2& extent = this->Domain.surface().extent[this->Chart];
     return loop.size() >= 3 && area > 1e-9 * extent.x() * extent.y();
   }
 
@@ -171,7 +171,7 @@ private:
   /// Bit k is set if p lies on side k of the rectangle.
   int sides(const Vec2& p) const
   {
-    const Vec2& extent = this->Domain.surface.extent[this->Chart];
+    const Vec2& extent = this->Domain.surface().extent[this->Chart];
     const double t = this->Tolerance;
     return (p.x() <= t ? 1 : 0) | (p.x() >= extent.x() - t ? 2 : 0) | (p.y() <= t ? 4 : 0) |
       (p.y() >= extent.y() - t ? 8 : 0);
@@ -220,28 +220,28 @@ private:
   /// The curve that a segment stands for, in this chart, from sample to sample.
   std::vector<Vec2> curve(const ChartGraph::Segment& s) const
   {
-    const BackboneTrace& trace = this->Domain.traces[s.backbone];
+    const BackboneTrace& trace = this->Domain.traces()[s.backbone];
     const int side = trace.chart[0] == this->Chart ? 0 : 1;
     const auto [begin, end] = this->ends(s);
     const double length = trace.length();
     const auto wrap = [length](double x) { return x >= length ? x - length : x; };
     std::vector<Vec2> result = { trace.parameter(
-      this->Domain.surface, trace.locate(wrap(begin)), side) };
+      this->Domain.surface(), trace.locate(wrap(begin)), side) };
     const int n = static_cast<int>(trace.arcLength.size()) - 1;
     int i = trace.locate(wrap(begin)).segment + 1;
     for (double lap = begin >= length ? length : 0; lap <= length; lap += length, i = 0)
     {
       for (; i < n && trace.arcLength[i] + lap < end; ++i)
       {
-        result.push_back(trace.parameter(this->Domain.surface, { i, 0. }, side));
+        result.push_back(trace.parameter(this->Domain.surface(), { i, 0. }, side));
       }
       if (end <= length + lap)
       {
         break;
       }
     }
-    result.push_back(
-      trace.parameter(this->Domain.surface, trace.locate(end > length ? end - length : end), side));
+    result.push_back(trace.parameter(
+      this->Domain.surface(), trace.locate(end > length ? end - length : end), side));
     return result;
   }
 
@@ -255,7 +255,7 @@ private:
     {
       return;
     }
-    BoxGrid grid(this->Domain.surface.extent[this->Chart], this->Inner.size());
+    BoxGrid grid(this->Domain.surface().extent[this->Chart], this->Inner.size());
     for (std::size_t k = 0; k < this->Inner.size(); ++k)
     {
       grid.insert(static_cast<int>(k), this->Inner[k], this->Inner[k]);
@@ -334,7 +334,7 @@ void checkDoubleEdges(
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const int b = static_cast<int>(i);
-    const Backbone& backbone = domain.graph.backbones[i];
+    const Backbone& backbone = domain.graph().backbones[i];
     const std::size_t inside = places[i].size();
     const int p = backbone.points.front();
     const int q = backbone.points.back();
@@ -344,7 +344,7 @@ void checkDoubleEdges(
     }
     else if (!backbone.closed && inside == 0)
     {
-      direct.push_back({ std::min(p, q), std::max(p, q), domain.traces[i].length(), b });
+      direct.push_back({ std::min(p, q), std::max(p, q), domain.traces()[i].length(), b });
     }
   }
   std::sort(direct.begin(), direct.end(), [](const Direct& a, const Direct& b) {
@@ -388,7 +388,8 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
   for (int round = 0; round < 24; ++round) // intervals halve: finer than any surface's detail
   {
     valid.samples = domain.samples(places);
-    valid.graphs = buildChartGraphs(domain.surface, domain.graph, domain.traces, valid.samples);
+    valid.graphs =
+      buildChartGraphs(domain.surface(), domain.graph(), domain.traces(), valid.samples);
     const std::vector<BackboneInterval> bad = invalidIntervals(domain, places, valid.graphs);
     if (bad.empty())
     {
@@ -399,7 +400,7 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
         const ChartGraph& graph = valid.graphs[c];
         valid.leastInterior[c] = graph.boundary.size() <= 3 &&
             graph.vertices.size() == graph.boundary.size() && domain.chartConstraints[c].empty() &&
-            domain.surface.chartBegin[c + 1] > domain.surface.chartBegin[c]
+            domain.surface().chartBegin[c + 1] > domain.surface().chartBegin[c]
           ? 1
           : 0;
       }
@@ -413,13 +414,14 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
     for (const BackboneInterval& i : bad)
     {
       const auto [begin, end] = domain.interval(places, i.backbone, i.interval);
-      const double length = domain.traces[i.backbone].length();
+      const double length = domain.traces()[i.backbone].length();
       if (end - begin <= 1e-9 * length)
       {
         return Status::error("Backbone " + std::to_string(i.backbone) + " near surface point " +
           std::to_string(
-            domain.graph.backbones[i.backbone]
-              .points[domain.traces[i.backbone].locate(std::min(begin, length)).segment]) +
+            domain.graph()
+              .backbones[i.backbone]
+              .points[domain.traces()[i.backbone].locate(std::min(begin, length)).segment]) +
           " touches another one or a constraint in the chart's parameter plane: move the "
           "constraint, or "
           "repair the charts.");

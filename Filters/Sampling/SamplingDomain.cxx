@@ -10,29 +10,12 @@ namespace stipple
 {
 namespace
 {
-FirstFundamentalForm firstFundamentalForm(const AtlasSurface& s, int face)
-{
-  const Vec2 a = s.cornerUV(face, 1) - s.cornerUV(face, 0);
-  const Vec2 b = s.cornerUV(face, 2) - s.cornerUV(face, 0);
-  const Vec3 p = s.point(face, 1) - s.point(face, 0);
-  const Vec3 q = s.point(face, 2) - s.point(face, 0);
-  const double det = cross2(a, b);
-  if (det == 0)
-  {
-    return { 0, 0, 0 };
-  }
-  const Vec3 du = (p * b.y() - q * a.y()) / det;
-  const Vec3 dv = (q * a.x() - p * b.x()) / det;
-  return { static_cast<float>(du.dot(du)), static_cast<float>(du.dot(dv)),
-    static_cast<float>(dv.dot(dv)) };
-}
-
 /// A segment of a backbone by the surface point that it begins at, if the backbone changes there
 /// between a chart's inside and its border, or from chart to chart: there must be a node. Else -1.
 int segmentThatLacksNode(const SamplingDomain& domain, std::size_t b)
 {
-  const AtlasSurface& s = domain.surface;
-  const BackboneTrace& trace = domain.traces[b];
+  const AtlasSurface& s = domain.surface();
+  const BackboneTrace& trace = domain.traces()[b];
   const auto chartPoint = [&](int h) { return s.chartPoints[h / 3][h % 3]; };
   for (std::size_t i = 0; i + 1 < trace.arcLength.size(); ++i)
   {
@@ -56,11 +39,11 @@ class ConstraintSorter
 public:
   explicit ConstraintSorter(SamplingDomain& domain)
     : Domain(domain)
-    , Node(domain.graph.nodes())
+    , Node(domain.graph().nodes())
   {
-    for (std::size_t b = 0; b < domain.traces.size(); ++b)
+    for (std::size_t b = 0; b < domain.traces().size(); ++b)
     {
-      const BackboneTrace& trace = domain.traces[b];
+      const BackboneTrace& trace = domain.traces()[b];
       for (int side = 0; side < 2; ++side)
       {
         for (std::size_t i = 0; i < trace.halfedge[side].size(); ++i)
@@ -69,7 +52,7 @@ public:
             side };
         }
       }
-      const Backbone& backbone = domain.graph.backbones[b];
+      const Backbone& backbone = domain.graph().backbones[b];
       for (std::size_t i = 0; i < backbone.points.size(); ++i)
       {
         this->Point[backbone.points[i]] = { static_cast<int>(b), trace.arcLength[i] };
@@ -79,7 +62,7 @@ public:
 
   void add(int face, Vec3 bary)
   {
-    const AtlasSurface& s = this->Domain.surface;
+    const AtlasSurface& s = this->Domain.surface();
     bary = clampedBarycentric(bary.unaryExpr([](double x) { return x < 1e-9 ? 0. : x; }));
     for (int k = 0; k < 3; ++k)
     {
@@ -103,7 +86,7 @@ public:
         if (found != this->Segment.end())
         {
           const auto& [b, i, side] = found->second;
-          const std::vector<double>& arc = this->Domain.traces[b].arcLength;
+          const std::vector<double>& arc = this->Domain.traces()[b].arcLength;
           const double t = side == 0 ? bary[(k + 1) % 3] : bary[k];
           this->addPlace(b, arc[i] + t * (arc[i + 1] - arc[i]));
           return;
@@ -130,9 +113,9 @@ public:
 private:
   void addPlace(int backbone, double s)
   {
-    const BackboneTrace& trace = this->Domain.traces[backbone];
+    const BackboneTrace& trace = this->Domain.traces()[backbone];
     const double near = 1e-9 * trace.length();
-    const bool closed = this->Domain.graph.backbones[backbone].closed;
+    const bool closed = this->Domain.graph().backbones[backbone].closed;
     std::vector<double>& places = this->Domain.fixedPlaces[backbone];
     if (closed && s >= trace.length() - near)
     {
@@ -166,9 +149,9 @@ std::array<double, 2> SamplingDomain::interval(
   const BackbonePlaces& places, int backbone, int i) const
 {
   const std::vector<double>& p = places[backbone];
-  const double length = this->traces[backbone].length();
+  const double length = this->traces()[backbone].length();
   const int n = static_cast<int>(p.size());
-  if (this->graph.backbones[backbone].closed)
+  if (this->graph().backbones[backbone].closed)
   {
     if (n == 0)
     {
@@ -182,7 +165,7 @@ std::array<double, 2> SamplingDomain::interval(
 
 Sample SamplingDomain::backboneSample(int backbone, double arcLength) const
 {
-  const BackboneTrace& trace = this->traces[backbone];
+  const BackboneTrace& trace = this->traces()[backbone];
   const BackboneTrace::Place place = trace.locate(arcLength);
   const int side = trace.chart[0] >= 0 ? 0 : 1;
   Sample sample;
@@ -211,25 +194,17 @@ Status readSamplingDomain(
   vtkPartitionedDataSetCollection* charts, vtkPolyData* lines, SamplingDomain& domain)
 {
   domain = {};
-  if (Status status = readAtlas(charts, domain.surface); !status.ok())
+  if (Status status = Atlas::read(charts, lines, domain.atlas); !status.ok())
   {
     return status;
   }
-  if (Status status = readFeatureGraph(lines, domain.graph); !status.ok())
-  {
-    return status;
-  }
-  const AtlasSurface& s = domain.surface;
-  if (Status status = traceBackbones(s, domain.graph, domain.traces); !status.ok())
-  {
-    return status;
-  }
-  for (std::size_t b = 0; b < domain.traces.size(); ++b)
+  const AtlasSurface& s = domain.surface();
+  for (std::size_t b = 0; b < domain.traces().size(); ++b)
   {
     if (const int i = segmentThatLacksNode(domain, b); i >= 0)
     {
       return Status::error("Backbone " + std::to_string(b) + " has no node at surface point " +
-        std::to_string(domain.graph.backbones[b].points[i]) +
+        std::to_string(domain.graph().backbones[b].points[i]) +
         ", where it passes from one chart, or from a chart's border, to another: pass the feature "
         "graph of "
         "the vtkConformalAtlas that made the charts.");
@@ -237,7 +212,7 @@ Status readSamplingDomain(
   }
   std::vector<char> bounded(s.numberOfCharts(), 0);
   domain.onBackbone.assign(s.twin.size(), 0);
-  for (const BackboneTrace& trace : domain.traces)
+  for (const BackboneTrace& trace : domain.traces())
   {
     for (int side = 0; side < 2; ++side)
     {
@@ -262,36 +237,23 @@ Status readSamplingDomain(
         std::to_string(c) + ": pass output port 1 of the vtkConformalAtlas that made the charts.");
     }
   }
-  domain.metric.resize(s.numberOfFaces());
-  for (int f = 0; f < s.numberOfFaces(); ++f)
-  {
-    domain.metric[f] = firstFundamentalForm(s, f);
-  }
-  const auto first = s.vertexHalfedges();
-  for (int node : domain.graph.nodes())
+  const ElementArray<Vertex, Halfedge>& first = domain.atlas->vertexHalfedges();
+  for (int node : domain.graph().nodes())
   {
     Sample sample;
     sample.kind = SampleKind::Corner;
-    sample.face = first[node] / 3;
-    sample.bary[first[node] % 3] = 1.;
+    const Halfedge h = first[Vertex(node)];
+    sample.face = faceOf(h).index();
+    sample.bary[cornerOf(h)] = 1.;
     sample.surfacePoint = node;
     domain.fixedSamples.push_back(sample);
   }
-  domain.fixedPlaces.resize(domain.graph.backbones.size());
+  domain.fixedPlaces.resize(domain.graph().backbones.size());
   domain.chartConstraints.resize(s.numberOfCharts());
   ConstraintSorter sorter(domain);
-  for (std::size_t i = 0; i < domain.graph.constraints.size(); ++i)
+  for (std::size_t i = 0; i < domain.graph().constraints.size(); ++i)
   {
-    const ConstraintPoint& c = domain.graph.constraints[i];
-    if (c.chart < 0 || c.chart >= s.numberOfCharts() || c.chartCell < 0 ||
-      c.chartCell >= s.chartBegin[c.chart + 1] - s.chartBegin[c.chart])
-    {
-      return Status::error("Constraint " + std::to_string(i) +
-        " of the feature graph lies in cell " + std::to_string(c.chartCell) + " of chart " +
-        std::to_string(c.chart) +
-        ", which these charts do not have: pass charts and feature graph of the same "
-        "vtkConformalAtlas.");
-    }
+    const ConstraintPoint& c = domain.graph().constraints[i];
     sorter.add(s.chartBegin[c.chart] + c.chartCell, c.bary);
   }
   return Status::success();

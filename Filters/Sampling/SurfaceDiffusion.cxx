@@ -97,7 +97,7 @@ void assemble(const RefinedSurface& s, Eigen::VectorXd& mass, SparseMatrix& stif
 
 struct SurfaceDiffusion::Internals
 {
-  AtlasSurface surface;
+  const AtlasSurface* surface = nullptr;
   std::vector<ControlImage> images; ///< pointers into area and face
   std::vector<std::vector<float>> area;
   std::vector<std::vector<int>> face;
@@ -136,7 +136,7 @@ Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& 
   }
   this->longest = -1;
   this->solvers.clear();
-  this->refined = refine(this->surface, this->images, wanted);
+  this->refined = refine(*this->surface, this->images, wanted);
   if (!report(progress, 0.1))
   {
     return Status::aborted();
@@ -147,7 +147,7 @@ Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& 
       for (vtkIdType c = begin; c < end; ++c)
       {
         this->places[c] =
-          placePixels(this->surface, this->refined, static_cast<int>(c), this->images[c]);
+          placePixels(*this->surface, this->refined, static_cast<int>(c), this->images[c]);
       }
     });
   if (!report(progress, 0.2))
@@ -256,7 +256,7 @@ Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<fl
   }
   for (int t = 0; t < this->refined.numberOfTriangles(); ++t)
   {
-    const int c = this->surface.faceChart[this->refined.face[t]];
+    const int c = this->surface->faceChart[this->refined.face[t]];
     for (int k = 0; k < 3; ++k)
     {
       const int p = this->refined.triangles[t][k];
@@ -295,7 +295,7 @@ void SurfaceDiffusion::setDomain(
 {
   this->Data = std::make_unique<Internals>();
   Internals& d = *this->Data;
-  d.surface = surface;
+  d.surface = &surface;
   d.images = images;
   for (ControlImage& image : d.images)
   {

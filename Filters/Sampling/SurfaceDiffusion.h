@@ -26,6 +26,7 @@ public:
 
   /// Takes the surface, and of the images (one a chart) their sizes, areaDistortion and faceIndex.
   /// Nothing is borrowed.
+  /// The surface is borrowed.
   void setDomain(const AtlasSurface& surface, const std::vector<ControlImage>& images);
 
   /// Smooths values[c], the pixels of chart c, in place; sigma > 0 in the surface's unit of length.

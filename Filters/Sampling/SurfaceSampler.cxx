@@ -190,7 +190,7 @@ void Sampling::measureBands(double scale, const std::vector<BandMask>& bands)
 void Sampling::measureBackbones(double scale, const std::vector<BandMask>& bands)
 {
   this->DensityScale = scale;
-  const double area = this->Domain.surface.area();
+  const double area = this->Domain.surface().area();
   this->Densities =
     backboneDensities(this->Domain, this->Images, scale, area > 0 ? this->Total / area : 0.);
   this->measureBands(scale, bands);
@@ -333,7 +333,7 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
 Status Sampling::collect(
   const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result)
 {
-  const AtlasSurface& surface = this->Domain.surface;
+  const AtlasSurface& surface = this->Domain.surface();
   const std::vector<int> share = apportion(this->Interior, this->Left, this->Valid.leastInterior);
   result.interior.resize(this->Images.size());
   Status status =

@@ -222,7 +222,7 @@ int vtkErrorDiffusionSampler::RequestData(
   }
   this->MinimumNumberOfSamples = data.sampler.minimumNumberOfSamples();
   ControlImages control;
-  if (stipple::Status status = control.read(images, data.sampler.domain().surface); !status.ok())
+  if (stipple::Status status = control.read(images, data.sampler.domain().surface()); !status.ok())
   {
     return fail(status);
   }
@@ -238,7 +238,7 @@ int vtkErrorDiffusionSampler::RequestData(
   {
     return fail(status);
   }
-  output->ShallowCopy(stipple::toPolyData(result.samples, data.sampler.domain().surface));
+  output->ShallowCopy(stipple::toPolyData(result.samples, data.sampler.domain().surface()));
   vtkNew<vtkDoubleArray> density;
   density->SetName("Density");
   density->SetNumberOfValues(static_cast<vtkIdType>(result.density.size()));

@@ -225,7 +225,8 @@ Seams seams(vtkPolyData* input, int numberOfCharts, int placement)
   }
   FeatureGraph graph;
   EXPECT_TRUE(
-    readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), graph).ok());
+    readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), surface, graph)
+      .ok());
   result.meanTurn = test::meanTurnOfSeams(graph, surface.points, step);
   return result;
 }
@@ -258,9 +259,12 @@ TEST_P(NoisyModels, HaveNextToNoSharpEdges)
   vtkNew<vtkConformalAtlas> atlas;
   atlas->SetInputData(input);
   atlas->Update();
+  AtlasSurface surface;
+  ASSERT_TRUE(readAtlas(atlas->GetOutput(), surface).ok());
   FeatureGraph graph;
   ASSERT_TRUE(
-    readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), graph).ok());
+    readFeatureGraph(vtkPolyData::SafeDownCast(atlas->GetOutputDataObject(1)), surface, graph)
+      .ok());
   double sharp = 0;
   for (const Backbone& b : graph.backbones)
   {

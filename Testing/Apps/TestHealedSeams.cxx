@@ -81,7 +81,8 @@ Lines seamsOf(vtkGeometryRemesher* remesher)
   Status status = readAtlas(
     vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2)), surface);
   EXPECT_TRUE(status.ok()) << status.message();
-  status = readFeatureGraph(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3)), graph);
+  status =
+    readFeatureGraph(vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3)), surface, graph);
   EXPECT_TRUE(status.ok()) << status.message();
   Lines seams;
   for (const Backbone& b : graph.backbones)

@@ -18,12 +18,12 @@ namespace
 double squaredDistance(const SamplingDomain& domain, const Vec3& p)
 {
   double least = std::numeric_limits<double>::max();
-  for (const Backbone& backbone : domain.graph.backbones)
+  for (const Backbone& backbone : domain.graph().backbones)
   {
     for (int i = 0; i < backbone.numberOfSegments(); ++i)
     {
-      const Vec3& a = domain.surface.points[backbone.points[i]];
-      const Vec3& b = domain.surface.points[backbone.segmentEnd(i)];
+      const Vec3& a = domain.surface().points[backbone.points[i]];
+      const Vec3& b = domain.surface().points[backbone.segmentEnd(i)];
       least = std::min(least, (nearestOnSegment(p, a, b) - p).squaredNorm());
     }
   }
@@ -70,7 +70,7 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
   const auto importance = [](const Vec3& p) {
     return std::exp(2.5 * std::sin(9. * p.x()) * std::cos(7. * p.y() + 4. * p.z()));
   };
-  const ControlMaps maps(domain.surface, 60, importance);
+  const ControlMaps maps(domain.surface(), 60, importance);
   const double scale = 40.;
   // As if each backbone were alone.
   const auto densities = uniformBackboneDensities(domain);
@@ -90,11 +90,11 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
     fine.height = raster.height;
     for (int i = 0; i < fine.numberOfPixels(); ++i)
     {
-      int face = domain.surface.chartBegin[c];
+      int face = domain.surface().chartBegin[c];
       Vec3 bary;
-      locate(domain.surface, c, fine.centre(i), face, face, bary);
+      locate(domain.surface(), c, fine.centre(i), face, face, bary);
       const int coarse = raster.row[i / fine.width] * image.width + raster.column[i % fine.width];
-      const double depth = squaredDistance(domain, domain.surface.position(face, bary)) *
+      const double depth = squaredDistance(domain, domain.surface().position(face, bary)) *
         image.density(coarse) * scale / bandLimit;
       ++pixels;
       closed += depth < 1.;
@@ -109,9 +109,9 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
 
 TEST_F(BandMaskOfCube, FitsNothingElse)
 {
-  const ControlMaps maps(domain.surface, 20);
-  const ControlMaps finer(domain.surface, 30);
-  const ControlMaps denser(domain.surface, 20, [](const Vec3& p) { return 2. + p.x(); });
+  const ControlMaps maps(domain.surface(), 20);
+  const ControlMaps finer(domain.surface(), 30);
+  const ControlMaps denser(domain.surface(), 20, [](const Vec3& p) { return 2. + p.x(); });
   BandMask bands;
   EXPECT_FALSE(bands.fits(maps.images[0]));
   bands.build(domain, 0, maps.images[0]);

@@ -58,10 +58,11 @@ struct Square
     Atlas& atlas = this->builder.finish();
     const Status status = readSamplingDomain(atlas.charts, atlas.graphData, this->domain);
     EXPECT_TRUE(status.ok()) << status.message();
-    this->places.resize(this->domain.graph.backbones.size());
+    this->places.resize(this->domain.graph().backbones.size());
     const std::vector<Sample> samples = this->domain.samples(this->places);
     return invalidIntervals(this->domain, this->places,
-      buildChartGraphs(this->domain.surface, this->domain.graph, this->domain.traces, samples));
+      buildChartGraphs(
+        this->domain.surface(), this->domain.graph(), this->domain.traces(), samples));
   }
   void place(int backbone, std::initializer_list<double> gridLengths)
   {

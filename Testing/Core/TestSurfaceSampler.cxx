@@ -33,7 +33,7 @@ struct Fixture
     EXPECT_TRUE(status.ok()) << n << ": " << status.message();
     return result;
   }
-  const AtlasSurface& surface() const { return this->sampler.domain().surface; }
+  const AtlasSurface& surface() const { return this->sampler.domain().surface(); }
 };
 
 void expectSound(const SurfaceSamples& result, const Fixture& f, int n)

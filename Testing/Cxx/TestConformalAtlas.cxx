@@ -6,7 +6,7 @@
 #include "ImageRegression.h"
 #include "Shapes.h"
 
-#include "AtlasSurface.h"
+#include "Atlas.h"
 #include "ChartGraph.h"
 
 #include "vtkActor.h"
@@ -52,10 +52,17 @@ vtkPolyData* chart(vtkConformalAtlas* atlas, int i)
   return stipple::chartOf(atlas->GetOutput(), static_cast<unsigned int>(i));
 }
 
+stipple::FeatureGraph readGraph(vtkConformalAtlas* atlas)
+{
+  stipple::Atlas::Pointer read;
+  check(
+    stipple::Atlas::read(atlas->GetOutput(), graphOf(atlas), read).ok(), "the atlas can be read");
+  return read ? read->graph() : stipple::FeatureGraph();
+}
+
 int numberOfBackbones(vtkConformalAtlas* atlas, stipple::BackboneType type)
 {
-  stipple::FeatureGraph graph;
-  check(stipple::readFeatureGraph(graphOf(atlas), graph).ok(), "the feature graph can be read");
+  const stipple::FeatureGraph graph = readGraph(atlas);
   int count = 0;
   for (const stipple::Backbone& b : graph.backbones)
   {
@@ -147,8 +154,7 @@ void testConstraints()
   places->InsertNextTuple(place.data());
   atlas->SetChartConstraints(places);
   atlas->Update();
-  stipple::FeatureGraph graph;
-  check(stipple::readFeatureGraph(graphOf(atlas), graph).ok(), "the feature graph can be read");
+  const stipple::FeatureGraph graph = readGraph(atlas);
   check(graph.constraints.size() == 2, "two constraints");
   if (graph.constraints.size() == 2)
   {

@@ -66,12 +66,15 @@ struct Sampling
     auto* lines = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
     auto* control = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
     auto* vertices = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5));
-    if (!readAtlas(charts, this->surface).ok() || !readFeatureGraph(lines, this->graph).ok() ||
-      !traceBackbones(this->surface, this->graph, this->traces).ok() ||
-      !readSamples(vertices, this->surface, this->samples).ok())
+    Atlas::Pointer atlas;
+    if (!Atlas::read(charts, lines, atlas).ok() ||
+      !readSamples(vertices, *atlas, this->samples).ok())
     {
       return false;
     }
+    this->surface = atlas->surface();
+    this->graph = atlas->graph();
+    this->traces = atlas->traces();
     this->diagonal = this->surface.boundingBoxDiagonal();
     vtkDataArray* wanted = vertices->GetPointData()->GetArray("Density");
     this->pixels.resize(this->surface.numberOfFaces());

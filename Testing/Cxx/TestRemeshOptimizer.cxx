@@ -536,16 +536,17 @@ std::string bytes(vtkPolyData* data)
 /// A mesh of a run, to be changed by hand.
 struct ReadMesh
 {
-  SurfaceCache cache;
+  Atlas::Pointer atlas;
   DensityField density;
   std::vector<Sample> samples;
   OptimizedMesh mesh;
 
-  ReadMesh(synthetic::Atlas& atlas, vtkPolyData* written)
+  ReadMesh(synthetic::Atlas& from, vtkPolyData* written)
   {
-    check(this->cache.update(atlas.charts, atlas.graphData).ok() &&
-        readSamples(written, this->cache.surface(), this->samples).ok() &&
-        this->mesh.build(this->cache, this->density, this->samples, fromPolyData(written).triangles)
+    check(Atlas::read(from.charts, from.graphData, this->atlas).ok() &&
+        readSamples(written, *this->atlas, this->samples).ok() &&
+        this->mesh
+          .build(*this->atlas, this->density, this->samples, fromPolyData(written).triangles)
           .ok(),
       "the mesh can be read again");
   }

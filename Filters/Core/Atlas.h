@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Charts and feature graph as all stages see them: read and checked once, and shared.
+#ifndef stipple_Atlas_h
+#define stipple_Atlas_h
+
+#include "ChartGraph.h"
+#include "Lazy.h"
+#include "StippleFiltersCoreModule.h"
+#include "SurfaceWalk.h"
+
+#include <memory>
+
+namespace stipple
+{
+/// Squared length on the surface of a step (du, dv): E du^2 + 2 F du dv + G dv^2.
+struct FirstFundamentalForm
+{
+  float E = 1;
+  float F = 0;
+  float G = 1;
+
+  Vec2 times(const Vec2& d) const
+  {
+    return { this->E * d.x() + this->F * d.y(), this->F * d.x() + this->G * d.y() };
+  }
+  double dot(const Vec2& a, const Vec2& b) const { return this->times(a).dot(b); }
+  double squared(const Vec2& d) const { return this->dot(d, d); }
+};
+
+/// The neighbours along edges of every vertex.
+struct VertexNeighbours
+{
+  std::vector<int> begin; ///< those of vertex p are vertex[begin[p]] to vertex[begin[p + 1] - 1]
+  std::vector<int> vertex;
+  ElementArray<Vertex, Halfedge> outgoing; ///< the last that leaves it; none if no triangle has it
+};
+
+/// Does not change after it is read. What is made when first asked for may be asked for by any
+/// thread.
+class STIPPLEFILTERSCORE_EXPORT Atlas
+{
+public:
+  using Pointer = std::shared_ptr<const Atlas>;
+
+  /// The atlas of these data sets; the feature graph may be null. Who asks for the same unmodified
+  /// data sets while anyone keeps their atlas gets that one, and the charts alone are shared by
+  /// atlases of any graph. Modified() of a chart, its points, cells or arrays makes a new one.
+  [[nodiscard]] static Status read(
+    vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph, Pointer& atlas);
+  /// How often charts were read in this process.
+  static int numberOfReads();
+
+  const AtlasSurface& surface() const { return *this->Surface; }
+  const FeatureGraph& graph() const { return this->Graph; }
+  /// By backbone.
+  const std::vector<BackboneTrace>& traces() const { return this->Traces; }
+  const SurfaceTopology& topology() const;
+  /// Of the maps to the charts' planes.
+  const ElementArray<Face, FirstFundamentalForm>& metric() const;
+  /// Sharp edges are its walls.
+  const SurfaceWalk& walk() const;
+  /// Normals of faces averaged with those about them on the same side of creases; unit length, or
+  /// zero.
+  const ElementArray<Face, Vec3>& smoothNormals() const;
+  const Vec3& smoothNormal(Face face) const { return this->smoothNormals()[face]; }
+  const Vec3& smoothNormal(int face) const { return this->smoothNormals()[Face(face)]; }
+  const VertexNeighbours& vertexNeighbours() const;
+  const std::vector<int>& neighbourBegin() const { return this->vertexNeighbours().begin; }
+  const std::vector<int>& neighbours() const { return this->vertexNeighbours().vertex; }
+  /// As TriangleSurface::vertexHalfedges().
+  const ElementArray<Vertex, Halfedge>& vertexHalfedges() const { return this->Outgoing; }
+  /// The place at an arc length of a backbone, seen from the first side that it has.
+  SurfacePlace placeOfBackbone(int backbone, double arcLength) const;
+  /// A point that a triangle uses, as a place.
+  SurfacePlace placeOfPoint(int p) const;
+
+private:
+  struct Cache;
+  Atlas() = default;
+  Status readGraph(vtkPolyData* featureGraph);
+  std::vector<char> walls() const;
+
+  std::shared_ptr<const AtlasSurface> Surface;
+  vtkSmartPointer<vtkPolyData> GraphData;
+  FeatureGraph Graph;
+  std::vector<BackboneTrace> Traces;
+  ElementArray<Vertex, Halfedge> Outgoing;
+  Lazy<SurfaceTopology> Topology;
+  Lazy<ElementArray<Face, FirstFundamentalForm>> Metric;
+  Lazy<SurfaceWalk> Walk;
+  Lazy<ElementArray<Face, Vec3>> SmoothNormals;
+  Lazy<VertexNeighbours> Neighbours;
+};
+}
+
+#endif
