@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -20,9 +21,9 @@ namespace
 {
 /// Cuts the surface between farthest-point Voronoi cells, at least one a component, as many as
 /// asked for.
-void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
+void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells, const Stop& stop)
 {
-  VoronoiDiagram diagram(surface);
+  VoronoiDiagram diagram(surface, stop);
   std::vector<int> all(surface.numberOfFaces());
   std::iota(all.begin(), all.end(), 0);
   int cells = 0;
@@ -33,7 +34,7 @@ void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
     diagram.forget(component);
     diagram.addSite(far, cells++);
   }
-  while (cells < std::min(numberOfCells, surface.numberOfFaces()))
+  while (cells < std::min(numberOfCells, surface.numberOfFaces()) && !isAsked(stop))
   {
     diagram.addSite(diagram.farthest(all), cells++);
   }
@@ -48,12 +49,13 @@ void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells)
 }
 
 /// Splits a region in two, between a triangle (the densest, or the one farthest from the region's
-/// first) and the triangle that is farthest from it. Returns the new region.
+/// first) and the triangle that is farthest from it. Both parts are smaller than the region was.
+/// Returns the new region.
 int bisect(ChartRegions& regions, int region, int first)
 {
   regions.closeSlits(region);
   const std::vector<int>& faces = regions.faces(region);
-  VoronoiDiagram diagram(regions.surface());
+  VoronoiDiagram diagram(regions.surface(), regions.stop());
   if (first < 0)
   {
     diagram.addSite(faces.front(), 0);
@@ -62,26 +64,34 @@ int bisect(ChartRegions& regions, int region, int first)
   }
   diagram.addSite(first, 0);
   diagram.addSite(diagram.farthest(faces), 1);
+  const auto sides = [&] {
+    std::vector<char> side(faces.size());
+    std::transform(
+      faces.begin(), faces.end(), side.begin(), [&](int f) { return diagram.cell(f) == 1; });
+    return side;
+  };
+  std::vector<char> side = sides();
   diagram.removeSpikes(faces);
-  std::vector<char> side;
-  side.reserve(faces.size());
-  for (int f : faces)
+  // A cell of few triangles may be all spikes: then they stay.
+  const std::vector<char> smooth = sides();
+  if (std::find(smooth.begin(), smooth.end(), !smooth.front()) != smooth.end())
   {
-    side.push_back(diagram.cell(f) == 1);
+    side = smooth;
   }
   return regions.divide(region, side);
 }
 
-/// Bisects a region until it is a disk; the new regions need not be.
+/// Bisects a region until it is a disk; the new regions need not be. It has fewer triangles every
+/// time, and a single one is a disk.
 void bisectToDisk(ChartRegions& regions, int region)
 {
-  while (!regions.mesh(region).isDisk())
+  while (!regions.isStopped() && !regions.mesh(region).isDisk())
   {
     bisect(regions, region, -1);
   }
 }
 
-/// Bisects regions until all are disks.
+/// Bisects regions until all are disks: single triangles at the latest.
 Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
 {
   for (int r = 0; r < regions.size(); ++r)
@@ -132,6 +142,7 @@ public:
 
   Status run(int fewest, const Allowed& allowed, const Merged& merged, const Progress& progress)
   {
+    // A pair is asked for once, and new ones come only with a region less.
     std::size_t asked = 0;
     while (this->Regions.size() > fewest && !this->Pairs.empty())
     {
@@ -234,11 +245,17 @@ public:
   {
   }
 
+  /// It ends: what is not flat enough is cut a few times, then split; and of each line of descent
+  /// History::splitsLeft falls with every split.
   Status run(const Progress& progress)
   {
     while (true)
     {
       const std::vector<int> changed = this->prepareReshaped();
+      if (this->Regions.isStopped())
+      {
+        return Status::aborted();
+      }
       if (changed.empty())
       {
         for (int r = 0; r < this->Regions.size(); ++r)
@@ -257,10 +274,14 @@ public:
           {
             FlatChart& chart = this->Charts[changed[i]];
             chart.mesh = this->Regions.mesh(changed[i]);
-            chart.map =
-              mapToRectangle(this->Regions.surface(), chart.mesh, { this->Options.square });
+            chart.map = mapToRectangle(
+              this->Regions.surface(), chart.mesh, { this->Options.square }, this->Regions.stop());
           }
         });
+      if (this->Regions.isStopped())
+      {
+        return Status::aborted();
+      }
       for (int r : changed)
       {
         this->Regions.clearChanges(r);
@@ -300,13 +321,15 @@ private:
   {
     int cutRounds = 0; ///< how often cuts into the chart have been tried
     double densityRatio = std::numeric_limits<double>::infinity();
+    /// How often the region, and what becomes of it, may still be split, one within the other.
+    int splitsLeft = std::numeric_limits<int>::max();
   };
 
   /// Makes the regions whose shape changed ready to be flattened. A rectangle's corners need four
   /// boundary vertices.
   std::vector<int> prepareReshaped()
   {
-    for (int r = 0; r < this->Regions.size(); ++r)
+    for (int r = 0; r < this->Regions.size() && !this->Regions.isStopped(); ++r)
     {
       while (this->Regions.isReshaped(r) && this->Regions.mesh(r).boundary.size() < 4)
       {
@@ -314,7 +337,7 @@ private:
       }
     }
     std::vector<int> changed;
-    for (int r = 0; r < this->Regions.size(); ++r)
+    for (int r = 0; r < this->Regions.size() && !this->Regions.isStopped(); ++r)
     {
       if (this->Regions.isReshaped(r))
       {
@@ -389,18 +412,34 @@ private:
     {
       return Status::success();
     }
-    if (chart.mesh.faces.size() <= 2)
+    // A region of few of the surface's triangles has no better shape to offer, however often it is
+    // cut up. Working models split none of less than five.
+    constexpr int Fewest = 4;
+    const int splitsLeft =
+      std::min(history.splitsLeft, this->Regions.numberOfInputTriangles(r)) - 1;
+    const bool canBeSplit = splitsLeft >= Fewest - 1 && chart.mesh.faces.size() > 2;
+    if (!map.valid && !canBeSplit)
     {
-      return Status::error(
-        "A chart of two triangles can't be flattened: the surface has triangles too thin "
-        "for double precision; repair it first.");
+      return Status::error("A chart of " + std::to_string(chart.mesh.faces.size()) +
+        " triangles can't be flattened: the surface has triangles too thin for double precision; "
+        "repair it first.");
     }
     const bool helping = history.cutRounds == 0 || map.densityRatio < 0.5 * history.densityRatio;
     if (map.valid && helping && history.cutRounds < 8 &&
       cutToDensePlaces(this->Regions, r, chart, this->Options.maximumDensityRatio))
     {
-      history = { history.cutRounds + 1, map.densityRatio };
+      ++history.cutRounds;
+      history.densityRatio = map.densityRatio;
       return Status::success();
+    }
+    if (!map.valid && history.cutRounds == 0 && cutDeepSleeve(this->Regions, chart))
+    {
+      ++history.cutRounds;
+      return Status::success();
+    }
+    if (!canBeSplit)
+    {
+      return Status::success(); // denser than the bound, but a map
     }
     int densest = -1;
     if (map.valid)
@@ -409,29 +448,35 @@ private:
         chart.mesh
           .faces[std::max_element(map.density.begin(), map.density.end()) - map.density.begin()];
     }
-    history = {};
-    this->split(r, densest);
+    const std::vector<int> parts = this->split(r, densest);
+    this->Histories.resize(this->Regions.size());
+    for (int part : parts)
+    {
+      this->Histories[part] = {};
+      this->Histories[part].splitsLeft = splitsLeft;
+    }
     return Status::success();
   }
 
-  /// Splits a region at a triangle, into disks with smooth seams of their own.
-  void split(int r, int densest)
+  /// Splits a region at a triangle, into disks with smooth seams of their own. Returns all parts.
+  std::vector<int> split(int r, int densest)
   {
     const int first = bisect(this->Regions, r, densest);
     bisectToDisk(this->Regions, r);
     std::vector<int> parts = { r };
-    for (int q = first; q < this->Regions.size(); ++q)
+    for (int q = first; q < this->Regions.size() && !this->Regions.isStopped(); ++q)
     {
       bisectToDisk(this->Regions, q);
       parts.push_back(q);
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      for (std::size_t j = i + 1; j < parts.size(); ++j)
+      for (std::size_t j = i + 1; j < parts.size() && !this->Regions.isStopped(); ++j)
       {
         smoothSeams(this->Regions, parts[i], parts[j], this->Options.placement);
       }
     }
+    return parts;
   }
 
   /// Flattens two regions as one; whether that keeps the bound. Large ones are not worth the time.
@@ -455,7 +500,8 @@ private:
     std::vector<int> faces = this->Regions.faces(a);
     faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
     this->Merged.mesh = extractChart(surface, std::move(faces));
-    this->Merged.map = mapToRectangle(surface, this->Merged.mesh, { this->Options.square });
+    this->Merged.map =
+      mapToRectangle(surface, this->Merged.mesh, { this->Options.square }, this->Regions.stop());
     for (int h : seam->halfedges)
     {
       surface.setCut(h, true);
@@ -481,11 +527,17 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   {
     return Status::success();
   }
-  const auto part = [&](double from, double to) -> Progress {
-    return [&, from, to](double f) { return report(progress, from + (to - from) * f); };
+  std::atomic<double> told(0.);
+  const Progress all = [&](double f) {
+    told = f;
+    return report(progress, f);
   };
-  cutIntoVoronoiCells(surface, options.numberOfCharts);
-  ChartRegions regions(surface);
+  const Stop stop = [&] { return !report(progress, told); };
+  const auto part = [&](double from, double to) -> Progress {
+    return [&, from, to](double f) { return report(all, from + (to - from) * f); };
+  };
+  cutIntoVoronoiCells(surface, options.numberOfCharts, stop);
+  ChartRegions regions(surface, stop);
   if (const Status status = splitIntoDisks(regions, part(0., .1)); !status.ok())
   {
     return status;

@@ -18,7 +18,8 @@ struct ChartPartitionOptions
 };
 
 /// Marks the cuts on the surface and returns its charts, flattened; their order does not depend on
-/// threads.
+/// threads. A chart is denser than the bound only if it holds so few of the surface's triangles
+/// that splitting them does not help. Several threads at once call progress.
 STIPPLEFILTERSATLAS_EXPORT Status partitionSurface(CutSurface& surface,
   const ChartPartitionOptions& options, std::vector<FlatChart>& charts, const Progress& progress);
 }

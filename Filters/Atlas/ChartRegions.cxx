@@ -7,8 +7,9 @@
 
 namespace stipple
 {
-ChartRegions::ChartRegions(CutSurface& surface)
+ChartRegions::ChartRegions(CutSurface& surface, Stop stop)
   : Surface(surface)
+  , WantsStop(std::move(stop))
   , NumberOfInputTriangles(surface.numberOfFaces())
   , Owner(surface.triangles.size(), -1)
   , Faces(chartFaces(surface))
@@ -86,6 +87,7 @@ void ChartRegions::closeSlits(int region)
     for (int h = 3 * f; h < 3 * f + 3; ++h)
     {
       int slit = h;
+      // Every turn removes a cut.
       while (
         slit >= 0 && this->Surface.cut[slit] && this->ownerAcross(slit) == region && isEnd(slit))
       {
@@ -120,7 +122,8 @@ void ChartRegions::splitChords(int region)
       onBoundary[3 * chart.faces[i] + k] = chart.onBoundary[chart.triangles[i][k]];
     }
   }
-  // Faces that splits add join the list and are looked at in their turn.
+  // Faces that splits add join the list and are looked at in their turn. That comes to an end: a
+  // split puts its point inside, so that each leaves a chord less.
   for (std::size_t i = 0; i < this->Faces[region].size(); ++i)
   {
     for (int k = 0; k < 3; ++k)

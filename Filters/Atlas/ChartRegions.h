@@ -5,6 +5,7 @@
 #define stipple_ChartRegions_h
 
 #include "ChartMesh.h"
+#include "ReportingThread.h"
 
 namespace stipple
 {
@@ -20,8 +21,11 @@ class STIPPLEFILTERSATLAS_EXPORT ChartRegions
 {
 public:
   /// Regions are what the surface's cut edges separate.
-  explicit ChartRegions(CutSurface& surface);
+  explicit ChartRegions(CutSurface& surface, Stop stop = {});
 
+  /// Whether the caller wants no more of it: long work on the regions gives up wherever it is.
+  bool isStopped() const { return isAsked(this->WantsStop); }
+  const Stop& stop() const { return this->WantsStop; }
   CutSurface& surface() { return this->Surface; }
   const CutSurface& surface() const { return this->Surface; }
   int size() const { return static_cast<int>(this->Faces.size()); }
@@ -86,6 +90,7 @@ public:
 
 private:
   CutSurface& Surface;
+  Stop WantsStop;
   int NumberOfInputTriangles;
   std::vector<int> Owner;
   std::vector<std::vector<int>> Faces;

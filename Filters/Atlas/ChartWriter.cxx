@@ -177,9 +177,9 @@ vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vt
 }
 }
 
-void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
+Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
   const std::vector<FlatChart>& flat, const Curvature& curvature,
-  vtkPartitionedDataSetCollection* output)
+  vtkPartitionedDataSetCollection* output, const Progress& progress)
 {
   const auto arrays = pointArrays(input, repaired, surface);
   const std::vector<double> gaussian = atAllPoints(curvature.gaussian, surface);
@@ -187,6 +187,10 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
   output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(flat.size()));
   for (std::size_t c = 0; c < flat.size(); ++c)
   {
+    if (!report(progress, static_cast<double>(c) / static_cast<double>(flat.size())))
+    {
+      return Status::aborted();
+    }
     const ChartMesh& mesh = flat[c].mesh;
     const ConformalMap& map = flat[c].map;
     const vtkIdType n = mesh.numberOfVertices();
@@ -261,10 +265,11 @@ void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutS
     set->SetPartition(0, chart);
     output->SetPartitionedDataSet(static_cast<unsigned int>(c), set);
   }
+  return Status::success();
 }
 
-std::vector<ConstraintPoint> locateConstraints(
-  const CutSurface& surface, const std::vector<FlatChart>& flat, vtkPoints* points)
+Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
+  vtkPoints* points, std::vector<ConstraintPoint>& constraints)
 {
   std::vector<int> chartOf(surface.triangles.size());
   std::vector<int> cellOf(surface.triangles.size());
@@ -281,23 +286,28 @@ std::vector<ConstraintPoint> locateConstraints(
   locator->SetDataSet(whole);
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;
-  std::vector<ConstraintPoint> constraints(points->GetNumberOfPoints());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    ConstraintPoint& c = constraints[i];
-    double x[3];
-    points->GetPoint(i, x);
+    ConstraintPoint c;
+    Vec3 x;
+    points->GetPoint(i, x.data());
+    if (!x.allFinite())
+    {
+      return Status::error(
+        "Constraint " + std::to_string(i) + " has a coordinate that is not a finite number.");
+    }
     vtkIdType face = 0;
     int sub = 0;
     double squared = 0;
-    locator->FindClosestPoint(x, c.position.data(), cell, face, sub, squared);
+    locator->FindClosestPoint(x.data(), c.position.data(), cell, face, sub, squared);
     const int f = static_cast<int>(face);
     c.bary = clampedBarycentric(barycentricInSpace(
       c.position, surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)));
     c.chart = chartOf[f];
     c.chartCell = cellOf[f];
+    constraints.push_back(c);
   }
-  return constraints;
+  return Status::success();
 }
 
 Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
@@ -305,7 +315,8 @@ Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatC
 {
   if (places->GetNumberOfComponents() != 3)
   {
-    return Status::error("Chart constraints need three components: chart, u, v.");
+    return Status::error("Chart constraints need three components, chart, u and v, not " +
+      std::to_string(places->GetNumberOfComponents()) + ".");
   }
   for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
   {

@@ -16,21 +16,24 @@ class vtkPolyData;
 
 namespace stipple
 {
-void writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
-  const std::vector<FlatChart>& flat, const Curvature& curvature,
-  vtkPartitionedDataSetCollection* output);
+STIPPLEFILTERSATLAS_EXPORT Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired,
+  const CutSurface& surface, const std::vector<FlatChart>& flat, const Curvature& curvature,
+  vtkPartitionedDataSetCollection* output, const Progress& progress);
 
-/// The place on the surface nearest to each point.
-std::vector<ConstraintPoint> locateConstraints(
-  const CutSurface& surface, const std::vector<FlatChart>& flat, vtkPoints* points);
+/// Appends the place on the surface nearest to each point. An error if one has a coordinate that is
+/// no finite number.
+STIPPLEFILTERSATLAS_EXPORT Status locateConstraints(const CutSurface& surface,
+  const std::vector<FlatChart>& flat, vtkPoints* points, std::vector<ConstraintPoint>& constraints);
 
 /// Appends places given as chart, u, v. An error if one is not in its chart.
-Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
-  vtkDoubleArray* places, std::vector<ConstraintPoint>& constraints);
+STIPPLEFILTERSATLAS_EXPORT Status locateChartConstraints(const CutSurface& surface,
+  const std::vector<FlatChart>& flat, vtkDoubleArray* places,
+  std::vector<ConstraintPoint>& constraints);
 
 /// Appends surface points that are not on the graph already.
-void constrainPoints(const CutSurface& surface, const std::vector<FlatChart>& flat,
-  const std::vector<int>& points, std::vector<ConstraintPoint>& constraints);
+STIPPLEFILTERSATLAS_EXPORT void constrainPoints(const CutSurface& surface,
+  const std::vector<FlatChart>& flat, const std::vector<int>& points,
+  std::vector<ConstraintPoint>& constraints);
 }
 
 #endif

@@ -114,8 +114,8 @@ void measureMap(const TriangleSurface& surface, const ChartMesh& chart, Conforma
   }
 }
 
-ConformalMap mapToRectangle(
-  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options)
+ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& chart,
+  const ConformalMapOptions& options, const Stop& stop)
 {
   ConformalMap map;
   map.uv.assign(chart.vertices.size(), Vec2::Zero());
@@ -136,6 +136,10 @@ ConformalMap mapToRectangle(
     std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
     for (const RectanglePlacement& placement : placements)
     {
+      if (isAsked(stop))
+      {
+        return map;
+      }
       solve(placement, uv);
       const double cost = meanDensity(area, chart, uv);
       if (cost < least)
@@ -161,6 +165,10 @@ ConformalMap mapToRectangle(
     else
     {
       markFlipped(chart, map.uv, repair, positiveAt);
+    }
+    if (isAsked(stop))
+    {
+      return map;
     }
     if (solver.factorize(positiveAt))
     {

@@ -5,6 +5,7 @@
 #define stipple_ConformalMap_h
 
 #include "ChartMesh.h"
+#include "ReportingThread.h"
 
 namespace stipple
 {
@@ -26,9 +27,9 @@ struct ConformalMap
 /// Maps the chart's boundary to the rectangle by arc length and its interior by the cotangent
 /// Laplacian (Eck et al. 1995; Pinkall and Polthier 1993). Where that flips a triangle, cotangents
 /// are clamped to positive values, for which the map is one-to-one (Tutte 1963; Floater 2003). The
-/// boundary needs four vertices or more.
-STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(
-  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMapOptions& options);
+/// boundary needs four vertices or more. A map that is stopped is not valid.
+STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(const TriangleSurface& surface,
+  const ChartMesh& chart, const ConformalMapOptions& options, const Stop& stop = {});
 
 /// Measures the map anew: valid, density and densityRatio from uv.
 STIPPLEFILTERSATLAS_EXPORT void measureMap(

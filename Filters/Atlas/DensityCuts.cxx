@@ -113,6 +113,7 @@ public:
     }
     constexpr double longest = 1.1; // times the path
     std::size_t from = 0;
+    // A line ends at a later vertex of the path than the one before, at the next one at the latest.
     while (h >= 0 && from + 1 < path.size())
     {
       std::size_t to = path.size() - 1;
@@ -149,15 +150,21 @@ private:
   /// into another cut.
   int cutLine(int h, const Vec2& target, int point)
   {
-    do
+    // A straight line crosses a triangle once, and each step crosses one; steps beyond that are
+    // rounding's, in triangles next to without area.
+    for (int left = this->Surface.numberOfFaces(); left > 0 && h >= 0; --left)
     {
       h = this->step(h, target);
       if (h < 0 || this->numberOfCutsAround(h) != 1)
       {
         return -1;
       }
-    } while (this->Surface.tail(h) != point);
-    return h;
+      if (this->Surface.tail(h) == point)
+      {
+        return h;
+      }
+    }
+    return -1;
   }
 
   /// Length in space of the straight line of the plane from the tail of h to a target, as far as
@@ -169,7 +176,7 @@ private:
     Vec3 last = this->Surface.points[this->Surface.tail(first)];
     double length = 0;
     int e = nextHalfedge(first); // the edge that the line leaves the triangle by
-    while (true)
+    for (int left = this->Surface.numberOfFaces(); left > 0; --left) // it crosses each once
     {
       const Vec2& a = this->UV[e];
       const Vec2& b = this->UV[nextHalfedge(e)];
@@ -189,6 +196,7 @@ private:
       const Vec2& apex = this->UV[previousHalfedge(across)];
       e = orient2(start, target, apex) > 0 ? nextHalfedge(across) : previousHalfedge(across);
     }
+    return Infinity;
   }
 
   /// Cuts around the tail of h.
@@ -294,7 +302,7 @@ bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart,
 {
   const ChartMesh& mesh = chart.mesh;
   ShortestPaths toBoundary(regions.surface(), mesh);
-  toBoundary.addTargets(mesh.boundary);
+  toBoundary.addTargets(mesh.boundary, regions.stop());
   // A place that is nearer to a new cut than to the boundary waits: another time a cut from there
   // will join that one, rather than run beside it.
   ShortestPaths toCuts = toBoundary;
@@ -302,16 +310,64 @@ bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart,
   bool changed = false;
   for (int i : densestTriangles(regions.surface(), chart, bound))
   {
+    if (regions.isStopped())
+    {
+      break;
+    }
     const Triangle& t = mesh.triangles[i];
     const int tip = *std::max_element(t.begin(), t.end(),
       [&](int a, int b) { return toBoundary.distance(a) < toBoundary.distance(b); });
     const std::vector<int> path = toBoundary.path(tip);
     if (toCuts.distance(tip) == toBoundary.distance(tip) && cuts.cut(chart, toBoundary, path))
     {
-      toCuts.addTargets(path);
+      toCuts.addTargets(path, regions.stop());
       changed = true;
     }
   }
   return changed;
+}
+
+bool cutDeepSleeve(ChartRegions& regions, const FlatChart& chart)
+{
+  // Its deepest triangles would be as small as double precision's last digit: e^(-2 pi 6) is 4e-17.
+  constexpr double Deep = 6; // boundary lengths
+  const CutSurface& surface = regions.surface();
+  const ChartMesh& mesh = chart.mesh;
+  ShortestPaths toBoundary(surface, mesh);
+  toBoundary.addTargets(mesh.boundary, regions.stop());
+  double around = 0;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const int next = mesh.boundary[(i + 1) % mesh.boundary.size()];
+    around +=
+      (surface.points[mesh.vertices[next]] - surface.points[mesh.vertices[mesh.boundary[i]]])
+        .norm();
+  }
+  int deepest = 0;
+  for (int v = 1; v < mesh.numberOfVertices(); ++v)
+  {
+    deepest = toBoundary.distance(v) > toBoundary.distance(deepest) ? v : deepest;
+  }
+  if (!(toBoundary.distance(deepest) > Deep * around))
+  {
+    return false;
+  }
+  std::vector<int> after(mesh.vertices.size(), -1); // on the path
+  const std::vector<int> path = toBoundary.path(deepest);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    after[path[i]] = path[i + 1];
+  }
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (after[mesh.triangles[i][k]] == mesh.triangles[i][(k + 1) % 3])
+      {
+        regions.cutOpen(3 * mesh.faces[i] + k);
+      }
+    }
+  }
+  return true;
 }
 }

@@ -22,6 +22,11 @@ struct FlatChart
 /// path. False if there was nothing to cut.
 STIPPLEFILTERSATLAS_EXPORT bool cutToDensePlaces(
   ChartRegions& regions, int region, const FlatChart& chart, double bound);
+
+/// Cuts a sleeve that is closed at its end open, from the vertex that is farthest from its boundary
+/// along the shortest edge path, if it is so deep that no map of it can be: a conformal map shrinks
+/// what lies t boundary lengths deep by e^(2 pi t). False if it is not.
+STIPPLEFILTERSATLAS_EXPORT bool cutDeepSleeve(ChartRegions& regions, const FlatChart& chart);
 }
 
 #endif

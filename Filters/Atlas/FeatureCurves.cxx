@@ -93,8 +93,14 @@ public:
     const Vec3 normal = (this->vertexNormal(from) + this->vertexNormal(to)).normalized();
     const Vec3 side = (this->Surface.points[to] - this->Surface.points[from]).cross(normal);
     int at = from;
-    while (at != to)
+    // The plane crosses each triangle once; more steps would go in a circle of vertices that the
+    // curve snaps to.
+    for (int stepsLeft = this->Surface.numberOfFaces(); at != to; --stepsLeft)
     {
+      if (stepsLeft == 0)
+      {
+        return false;
+      }
       const double left = (this->Surface.points[to] - this->Surface.points[at]).norm();
       int best = -1; // an edge that the plane crosses, or one that ends on the plane
       double bestLeft = left;
@@ -239,6 +245,7 @@ private:
 Status insertFeatureCurves(CutSurface& surface, vtkPolyData* curves, const Progress& progress)
 {
   CurveInserter inserter(surface);
+  const vtkIdType numberOfPoints = curves->GetNumberOfPoints();
   const vtkIdType numberOfCurves = curves->GetNumberOfLines();
   auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
@@ -254,6 +261,12 @@ Status insertFeatureCurves(CutSurface& surface, vtkPolyData* curves, const Progr
     int last = -1;
     for (vtkIdType i = 0; i < size; ++i)
     {
+      if (ids[i] < 0 || ids[i] >= numberOfPoints)
+      {
+        return Status::error("Feature curve " + std::to_string(curve) + " has a point " +
+          std::to_string(ids[i]) + ", but there are " + std::to_string(numberOfPoints) +
+          " points.");
+      }
       Vec3 x;
       curves->GetPoint(ids[i], x.data());
       if (!x.allFinite())

@@ -88,9 +88,23 @@ std::vector<RectangleLayout::Corner> RectangleLayout::sharpestCorners() const
   return corners;
 }
 
+std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
+{
+  constexpr double Least = Pi / 3; // of turn
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < this->Turn.size(); ++i)
+  {
+    if (this->Turn[i] >= Least)
+    {
+      corners.push_back({ this->ArcLength[i] / this->ArcLength.back(), this->Turn[i] });
+    }
+  }
+  return corners.size() == 4 ? corners : std::vector<Corner>();
+}
+
 std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
 {
-  const std::vector<Corner> corners = this->sharpestCorners();
+  std::vector<Corner> corners = this->sharpestCorners();
   const double start = corners.empty() ? 0. : corners.front().at;
   std::vector<RectanglePlacement> placements;
   const auto addTurned = [&](double aspect, double turn) {
@@ -109,6 +123,10 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
         addTurned(aspect, turn / 8.);
       }
     }
+  }
+  if (corners.size() < 4)
+  {
+    corners = this->cornersOfSlender();
   }
   // Four of the sharpest corners, the sharpest first.
   struct Choice

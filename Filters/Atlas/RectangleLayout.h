@@ -37,6 +37,8 @@ private:
     double turn; // radians, to the left
   };
   std::vector<Corner> sharpestCorners() const;
+  /// The corners of a chart that has four, as near to each other as they are; else none.
+  std::vector<Corner> cornersOfSlender() const;
 
   const ChartMesh& Chart;
   std::vector<double> ArcLength; // at the boundary's vertices and, last, in total

@@ -37,14 +37,14 @@ double length(const TriangleSurface& surface, const SeamArc& arc)
 class FarSides
 {
 public:
-  FarSides(const TriangleSurface& surface, const SeamUnion& both)
+  FarSides(const TriangleSurface& surface, const SeamUnion& both, const Stop& stop)
     : Given(both.mesh.vertices.size(), 0)
     , Value(both.mesh.vertices.size(), 0.)
     , Surface(surface)
     , Both(both)
     , ToSeam(surface, both.mesh)
   {
-    this->ToSeam.addTargets(both.seam);
+    this->ToSeam.addTargets(both.seam, stop);
     if (both.mesh.boundary.empty())
     {
       this->givePole(0);
@@ -137,7 +137,7 @@ private:
     std::size_t i = std::find(outline.begin(), outline.end(), from) - outline.begin();
     std::vector<int> path = { from };
     std::vector<double> length = { 0. };
-    while (path.back() != to)
+    while (path.back() != to) // once around at most: both are on the outline
     {
       i = (i + 1) % n;
       const Vec3& p = this->Surface.points[this->Both.mesh.vertices[path.back()]];
@@ -272,8 +272,8 @@ std::vector<char> splitAlongZeros(
   }
   for (int region : { a, b })
   {
-    // Faces that splits add join the list and are looked at in their turn; a split seen from the
-    // second region may add to the first, but leaves no crossing there.
+    // Faces that splits add join the list and are looked at in their turn: a split takes a crossing
+    // away and makes none. One seen from the second region may add faces to the first, without.
     for (std::size_t i = 0; i < regions.faces(region).size(); ++i)
     {
       for (int k = 0; k < 3; ++k)
@@ -369,16 +369,20 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
 }
 
 /// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
-/// the line that has it on the first side; empty if it can't be computed.
-std::vector<double> acrossSeam(
-  const TriangleSurface& surface, const SeamUnion& both, std::optional<double> areaFraction)
+/// the line that has it on the first side; empty if it can't be computed or is stopped.
+std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& both,
+  std::optional<double> areaFraction, const Stop& stop)
 {
-  FarSides sides(surface, both);
+  FarSides sides(surface, both, stop);
   if (areaFraction)
   {
     sides.leaveOutFar(*areaFraction);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given);
+  if (isAsked(stop))
+  {
+    return {};
+  }
   // Slivers can cost the cotangent Laplacian its definiteness.
   if (!system.factorize() && !system.factorize(std::vector<char>(sides.Given.size(), 1)))
   {
@@ -420,7 +424,7 @@ bool placeSeam(
   std::vector<double> value;
   if (arc.closed ? both.mesh.euler == 2 : both.mesh.isDisk())
   {
-    value = acrossSeam(surface, both, placement.areaFraction);
+    value = acrossSeam(surface, both, placement.areaFraction, regions.stop());
   }
   std::vector<char> side;
   if (!value.empty())
@@ -490,7 +494,7 @@ void placeSeamsOfPair(
 {
   // Placing one changes the others' triangles, so that they have to be traced again.
   const std::size_t n = regions.arcs(a, b).size();
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n && !regions.isStopped(); ++i)
   {
     const std::vector<SeamArc> arcs = regions.arcs(a, b);
     if (i < arcs.size() && shareOnInputEdges(regions.surface(), arcs[i]) >= leastOnInputEdges)
@@ -518,6 +522,10 @@ Status forEachPair(const ChartRegions& regions, const Progress& progress, const 
     }
     for (int b : regions.neighbours(a))
     {
+      if (regions.isStopped())
+      {
+        return Status::aborted();
+      }
       if (a < b)
       {
         visit(a, b);

@@ -25,7 +25,7 @@ ShortestPaths::ShortestPaths(const TriangleSurface& surface, const ChartMesh& ch
   }
 }
 
-void ShortestPaths::addTargets(const std::vector<int>& targets)
+void ShortestPaths::addTargets(const std::vector<int>& targets, const Stop& stop)
 {
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
@@ -35,7 +35,8 @@ void ShortestPaths::addTargets(const std::vector<int>& targets)
     this->Next[v] = -1;
     front.push({ 0., v });
   }
-  while (!front.empty())
+  // A vertex comes back only with a smaller distance, of finitely many.
+  while (!front.empty() && !isAsked(stop))
   {
     const auto [d, v] = front.top();
     front.pop();

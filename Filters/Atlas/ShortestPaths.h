@@ -5,6 +5,7 @@
 #define stipple_ShortestPaths_h
 
 #include "ChartMesh.h"
+#include "ReportingThread.h"
 
 namespace stipple
 {
@@ -15,7 +16,8 @@ public:
   /// Surface and chart have to outlive the paths.
   ShortestPaths(const TriangleSurface& surface, const ChartMesh& chart);
 
-  void addTargets(const std::vector<int>& targets);
+  /// Distances are not final if it is stopped.
+  void addTargets(const std::vector<int>& targets, const Stop& stop = {});
   /// To the nearest target; infinity if there is none.
   double distance(int vertex) const { return this->Distance[vertex]; }
   /// From the vertex to its target, both included.

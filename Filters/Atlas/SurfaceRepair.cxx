@@ -290,9 +290,13 @@ void compactPoints(RepairedSurface& r)
 }
 }
 
-Status repairSurface(vtkPolyData* input, RepairedSurface& r)
+Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& progress)
 {
   r = {};
+  // Steps of about the same time.
+  constexpr double Steps = 8;
+  double done = 0;
+  const auto isAborted = [&] { return !report(progress, ++done / Steps); };
   if (Status status = readPolyData(input, r.surface, &r.sourceCell); !status.ok())
   {
     return status;
@@ -313,7 +317,15 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
       shortNumber(smallestSize) + " and " + shortNumber(largestSize) + ".");
   }
   const int numberOfInputPoints = static_cast<int>(s.points.size());
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   const std::vector<int> weld = weldMap(s);
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   std::vector<char> used(numberOfInputPoints, 0);
   for (Triangle& t : s.triangles)
   {
@@ -333,6 +345,10 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
 
   dropRepeated(r);
   compactPoints(r);
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   if (s.triangles.empty())
   {
     return Status::success();
@@ -346,8 +362,16 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
       before[f][k] = r.sourcePoint[s.triangles[f][k]];
     }
   }
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   // The usual input is clean already: only the others pay for the orienter.
   s.connect();
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   if (!s.topology().manifold)
   {
     const std::vector<int> original = r.sourcePoint;
@@ -364,11 +388,19 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r)
     restoreMajorityOrientation(r, before);
     compactPoints(r);
   }
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   if (const int thin = removeThinTriangles(s, r.sourceCell); thin > 0)
   {
     r.counts.degenerateTriangles += thin;
     removeDegenerateFaces(s, r.sourcePoint, r.sourceCell); // what single steps could not
     compactPoints(r);
+  }
+  if (isAborted())
+  {
+    return Status::aborted();
   }
   s.connect();
   r.pointOfInput.assign(numberOfInputPoints, -1);

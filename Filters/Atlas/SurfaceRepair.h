@@ -37,7 +37,8 @@ struct RepairedSurface
 /// Welds, triangulates, orients and splits the non-manifold; drops triangles without area, and
 /// those that rounding alone keeps from it. An error names the first point that is NaN or infinite,
 /// or tells that the surface is too large or too small for the maps' single precision.
-STIPPLEFILTERSATLAS_EXPORT Status repairSurface(vtkPolyData* input, RepairedSurface& repaired);
+STIPPLEFILTERSATLAS_EXPORT Status repairSurface(
+  vtkPolyData* input, RepairedSurface& repaired, const Progress& progress = {});
 }
 
 #endif

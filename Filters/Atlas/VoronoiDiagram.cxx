@@ -12,8 +12,9 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 }
 
-VoronoiDiagram::VoronoiDiagram(const CutSurface& surface)
+VoronoiDiagram::VoronoiDiagram(const CutSurface& surface, Stop stop)
   : Surface(surface)
+  , WantsStop(std::move(stop))
   , Distance(surface.triangles.size(), Infinity)
   , Cell(surface.triangles.size(), -1)
 {
@@ -24,7 +25,8 @@ void VoronoiDiagram::addSite(int face, int cell)
   this->Distance[face] = 0;
   this->Cell[face] = cell;
   this->Front.push({ 0., face });
-  while (!this->Front.empty())
+  // A triangle comes back only with a smaller distance, of finitely many.
+  while (!this->Front.empty() && !isAsked(this->WantsStop))
   {
     const auto [d, f] = this->Front.top();
     this->Front.pop();
@@ -67,8 +69,9 @@ void VoronoiDiagram::forget(const std::vector<int>& faces)
 
 void VoronoiDiagram::removeSpikes(const std::vector<int>& faces)
 {
+  // Every step takes an edge from the boundaries between cells: two go, one comes.
   bool changed = true;
-  while (changed)
+  while (changed && !isAsked(this->WantsStop))
   {
     changed = false;
     for (int f : faces)

@@ -5,6 +5,7 @@
 #define stipple_VoronoiDiagram_h
 
 #include "CutSurface.h"
+#include "ReportingThread.h"
 
 #include <functional>
 #include <queue>
@@ -16,7 +17,7 @@ namespace stipple
 class VoronoiDiagram
 {
 public:
-  explicit VoronoiDiagram(const CutSurface& surface);
+  explicit VoronoiDiagram(const CutSurface& surface, Stop stop = {});
 
   /// Adds a site; takes what is nearer to it than to any site before.
   void addSite(int face, int cell);
@@ -27,8 +28,7 @@ public:
   /// Takes triangles out of their cells.
   void forget(const std::vector<int>& faces);
   /// Gives triangles that hang on their cell by one edge only to the cell that surrounds them: on a
-  /// straight boundary they would have next to no area in the plane. Every step shortens the
-  /// boundaries between cells.
+  /// straight boundary they would have next to no area in the plane.
   void removeSpikes(const std::vector<int>& faces);
 
 private:
@@ -37,6 +37,7 @@ private:
   Vec3 center(int face) const;
 
   const CutSurface& Surface;
+  Stop WantsStop; // growing ends where it is then
   std::vector<double> Distance;
   std::vector<int> Cell;
   using Entry = std::pair<double, int>;

@@ -9,6 +9,7 @@
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
 #include "LongEdges.h"
+#include "ReportingThread.h"
 #include "SurfaceRepair.h"
 #include "UserArrays.h"
 
@@ -38,38 +39,59 @@ namespace
 stipple::Status tagFeatureEdges(
   vtkIdTypeArray* edges, const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
 {
+  if (edges->GetNumberOfComponents() != 2)
+  {
+    return stipple::Status::error("Feature edges need two components, the ids of the points that "
+                                  "they join, not " +
+      std::to_string(edges->GetNumberOfComponents()) + ".");
+  }
   const auto first = surface.vertexHalfedges();
   const auto number = static_cast<vtkIdType>(repaired.pointOfInput.size());
+  const auto vertex = [&](vtkIdType id) {
+    return stipple::Vertex(id >= 0 && id < number ? repaired.pointOfInput[id] : -1);
+  };
   for (vtkIdType i = 0; i < edges->GetNumberOfTuples(); ++i)
   {
     const vtkIdType a = edges->GetTypedComponent(i, 0);
     const vtkIdType b = edges->GetTypedComponent(i, 1);
-    bool found = false;
-    if (a >= 0 && b >= 0 && a < number && b < number)
+    const stipple::Vertex p = vertex(a);
+    const stipple::Vertex q = vertex(b);
+    stipple::Halfedge h;
+    if (p.valid() && q.valid())
     {
-      const stipple::Vertex p{ repaired.pointOfInput[a] };
-      const stipple::Vertex q{ repaired.pointOfInput[b] };
-      stipple::Halfedge h;
-      if (p.valid() && q.valid())
-      {
-        h = stipple::findHalfedge(surface, first, p, q);
-        h = h.valid() ? h : stipple::findHalfedge(surface, first, q, p);
-      }
-      found = h.valid();
-      if (found)
-      {
-        surface.setSharp(h.index(), true);
-      }
+      h = stipple::findHalfedge(surface, first, p, q);
+      h = h.valid() ? h : stipple::findHalfedge(surface, first, q, p);
     }
-    if (!found)
+    if (!h.valid())
     {
       return stipple::Status::error("Feature edge " + std::to_string(i) + " joins the points " +
         std::to_string(a) + " and " + std::to_string(b) + ", which no edge of the input joins.");
     }
+    surface.setSharp(h.index(), true);
   }
   return stipple::Status::success();
 }
 }
+
+/// One execution: it runs on a thread of its own, while the filter's thread reports.
+struct vtkConformalAtlas::Work
+{
+  vtkConformalAtlas* Self;
+  vtkPolyData* Input;
+  vtkPartitionedDataSetCollection* Charts;
+  vtkPolyData* Graph;
+
+  stipple::Status run(const stipple::Progress& progress);
+
+private:
+  void count(const stipple::RepairedSurface& repaired);
+  stipple::Status markFeatures(const stipple::RepairedSurface& repaired,
+    const stipple::FeatureDetectionOptions& detection, stipple::CutSurface& surface,
+    const stipple::Progress& progress);
+  stipple::Status constrain(const stipple::CutSurface& surface,
+    const std::vector<stipple::FlatChart>& flat, const std::vector<int>& tips,
+    stipple::FeatureGraph& graph);
+};
 
 vtkConformalAtlas::vtkConformalAtlas()
 {
@@ -138,132 +160,174 @@ int vtkConformalAtlas::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPartitionedDataSetCollection* charts =
     vtkPartitionedDataSetCollection::GetData(outputVector, 0);
-  vtkPolyData* graphOutput = vtkPolyData::GetData(outputVector, 1);
-  const auto fail = [&](const stipple::Status& status) {
+  vtkPolyData* graph = vtkPolyData::GetData(outputVector, 1);
+  const auto reportToUser = [this](double fraction) {
+    // Splitting a chart makes new work: better to wait than to go back.
+    this->UpdateProgress(std::max(this->GetProgress(), fraction));
+    return !this->GetAbortExecute();
+  };
+  this->DensityRatio = 0;
+  this->NumberOfFallbackCharts = 0;
+  Work work = { this, input, charts, graph };
+  const stipple::Status status = stipple::runReporting(
+    reportToUser, [&](const stipple::Progress& progress) { return work.run(progress); });
+  if (!status.ok())
+  {
     charts->Initialize();
-    graphOutput->Initialize();
+    graph->Initialize();
     if (!status.isAbort())
     {
       vtkErrorMacro(<< status.message());
     }
     return 0;
-  };
-  const auto progressIn = [this](double from, double to) {
-    return [this, from, to](double fraction) {
-      // Splitting a chart makes new work: better to wait than to go back.
-      this->UpdateProgress(std::max(this->GetProgress(), from + (to - from) * fraction));
-      return !this->GetAbortExecute();
-    };
-  };
+  }
+  if (this->DensityRatio > this->MaximumDensityRatio)
+  {
+    vtkWarningMacro(<< "The density ratio of a chart is " << this->DensityRatio << ", more than "
+                    << this->MaximumDensityRatio
+                    << ": it has so few of the input's triangles that splitting it does not help. "
+                       "Points may be badly placed there; subdivide the input first.");
+  }
+  this->UpdateProgress(1.);
+  return 1;
+}
 
-  for (const stipple::Status& status : { stipple::checkAttributes(input->GetPointData(),
-                                           input->GetNumberOfPoints(), "points", "the input"),
+stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
+{
+  const auto part = [&](double from, double to) -> stipple::Progress {
+    return [&progress, from, to](double f) { return progress(from + (to - from) * f); };
+  };
+  for (stipple::Status status : { stipple::checkAttributes(this->Input->GetPointData(),
+                                    this->Input->GetNumberOfPoints(), "points", "the input"),
          stipple::checkAttributes(
-           input->GetCellData(), input->GetNumberOfCells(), "cells", "the input") })
+           this->Input->GetCellData(), this->Input->GetNumberOfCells(), "cells", "the input") })
   {
     if (!status.ok())
     {
-      return fail(status);
+      return status;
     }
   }
   stipple::RepairedSurface repaired;
-  if (const stipple::Status status = stipple::repairSurface(input, repaired); !status.ok())
+  if (stipple::Status status = stipple::repairSurface(this->Input, repaired, part(0., 0.1));
+      !status.ok())
   {
-    return fail(status);
+    return status;
   }
-  const stipple::RepairCounts& counts = repaired.counts;
-  this->NumberOfWeldedPoints = counts.weldedPoints;
-  this->NumberOfUnusedPoints = counts.unusedPoints;
-  this->NumberOfDegenerateTriangles = counts.degenerateTriangles;
-  this->NumberOfDuplicateTriangles = counts.duplicateTriangles;
-  this->NumberOfReorientedTriangles = counts.reorientedTriangles;
-  this->NumberOfSplitEdges = counts.splitEdges;
-  this->NumberOfSplitVertices = counts.splitVertices;
-  const stipple::SurfaceTopology topology = repaired.surface.topology();
-  this->NumberOfSurfacePoints = static_cast<vtkIdType>(repaired.surface.points.size());
-  this->NumberOfSurfaceTriangles = repaired.surface.numberOfFaces();
-  this->NumberOfComponents = topology.components;
-  this->NumberOfBoundaryLoops = topology.boundaryLoops;
-  this->EulerCharacteristic = topology.euler;
-  this->DensityRatio = 0;
-  this->NumberOfFallbackCharts = 0;
+  this->count(repaired);
   if (repaired.surface.numberOfFaces() == 0)
   {
-    return 1;
+    return stipple::Status::success();
   }
-  if (!progressIn(0., 0.1)(1.))
-  {
-    return fail(stipple::Status::aborted());
-  }
-
   const stipple::Curvature curvature = stipple::computeCurvature(repaired.surface);
   stipple::CutSurface surface(repaired.surface, repaired.sourceCell);
   stipple::FeatureDetectionOptions detection;
-  detection.angle = this->FeatureAngle;
-  detection.minimumLength = this->MinimumFeatureLength;
-  stipple::detectFeatures(surface, detection);
-  if (this->FeatureEdges)
+  detection.angle = this->Self->FeatureAngle;
+  detection.minimumLength = this->Self->MinimumFeatureLength;
+  if (stipple::Status status = this->markFeatures(repaired, detection, surface, part(0.1, 0.15));
+      !status.ok())
   {
-    if (const stipple::Status status = tagFeatureEdges(this->FeatureEdges, repaired, surface);
-        !status.ok())
-    {
-      return fail(status);
-    }
+    return status;
   }
-
-  if (this->FeatureCurves)
-  {
-    if (const stipple::Status status =
-          stipple::insertFeatureCurves(surface, this->FeatureCurves, progressIn(0.1, 0.15));
-        !status.ok())
-    {
-      return fail(status);
-    }
-  }
-
   const std::vector<int> tips = stipple::findTips(surface, detection);
   stipple::splitLongEdges(surface, stipple::longestEdgeForCharts(surface));
 
   stipple::ChartPartitionOptions options;
-  options.numberOfCharts = this->NumberOfCharts;
-  options.maximumDensityRatio = this->MaximumDensityRatio;
-  options.square = this->DomainShape == SQUARE;
-  options.placement = static_cast<stipple::BoundaryPlacement>(this->BoundaryPlacement);
+  options.numberOfCharts = this->Self->NumberOfCharts;
+  options.maximumDensityRatio = this->Self->MaximumDensityRatio;
+  options.square = this->Self->DomainShape == SQUARE;
+  options.placement = static_cast<stipple::BoundaryPlacement>(this->Self->BoundaryPlacement);
   std::vector<stipple::FlatChart> flat;
-  if (const stipple::Status status =
-        stipple::partitionSurface(surface, options, flat, progressIn(0.15, 0.9));
+  if (stipple::Status status = stipple::partitionSurface(surface, options, flat, part(0.15, 0.9));
       !status.ok())
   {
-    return fail(status);
+    return status;
   }
   for (const stipple::FlatChart& chart : flat)
   {
-    this->DensityRatio = std::max(this->DensityRatio, chart.map.densityRatio);
-    this->NumberOfFallbackCharts += chart.map.fallback;
+    this->Self->DensityRatio = std::max(this->Self->DensityRatio, chart.map.densityRatio);
+    this->Self->NumberOfFallbackCharts += chart.map.fallback;
   }
 
-  stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->CornerAngle, tips);
-  if (this->Constraints)
+  stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->Self->CornerAngle, tips);
+  if (stipple::Status status = this->constrain(surface, flat, tips, graph); !status.ok())
   {
-    graph.constraints = stipple::locateConstraints(surface, flat, this->Constraints);
+    return status;
   }
-  if (this->ChartConstraints)
+  if (stipple::Status status = stipple::writeCharts(
+        this->Input, repaired, surface, flat, curvature, this->Charts, part(0.9, 1.));
+      !status.ok())
   {
-    if (const stipple::Status status =
-          stipple::locateChartConstraints(surface, flat, this->ChartConstraints, graph.constraints);
+    return status;
+  }
+  this->Graph->ShallowCopy(stipple::toPolyData(graph, surface.points));
+  return stipple::Status::success();
+}
+
+void vtkConformalAtlas::Work::count(const stipple::RepairedSurface& repaired)
+{
+  const stipple::RepairCounts& counts = repaired.counts;
+  this->Self->NumberOfWeldedPoints = counts.weldedPoints;
+  this->Self->NumberOfUnusedPoints = counts.unusedPoints;
+  this->Self->NumberOfDegenerateTriangles = counts.degenerateTriangles;
+  this->Self->NumberOfDuplicateTriangles = counts.duplicateTriangles;
+  this->Self->NumberOfReorientedTriangles = counts.reorientedTriangles;
+  this->Self->NumberOfSplitEdges = counts.splitEdges;
+  this->Self->NumberOfSplitVertices = counts.splitVertices;
+  const stipple::SurfaceTopology topology = repaired.surface.topology();
+  this->Self->NumberOfSurfacePoints = static_cast<vtkIdType>(repaired.surface.points.size());
+  this->Self->NumberOfSurfaceTriangles = repaired.surface.numberOfFaces();
+  this->Self->NumberOfComponents = topology.components;
+  this->Self->NumberOfBoundaryLoops = topology.boundaryLoops;
+  this->Self->EulerCharacteristic = topology.euler;
+}
+
+stipple::Status vtkConformalAtlas::Work::markFeatures(const stipple::RepairedSurface& repaired,
+  const stipple::FeatureDetectionOptions& detection, stipple::CutSurface& surface,
+  const stipple::Progress& progress)
+{
+  stipple::detectFeatures(surface, detection);
+  if (this->Self->FeatureEdges)
+  {
+    if (stipple::Status status = tagFeatureEdges(this->Self->FeatureEdges, repaired, surface);
         !status.ok())
     {
-      return fail(status);
+      return status;
+    }
+  }
+  if (this->Self->FeatureCurves)
+  {
+    return stipple::insertFeatureCurves(surface, this->Self->FeatureCurves, progress);
+  }
+  return stipple::Status::success();
+}
+
+stipple::Status vtkConformalAtlas::Work::constrain(const stipple::CutSurface& surface,
+  const std::vector<stipple::FlatChart>& flat, const std::vector<int>& tips,
+  stipple::FeatureGraph& graph)
+{
+  if (this->Self->Constraints)
+  {
+    if (stipple::Status status =
+          stipple::locateConstraints(surface, flat, this->Self->Constraints, graph.constraints);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  if (this->Self->ChartConstraints)
+  {
+    if (stipple::Status status = stipple::locateChartConstraints(
+          surface, flat, this->Self->ChartConstraints, graph.constraints);
+        !status.ok())
+    {
+      return status;
     }
   }
   std::vector<int> tipsInside;
   std::copy_if(tips.begin(), tips.end(), std::back_inserter(tipsInside),
     [&](int p) { return !graph.isCorner[p]; });
   stipple::constrainPoints(surface, flat, tipsInside, graph.constraints);
-  stipple::writeCharts(input, repaired, surface, flat, curvature, charts);
-  graphOutput->ShallowCopy(stipple::toPolyData(graph, surface.points));
-  this->UpdateProgress(1.);
-  return 1;
+  return stipple::Status::success();
 }
 
 void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)

@@ -149,7 +149,8 @@ public:
   /**
    * Bound, greater than 1, on a chart's density ratio: on 99.9 % of a chart's area, A3D / A2D is at
    * most this multiple of the chart's mean. A chart over it is cut open towards its densest places
-   * or split. Maps need about twice this many pixels for every sample. The default is 100.
+   * or split, but not one of less than four of the surface's triangles: then a warning tells the
+   * density ratio. Maps need about twice this many pixels for every sample. The default is 100.
    */
   vtkSetClampMacro(MaximumDensityRatio, double, 2., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensityRatio, double);
@@ -236,6 +237,8 @@ protected:
 private:
   vtkConformalAtlas(const vtkConformalAtlas&) = delete;
   void operator=(const vtkConformalAtlas&) = delete;
+
+  struct Work;
 
   double FeatureAngle = 40;
   double MinimumFeatureLength = 0.02;

@@ -179,6 +179,124 @@ void testConstraints()
   check(numberOfCharts(atlas) == 0, "an error leaves no charts");
 }
 
+/// What users hand over is checked: one sentence that names what is wrong, and no charts.
+void testMalformedOptions()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::sphere(1, 3)));
+  const auto refuses = [&](const std::string& what, const std::string& name) {
+    const std::string error = errorOf(atlas);
+    check(error.find(what) != std::string::npos, name + ": \"" + what + "\" is in: " + error);
+    check(numberOfCharts(atlas) == 0, name + " leaves no charts");
+  };
+  const auto accepts = [&](const std::string& name) {
+    const std::string error = errorOf(atlas);
+    check(error.empty() && numberOfCharts(atlas) > 0, name + " is no error, but: " + error);
+  };
+
+  vtkNew<vtkIdTypeArray> edges;
+  atlas->SetFeatureEdges(edges);
+  for (const int components : { 1, 3 })
+  {
+    edges->Initialize();
+    edges->SetNumberOfComponents(components);
+    edges->SetNumberOfTuples(2);
+    edges->Fill(0);
+    refuses("two components", "an array of " + std::to_string(components) + " components");
+  }
+  edges->Initialize();
+  edges->SetNumberOfComponents(2);
+  edges->SetNumberOfTuples(1);
+  for (const vtkIdType id : { vtkIdType(-1), vtkIdType(642), VTK_ID_MAX, VTK_ID_MIN })
+  {
+    edges->SetTypedComponent(0, 0, 0);
+    edges->SetTypedComponent(0, 1, id);
+    edges->Modified();
+    refuses("Feature edge 0 joins the points 0 and " + std::to_string(id), "an id out of range");
+  }
+  edges->SetTypedComponent(0, 1, 0);
+  edges->Modified();
+  refuses("which no edge of the input joins", "an edge from a point to itself");
+  edges->SetNumberOfTuples(0);
+  edges->Modified();
+  accepts("an empty array of edges");
+  atlas->SetFeatureEdges(nullptr);
+
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  atlas->SetConstraints(positions);
+  accepts("no constraint");
+  positions->InsertNextPoint(0, 0, 1);
+  for (const double x : { std::nan(""), -HUGE_VAL })
+  {
+    positions->SetPoint(0, 0, x, 1);
+    positions->Modified();
+    refuses("Constraint 0 has a coordinate that is not a finite number", "a constraint nowhere");
+  }
+  atlas->SetConstraints(nullptr);
+
+  vtkNew<vtkDoubleArray> places;
+  atlas->SetChartConstraints(places);
+  places->SetNumberOfComponents(2);
+  places->SetNumberOfTuples(3);
+  places->Fill(0);
+  refuses("need three components", "places of two components");
+  places->Initialize();
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(1);
+  for (const std::array<double, 3>& place :
+    { std::array<double, 3>{ -1, 0.5, 0.1 }, { 99, 0.5, 0.1 }, { std::nan(""), 0.5, 0.1 },
+      { 0, std::nan(""), 0.1 }, { 0, 0.5, -3 }, { HUGE_VAL, 0.5, 0.1 } })
+  {
+    places->SetTuple(0, place.data());
+    places->Modified();
+    refuses("Chart constraint 0", "a place that is none");
+  }
+  atlas->SetChartConstraints(nullptr);
+
+  vtkNew<vtkPolyData> curves;
+  atlas->SetFeatureCurves(curves);
+  accepts("curves without lines");
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  curves->SetLines(lines);
+  refuses("Feature curve 0 has a point 0, but there are 0 points", "a curve without points");
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0.9, 0.1, 0);
+  curves->SetPoints(points);
+  for (const vtkIdType id : { vtkIdType(-7), vtkIdType(2), VTK_ID_MAX })
+  {
+    lines->Initialize();
+    lines->InsertNextCell({ 0, id });
+    curves->Modified();
+    refuses("Feature curve 0 has a point " + std::to_string(id), "a curve of points out of range");
+  }
+  points->SetPoint(1, std::nan(""), 0, 0);
+  lines->Initialize();
+  lines->InsertNextCell({ 0, 1 });
+  curves->Modified();
+  refuses("Point 1 of the feature curves", "a curve through nowhere");
+}
+
+/// A chimney of needles: too few triangles for charts of bounded density.
+void testWarning()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::cylinder(1, 300, 12, 1)));
+  std::string warning;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&warning);
+  command->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    *static_cast<std::string*>(data) = static_cast<const char*>(text);
+  });
+  atlas->AddObserver(vtkCommand::WarningEvent, command);
+  atlas->Update();
+  check(numberOfCharts(atlas) > 0, "the chimney has charts");
+  check((atlas->GetDensityRatio() > 100) == (warning.find("density ratio") != std::string::npos),
+    "a density above the bound is told, and no other");
+}
+
 void testProgressAndAbort()
 {
   struct Watch
@@ -289,6 +407,8 @@ int TestConformalAtlas(int argc, char* argv[])
   testCharts();
   testFeatureCurves();
   testConstraints();
+  testMalformedOptions();
+  testWarning();
   testProgressAndAbort();
   testPicture(argc, argv);
   return test::exitStatus();

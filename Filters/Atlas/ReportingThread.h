@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Long work on a thread of its own, while the caller's thread reports and asks whether to stop.
+#ifndef stipple_ReportingThread_h
+#define stipple_ReportingThread_h
+
+#include "Progress.h"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+
+namespace stipple
+{
+/// Whether to give up: asked within loops that have no fraction to tell, by several threads at
+/// once. May be empty.
+using Stop = std::function<bool()>;
+
+inline bool isAsked(const Stop& stop)
+{
+  return stop && stop();
+}
+
+/// Calls work(progress) on another thread, and `progress`, on this one, a hundred times a second
+/// with the fraction that the work has told last. What the work is given costs next to nothing and
+/// may be called by any thread, so that every loop can ask whether to stop. Returns when the work
+/// has ended.
+template <typename Work>
+auto runReporting(const Progress& progress, const Work& work)
+{
+  std::atomic<double> fraction(0.);
+  std::atomic<bool> stopped(false);
+  auto result = std::async(std::launch::async, [&] {
+    return work(Progress([&](double done) {
+      fraction = done;
+      return !stopped;
+    }));
+  });
+  do
+  {
+    if (!stopped)
+    {
+      stopped = !report(progress, fraction);
+    }
+  } while (result.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready);
+  return result.get();
+}
+}
+
+#endif

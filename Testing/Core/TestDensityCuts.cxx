@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts that relieve dense places, and what becomes of surfaces that no cut makes flat.
+#include "ChartPartition.h"
+#include "DensityCuts.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace stipple;
+
+namespace
+{
+FlatChart flatten(const ChartRegions& regions, int region)
+{
+  FlatChart chart;
+  chart.mesh = regions.mesh(region);
+  chart.map = mapToRectangle(regions.surface(), chart.mesh, {});
+  return chart;
+}
+
+/// A tube about the z axis without its lid at z = 0.
+CutSurface sleeve(double height, int n, int m)
+{
+  TriangleSurface s = shapes::cylinder(1, height, n, m);
+  s.triangles.erase(std::remove_if(s.triangles.begin(), s.triangles.end(),
+                      [&](const Triangle& t) {
+                        return std::all_of(
+                          t.begin(), t.end(), [&](int p) { return s.points[p].z() == 0; });
+                      }),
+    s.triangles.end());
+  s.connect();
+  return shapes::cutSurface(s);
+}
+}
+
+TEST(DensityCuts, BoundTheRatio)
+{
+  CutSurface s = sleeve(8, 32, 60);
+  ChartRegions regions(s);
+  ASSERT_EQ(regions.size(), 1);
+  regions.splitChords(0);
+  const FlatChart before = flatten(regions, 0);
+  ASSERT_TRUE(before.map.valid);
+  ASSERT_GT(before.map.densityRatio, 100) << "the sleeve's end is dense";
+  ASSERT_TRUE(cutToDensePlaces(regions, 0, before, 100));
+  EXPECT_TRUE(regions.isReshaped(0));
+  regions.splitChords(0);
+  const FlatChart after = flatten(regions, 0);
+  EXPECT_TRUE(after.mesh.isDisk()) << "a cut from inside to the boundary leaves a disk";
+  EXPECT_LT(after.map.densityRatio, before.map.densityRatio / 10);
+  EXPECT_EQ(s.topology(), sleeve(8, 32, 60).topology());
+  EXPECT_FALSE(cutToDensePlaces(regions, 0, after, after.map.densityRatio * 1e6))
+    << "nothing is too dense";
+}
+
+TEST(DensityCuts, OpenASleeveThatNoMapCanHold)
+{
+  for (const double height : { 20., 60. })
+  {
+    CutSurface s = sleeve(height, 12, static_cast<int>(4 * height));
+    ChartRegions regions(s);
+    const FlatChart chart = flatten(regions, 0);
+    const bool deep = height > 6 * 2 * 3.1416;
+    EXPECT_EQ(cutDeepSleeve(regions, chart), deep) << height;
+    const ChartMesh after = regions.mesh(0);
+    EXPECT_TRUE(after.isDisk());
+    // Both sides of the cut join the boundary.
+    const double sides = static_cast<double>(after.boundary.size() - chart.mesh.boundary.size());
+    EXPECT_NEAR(sides, deep ? 2 * 4 * height : 0, 2 * 12);
+  }
+}
+
+class Slender : public testing::TestWithParam<std::pair<const char*, TriangleSurface>>
+{
+};
+
+/// Splitting what is too dense went on for ever.
+TEST_P(Slender, PartitionComesToAnEnd)
+{
+  const TriangleSurface& shape = GetParam().second;
+  CutSurface s = shapes::cutSurface(shape);
+  std::vector<FlatChart> charts;
+  const Status status = partitionSurface(s, {}, charts, {});
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_LT(charts.size(), shape.triangles.size());
+  EXPECT_EQ(s.topology(), shape.topology());
+  EXPECT_NEAR(s.area(), shape.area(), 1e-9 * shape.area());
+  for (const FlatChart& c : charts)
+  {
+    EXPECT_TRUE(c.mesh.isDisk());
+    EXPECT_TRUE(c.map.valid);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Slender,
+  testing::Values(std::make_pair("ChimneyOfNeedles", shapes::cylinder(1, 300, 12, 12)),
+    std::make_pair("Chimney", shapes::cylinder(1, 300, 12, 150)),
+    std::make_pair("Spikes", shapes::cone(1, 500, 7, 20))),
+  [](const auto& info) { return info.param.first; });
+
+TEST(DensityCuts, AFlatStripIsOneChartHoweverSlender)
+{
+  for (const double length : { 30., 3000., 30000. })
+  {
+    TriangleSurface strip;
+    const int n = 60;
+    for (int i = 0; i <= n; ++i)
+    {
+      strip.points.emplace_back(length * i / n, 0, 0);
+      strip.points.emplace_back(length * i / n, 1, 0);
+      if (i < n)
+      {
+        strip.triangles.push_back({ 2 * i, 2 * i + 2, 2 * i + 3 });
+        strip.triangles.push_back({ 2 * i, 2 * i + 3, 2 * i + 1 });
+      }
+    }
+    strip.connect();
+    CutSurface s = shapes::cutSurface(strip);
+    std::vector<FlatChart> charts;
+    ASSERT_TRUE(partitionSurface(s, {}, charts, {}).ok());
+    ASSERT_EQ(charts.size(), 1U) << length;
+    EXPECT_LT(charts[0].map.densityRatio, 1.5) << "a rectangle is mapped to a rectangle";
+  }
+}
