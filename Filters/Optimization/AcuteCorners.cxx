@@ -106,7 +106,7 @@ CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
     });
     if (distance > 1.)
     {
-      regions.add(mesh.atlas().surface(), mesh.place(v).face,
+      regions.add(mesh.atlas().surface(), Face(mesh.place(v).face),
         { mesh.position(v), spacing, 1. + Tuning::ShareOfOpening * (distance - 1.) });
     }
   }

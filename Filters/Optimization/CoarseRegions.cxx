@@ -21,13 +21,13 @@ double CoarseRegion::reach() const
     (Tuning::GrowthPlateau * this->growth + (this->growth - 1.) / Tuning::GrowthSlope);
 }
 
-void CoarseRegions::add(const TriangleSurface& surface, int face, const CoarseRegion& region)
+void CoarseRegions::add(const TriangleSurface& surface, Face face, const CoarseRegion& region)
 {
   const int id = static_cast<int>(this->Regions.size());
   this->Regions.push_back(region);
   const double reach = region.reach();
-  std::vector<int> faces = { face };
-  const auto enter = [&](int f) {
+  std::vector<Face> faces = { face };
+  const auto enter = [&](Face f) {
     std::vector<int>& regions = this->OnFace[f];
     if (!regions.empty() && regions.back() == id)
     {
@@ -39,21 +39,21 @@ void CoarseRegions::add(const TriangleSurface& surface, int face, const CoarseRe
   enter(face);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+    for (const Halfedge h : halfedgesOf(faces[i]))
     {
-      const int twin = surface.twin[h];
-      if (twin >= 0 &&
-        distanceToSegment<3>(region.centre, surface.points[surface.tail(h)],
-          surface.points[surface.head(h)]) < reach &&
-        enter(twin / 3))
+      const Halfedge twin = surface.twin[h];
+      if (twin.valid() &&
+        distanceToSegment<3>(
+          region.centre, surface.point(surface.tail(h)), surface.point(surface.head(h))) < reach &&
+        enter(faceOf(twin)))
       {
-        faces.push_back(twin / 3);
+        faces.push_back(faceOf(twin));
       }
     }
   }
 }
 
-double CoarseRegions::growthAt(int face, const Vec3& position) const
+double CoarseRegions::growthAt(Face face, const Vec3& position) const
 {
   const auto found = this->OnFace.find(face);
   double growth = 1;

@@ -30,17 +30,17 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT CoarseRegions
 public:
   /// Adds a region, whose centre lies on a face: what is near it in space but not on the surface
   /// stays out.
-  void add(const TriangleSurface& surface, int face, const CoarseRegion& region);
+  void add(const TriangleSurface& surface, Face face, const CoarseRegion& region);
 
   bool empty() const { return this->Regions.empty(); }
   std::size_t size() const { return this->Regions.size(); }
   /// By how much spacing grows at a place, a position on a face. Where regions overlap, the largest
   /// counts.
-  double growthAt(int face, const Vec3& position) const;
+  double growthAt(Face face, const Vec3& position) const;
 
 private:
   std::vector<CoarseRegion> Regions;
-  std::unordered_map<int, std::vector<int>> OnFace; // regions that reach a face
+  std::unordered_map<Face, std::vector<int>> OnFace; // regions that reach a face
 };
 }
 

@@ -82,6 +82,9 @@ public:
     }
   }
 
+  /// Steps of a length in the tangent plane, in eight directions.
+  std::array<Vec3, 8> stepsAround(Vertex v, double length) const;
+
   /// Swaps an edge if it may be, and no second edge between two vertices, no fold and no degenerate
   /// triangle comes of it.
   bool swap(Edge e);
@@ -107,7 +110,6 @@ private:
   /// Never past half the way to its neighbours on the backbone.
   bool hasRoom(Vertex v, double step) const;
   void slide(Vertex v, double step);
-  std::array<Vec3, 8> stepsAround(Vertex v, double length) const;
 
   OptimizedMesh& Edited;
   std::vector<Change> Log;                  // of the attempts under way

@@ -123,23 +123,23 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
   {
     this->Graph.new_vertex();
   }
-  std::vector<Handle> own(twin.size());
-  const auto tail = [&](int h) { return triangles[h / 3][h % 3]; };
-  std::vector<Handle> outside(this->State.size()); // boundary halfedge out of a vertex
-  for (int h = 0; h < 3 * n; ++h)
+  ElementArray<Halfedge, Handle> own(twin.size());
+  const auto tail = [&](Halfedge h) { return Vertex(triangles[faceOf(h).index()][cornerOf(h)]); };
+  ElementArray<Vertex, Handle> outside(this->State.size()); // boundary halfedge out of a vertex
+  for (const Halfedge h : twin.ids())
   {
-    const int head = tail(nextHalfedge(h));
-    if (twin[h] == -2)
+    const Vertex head = tail(nextHalfedge(h));
+    if (twin[h] == NonManifoldTwin)
     {
-      return Status::error("The mesh's edge between the points " + std::to_string(tail(h)) +
-        " and " + std::to_string(head) +
+      return Status::error("The mesh's edge between the points " + std::to_string(tail(h).index()) +
+        " and " + std::to_string(head.index()) +
         " is not manifold or not consistently oriented: pass the output of vtkCDTRemesh.");
     }
-    if (twin[h] > h || twin[h] < 0)
+    if (!twin[h].valid() || h < twin[h])
     {
-      own[h] = this->Graph.new_edge(raw(Vertex(tail(h))), raw(Vertex(head)));
+      own[h] = this->Graph.new_edge(raw(tail(h)), raw(head));
       const Handle opposite = this->Graph.opposite_halfedge_handle(own[h]);
-      if (twin[h] >= 0)
+      if (twin[h].valid())
       {
         own[twin[h]] = opposite;
       }
@@ -153,20 +153,19 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
   for (int f = 0; f < n; ++f)
   {
     const auto face = this->Graph.new_face();
-    this->Graph.set_halfedge_handle(face, own[3 * f]);
-    for (int k = 0; k < 3; ++k)
+    this->Graph.set_halfedge_handle(face, own[halfedgeOf(Face(f), 0)]);
+    for (const Halfedge h : halfedgesOf(Face(f)))
     {
-      const int h = 3 * f + k;
       this->Graph.set_face_handle(own[h], face);
       this->Graph.set_next_halfedge_handle(own[h], own[nextHalfedge(h)]);
-      this->Graph.set_halfedge_handle(raw(Vertex(triangles[f][k])), own[h]);
+      this->Graph.set_halfedge_handle(raw(tail(h)), own[h]);
     }
   }
   for (const Handle h : outside)
   {
     if (h.is_valid())
     {
-      this->Graph.set_next_halfedge_handle(h, outside[this->Graph.to_vertex_handle(h).idx()]);
+      this->Graph.set_next_halfedge_handle(h, outside[this->to(id(h))]);
       this->Graph.set_halfedge_handle(this->Graph.from_vertex_handle(h), h);
     }
   }
@@ -232,7 +231,7 @@ double OptimizedMesh::densityAt(const SurfacePoint& point) const
   {
     return density;
   }
-  const double growth = this->Coarse.growthAt(point.place.face, point.position);
+  const double growth = this->Coarse.growthAt(Face(point.place.face), point.position);
   return density / (growth * growth);
 }
 

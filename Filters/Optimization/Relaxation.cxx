@@ -20,12 +20,11 @@ void forEachTriangle(const OptimizedMesh& mesh, Vertex v, const Visit& visit)
   Halfedge h = first;
   do
   {
-    const Halfedge g = mesh.next(h);
     if (!mesh.isBoundary(h))
     {
       visit(h);
     }
-    h = mesh.opposite(mesh.next(g));
+    h = mesh.opposite(mesh.next(mesh.next(h)));
   } while (h != first);
 }
 

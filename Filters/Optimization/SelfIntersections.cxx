@@ -335,11 +335,7 @@ bool partByMove(MeshEdit& edit, SelfIntersections& intersections, Vertex v)
     }
     for (int k = 0; k < 8 && best > 0 && mesh.isFree(v); ++k)
     {
-      const Vec3 n = mesh.normal(v);
-      const Vec3 e = n.unitOrthogonal();
-      const Vec3 g = n.cross(e);
-      const double angle = k * 0.785398163397448;
-      tryStep(size * reach * (std::cos(angle) * e + std::sin(angle) * g));
+      tryStep(edit.stepsAround(v, size * reach)[k]); // from where it stands by now
     }
   }
   return changed;

@@ -4,6 +4,7 @@
 
 #include "MeshRegion.h"
 #include "PolyDataConversion.h"
+#include "SurfaceViews.h"
 #include "Tuning.h"
 
 #include "vtkGenericCell.h"
@@ -180,42 +181,13 @@ double SurfaceProximity::agreement(Face f, const Nearest& below) const
 {
   const AtlasSurface& surface = this->Mesh.atlas().surface();
   const Vec3 n = this->Mesh.faceNormal(f);
+  const Vec3 bary = barycentricInSpace(below.place, surface.point(below.face, 0),
+    surface.point(below.face, 1), surface.point(below.face, 2));
   double least = 1;
-  const auto lookAt = [&](int under) {
-    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(under)));
-  };
-  lookAt(below.face);
-  const double area = surface.faceArea(below.face);
-  const auto isOn = [&](int h) {
-    return triangleArea(surface.points[surface.tail(h)], surface.points[surface.head(h)],
-             below.place) <= Tuning::OnEdge * area;
-  };
-  for (int k = 0; k < 3; ++k)
+  for (const SurfacePlace& view :
+    viewsOf(surface, { below.face, clampedBarycentric(bary) }, Tuning::OnEdge))
   {
-    const int h = 3 * below.face + k;
-    const int before = previousHalfedge(h);
-    if (!isOn(h))
-    {
-      continue;
-    }
-    if (surface.twin[h] >= 0)
-    {
-      lookAt(surface.twin[h] / 3);
-    }
-    if (isOn(before))
-    {
-      // At a point: both ways about it, for it may lie on a boundary.
-      for (int g = surface.twin[h]; g >= 0 && g / 3 != below.face;
-           g = surface.twin[nextHalfedge(g)])
-      {
-        lookAt(g / 3);
-      }
-      for (int g = surface.twin[before]; g >= 0 && g / 3 != below.face;
-           g = surface.twin[previousHalfedge(g)])
-      {
-        lookAt(g / 3);
-      }
-    }
+    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(view.face)));
   }
   return least;
 }

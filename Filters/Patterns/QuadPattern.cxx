@@ -160,10 +160,10 @@ public:
       }
     }
     double nearest = 1e300;
-    for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
+    for (const Halfedge h : halfedgesOf(Face(place.face)))
     {
-      const auto found = this->PieceOf.find(h);
-      const double away = place.bary[previousHalfedge(h) % 3];
+      const auto found = this->PieceOf.find(h.index());
+      const double away = place.bary[cornerOf(previousHalfedge(h))];
       if (found == this->PieceOf.end() || away >= nearest)
       {
         continue;
@@ -171,8 +171,8 @@ public:
       nearest = away;
       const auto& [b, segment, side] = found->second;
       const std::vector<double>& arc = this->Atlas.traces()[b].arcLength;
-      const double head = place.bary[nextHalfedge(h) % 3];
-      const double t = head / std::max(1e-300, head + place.bary[h % 3]);
+      const double head = place.bary[cornerOf(nextHalfedge(h))];
+      const double t = head / std::max(1e-300, head + place.bary[cornerOf(h)]);
       sample.kind = SampleKind::Backbone;
       sample.backbone = b;
       sample.arcLength =
@@ -259,7 +259,7 @@ std::vector<std::vector<Segment>> innerSegments(const SurfaceCache& atlas)
       {
         if (h >= 0)
         {
-          segments[surface.faceChart[h / 3]].push_back(
+          segments[surface.faceChart[faceOf(Halfedge(h)).index()]].push_back(
             { { surface.uv[h], surface.uv[nextHalfedge(h)] } });
         }
       }

@@ -4,6 +4,7 @@
 
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
+#include "SurfaceViews.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,34 +20,9 @@ std::uint64_t edgeKey(int a, int b)
     static_cast<unsigned int>(std::max(a, b));
 }
 
-/// A place on an edge or a vertex of the surface, seen from every face there.
-std::vector<SurfacePlace> viewsOf(const AtlasSurface& surface, const SurfacePlace& place)
-{
-  constexpr double OnEdge = 1e-9;
-  std::vector<SurfacePlace> views = { place };
-  for (std::size_t i = 0; i < views.size() && views.size() < 100; ++i)
-  {
-    const SurfacePlace view = views[i];
-    for (int k = 0; k < 3; ++k)
-    {
-      const int h = 3 * view.face + (k + 1) % 3; // opposite to corner k
-      const int g = surface.twin[h];
-      if (view.bary[k] > OnEdge || g < 0 ||
-        std::any_of(
-          views.begin(), views.end(), [g](const SurfacePlace& v) { return v.face == g / 3; }))
-      {
-        continue;
-      }
-      SurfacePlace other;
-      other.face = g / 3;
-      other.bary[g % 3] = view.bary[nextHalfedge(h) % 3];
-      other.bary[nextHalfedge(g) % 3] = view.bary[h % 3];
-      other.bary = clampedBarycentric(other.bary);
-      views.push_back(other);
-    }
-  }
-  return views;
-}
+/// Barycentric coordinate up to which a place is on an edge: rounding, after a walk that ended
+/// there.
+constexpr double OnEdge = 1e-9;
 
 /// The place that walks from one end of an edge reach that come nearest to the middle of the chord.
 SurfacePlace middleOf(const SurfaceCache& atlas, const SurfacePlace& from, const SurfacePlace& to)
@@ -58,7 +34,7 @@ SurfacePlace middleOf(const SurfaceCache& atlas, const SurfacePlace& from, const
   double nearest = 1e300;
   for (const auto& end : { from, to })
   {
-    for (const SurfacePlace& start : viewsOf(surface, end))
+    for (const SurfacePlace& start : viewsOf(surface, end, OnEdge))
     {
       SurfacePlace place = start;
       for (int step = 0; step < 4; ++step)
