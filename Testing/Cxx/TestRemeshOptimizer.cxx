@@ -553,7 +553,7 @@ struct ReadMesh
 };
 
 /// A whole disk of vertices turned about its middle, so that triangles lie across each other.
-void checkKnots()
+void checkLayers()
 {
   synthetic::Builder b;
   synthetic::cube(b, 8, true);
@@ -576,8 +576,8 @@ void checkKnots()
     edit.put(v, places[next++ % places.size()]);
   }
   const std::size_t before = SelfIntersections(mesh).faces().size();
-  check(before > 20, "the knot intersects itself");
-  check(resolveSelfIntersections(edit, 8) == 0, "the knot is undone");
+  check(before > 20, "the layers intersect");
+  check(resolveSelfIntersections(edit, 8) == 0, "the layers are undone");
   check(SelfIntersections(mesh).faces().empty(), "no triangles intersect");
   double worst = 10;
   for (const Vertex v : mesh.vertices())
@@ -636,7 +636,7 @@ void checkSmallComponents()
 int TestRemeshOptimizer(int, char*[])
 {
   checkSmallComponents();
-  checkKnots();
+  checkLayers();
   checkSphere();
   checkFeatures();
   checkCoarseFeatures();

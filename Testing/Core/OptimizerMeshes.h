@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Small meshes on surfaces of known shape, for the kernels of the optimisation.
+#ifndef stipple_OptimizerMeshes_h
+#define stipple_OptimizerMeshes_h
+
+#include "../Cxx/SyntheticAtlas.h"
+#include "MeshCreation.h"
+#include "MeshEdit.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace meshes
+{
+using namespace stipple;
+
+struct TestMesh
+{
+  synthetic::Builder builder;
+  SurfaceCache atlas;
+  DensityField density;
+  std::vector<Sample> samples;
+  std::vector<Triangle> triangles;
+  OptimizedMesh mesh;
+  MeshEdit edit{ mesh };
+
+  void read()
+  {
+    synthetic::Atlas& made = this->builder.finish();
+    const Status status = this->atlas.update(made.charts, made.graphData);
+    EXPECT_TRUE(this->builder.ok() && status.ok()) << status.message();
+  }
+  void build()
+  {
+    const Status status =
+      this->mesh.build(this->atlas, this->density, this->samples, this->triangles);
+    EXPECT_TRUE(status.ok()) << status.message();
+  }
+  /// The place of the surface above (x, y) in the chart's parameters; one chart.
+  SurfacePlace placeAt(double x, double y) const
+  {
+    const AtlasSurface& s = this->atlas.surface();
+    for (int f = 0; f < s.numberOfFaces(); ++f)
+    {
+      const Vec3 b = barycentric(Vec2(x, y), s.cornerUV(f, 0), s.cornerUV(f, 1), s.cornerUV(f, 2));
+      if (b.minCoeff() > -1e-12)
+      {
+        return { f, clampedBarycentric(b) };
+      }
+    }
+    ADD_FAILURE() << "no face at " << x << " " << y;
+    return {};
+  }
+  SurfacePoint pointAt(double x, double y) const { return this->mesh.pointAt(this->placeAt(x, y)); }
+  Edge edgeBetween(int a, int b) const
+  {
+    Edge result;
+    this->mesh.forEachHalfedge(Vertex(a),
+      [&](Halfedge h) { result = this->mesh.to(h) == Vertex(b) ? this->mesh.edge(h) : result; });
+    EXPECT_TRUE(result.valid()) << "no edge between " << a << " and " << b;
+    return result;
+  }
+};
+
+/// m x m squares, each cut in two along its diagonal from low (x, y), on the surface z = height
+/// over the unit square, which has 4 m x 4 m squares. Vertex (i, j) is j (m + 1) + i.
+inline std::unique_ptr<TestMesh> patch(
+  int m, const std::function<double(double, double)>& height = [](double, double) { return 0.; })
+{
+  auto t = std::make_unique<TestMesh>();
+  const int n = 4 * m;
+  const auto position = [=](int i, int j) {
+    const double x = static_cast<double>(i) / n;
+    const double y = static_cast<double>(j) / n;
+    return Vec3(x, y, height(x, y));
+  };
+  t->builder.addGrid(n, n, position);
+  const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
+    { { 0, n } }, { { 0, 0 } } } };
+  for (int side = 0; side < 4; ++side)
+  {
+    t->builder.addBackbone(BackboneType::Boundary,
+      synthetic::run(
+        position, corner[side][0], corner[side][1], corner[side + 1][0], corner[side + 1][1]));
+  }
+  t->read();
+  for (int j = 0; j <= m; ++j)
+  {
+    for (int i = 0; i <= m; ++i)
+    {
+      Sample s;
+      const SurfacePlace place = t->placeAt(static_cast<double>(i) / m, static_cast<double>(j) / m);
+      s.face = place.face;
+      s.bary = place.bary;
+      const bool endX = i == 0 || i == m;
+      const bool endY = j == 0 || j == m;
+      if (endX && endY)
+      {
+        s.kind = SampleKind::Corner;
+        int k = 0;
+        place.bary.maxCoeff(&k);
+        s.surfacePoint = t->atlas.surface().triangles[place.face][k];
+      }
+      else if (endX || endY)
+      {
+        s.kind = SampleKind::Backbone;
+        s.backbone = j == 0 ? 0 : i == m ? 1 : j == m ? 2 : 3;
+        const double along = s.backbone == 0 ? i
+          : s.backbone == 1                  ? j
+          : s.backbone == 2                  ? m - i
+                                             : m - j;
+        s.arcLength = t->atlas.traces()[s.backbone].length() * along / m;
+      }
+      t->samples.push_back(s);
+      if (i > 0 && j > 0)
+      {
+        const int v = j * (m + 1) + i;
+        t->triangles.push_back({ v - m - 2, v - m - 1, v });
+        t->triangles.push_back({ v - m - 2, v, v - 1 });
+      }
+    }
+  }
+  t->build();
+  return t;
+}
+
+/// n points on the unit sphere, or the cube [-1, 1]^3, triangulated but not optimised.
+inline std::unique_ptr<TestMesh> cube(int n, bool sphere)
+{
+  auto t = std::make_unique<TestMesh>();
+  synthetic::cube(t->builder, sphere ? 16 : 1, sphere);
+  t->read();
+  t->samples = synthetic::sample(t->atlas.surface(), t->atlas.graph(), t->atlas.traces(), n);
+  const Status status = createMesh(t->atlas, t->samples, t->triangles, {});
+  EXPECT_TRUE(status.ok()) << status.message();
+  t->build();
+  return t;
+}
+
+/// All that the mesh is, to compare byte by byte: its triangles, however they are numbered, and
+/// where its vertices are.
+struct Snapshot
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::array<double, 15>> vertices;
+  explicit Snapshot(const OptimizedMesh& mesh)
+    : triangles(mesh.triangles())
+  {
+    std::sort(this->triangles.begin(), this->triangles.end());
+    for (const Vertex v : mesh.vertices())
+    {
+      const VertexState& s = mesh.state(v);
+      this->vertices.push_back({ { s.position.x(), s.position.y(), s.position.z(), s.normal.x(),
+        s.normal.y(), s.normal.z(), s.otherNormal.x(), s.otherNormal.y(), s.otherNormal.z(),
+        s.place.bary[0], s.place.bary[1], s.place.bary[2], static_cast<double>(s.place.face),
+        s.density, s.arcLength } });
+    }
+  }
+  bool operator==(const Snapshot& o) const
+  {
+    return this->triangles == o.triangles && this->vertices == o.vertices;
+  }
+};
+}
+
+#endif

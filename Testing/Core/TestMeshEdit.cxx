@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh under optimisation and its one way to be changed: what is not kept is taken back to the
+// bit, what would fold is refused.
+#include "MeshRegion.h"
+#include "OptimizerMeshes.h"
+
+using namespace stipple;
+using meshes::Snapshot;
+
+TEST(OptimizedMesh, KnowsItsNeighbourhoods)
+{
+  const auto t = meshes::patch(4);
+  const OptimizedMesh& mesh = t->mesh;
+  EXPECT_EQ(mesh.vertices().size(), 25);
+  EXPECT_EQ(mesh.faces().size(), 32);
+  EXPECT_EQ(mesh.edges().size(), 56); // Euler: 25 - 56 + 32 = 1
+  EXPECT_EQ(mesh.valence(Vertex(12)), 6);
+  EXPECT_EQ(mesh.freedom(Vertex(12)), Freedom::Surface);
+  EXPECT_EQ(mesh.freedom(Vertex(2)), Freedom::Backbone);
+  EXPECT_EQ(mesh.freedom(Vertex(0)), Freedom::None);
+  EXPECT_EQ(facesAbout(mesh, { Vertex(12) }).size(), 6U);
+  EXPECT_EQ(withRings(mesh, { Vertex(12) }, 1).size(), 7U);
+  EXPECT_EQ(withRings(mesh, { Vertex(12) }, 2).size(), 19U);
+  EXPECT_EQ(cornersOf(mesh, facesAbout(mesh, { Vertex(12) })), withRings(mesh, { Vertex(12) }, 1));
+  EXPECT_EQ(edgesAbout(mesh, { Vertex(12) }).size(), 6U);
+  const auto free = withRings(mesh, { Vertex(6) }, 9, [&](Vertex v) { return mesh.isFree(v); });
+  EXPECT_EQ(free.size(), 9U) << "rings go on from wanted vertices only";
+  // The triangles of an edge are (a, b, c) and (b, a, d).
+  const auto wing = mesh.wingVertices(t->edgeBetween(12, 18));
+  EXPECT_EQ(std::minmax(wing[0], wing[1]), std::minmax(Vertex(12), Vertex(18)));
+  EXPECT_EQ(std::minmax(wing[2], wing[3]), std::minmax(Vertex(13), Vertex(17)));
+  double area = 0;
+  for (const Face f : mesh.faces())
+  {
+    area += mesh.faceArea(f);
+    EXPECT_LT((mesh.faceNormal(f) - Vec3(0, 0, 1)).norm(), 1e-15);
+    EXPECT_TRUE(mesh.isSound(f));
+  }
+  EXPECT_NEAR(area, 1., 1e-14);
+  std::vector<Triangle> sorted = mesh.triangles();
+  EXPECT_EQ(sorted, t->triangles) << "what was read is written";
+}
+
+TEST(OptimizedMesh, RefusesWhatIsNoMeshOfTheAtlas)
+{
+  const auto t = meshes::patch(2);
+  OptimizedMesh other;
+  std::vector<Triangle> lacking = t->triangles;
+  lacking.pop_back(); // a corner is in no triangle then, and a boundary edge is missing
+  EXPECT_FALSE(other.build(t->atlas, t->density, t->samples, lacking).ok());
+  std::vector<Triangle> turned = t->triangles;
+  std::swap(turned[3][0], turned[3][1]);
+  EXPECT_FALSE(other.build(t->atlas, t->density, t->samples, turned).ok());
+  std::vector<Sample> unknown = t->samples;
+  unknown[1].backbone = 99;
+  EXPECT_FALSE(other.build(t->atlas, t->density, unknown, t->triangles).ok());
+}
+
+TEST(OptimizedMesh, FoldsAreNotSound)
+{
+  const auto t = meshes::patch(4);
+  EXPECT_TRUE(t->mesh.isSound(Vertex(12), Vertex(13), Vertex(18)));
+  EXPECT_FALSE(t->mesh.isSound(Vertex(12), Vertex(18), Vertex(13))) << "it faces away";
+  EXPECT_FALSE(t->mesh.isSound(Vertex(11), Vertex(12), Vertex(13))) << "it has no height";
+}
+
+TEST(MeshEdit, WhatFailsIsTakenBackToTheBit)
+{
+  const auto t = meshes::patch(4, [](double x, double y) { return 0.2 * x * y; });
+  MeshEdit& edit = t->edit;
+  const Snapshot before(t->mesh);
+  const bool kept = edit.attempt([&]() {
+    edit.flip(t->edgeBetween(12, 18));
+    edit.put(Vertex(12), t->pointAt(0.52, 0.47));
+    EXPECT_TRUE(edit.trySlide(Vertex(2), 0.05, []() { return true; }));
+    edit.flip(t->edgeBetween(6, 12));
+    edit.put(Vertex(12), t->pointAt(0.41, 0.55));
+    EXPECT_FALSE(Snapshot(t->mesh) == before);
+    return false;
+  });
+  EXPECT_FALSE(kept);
+  EXPECT_TRUE(Snapshot(t->mesh) == before);
+}
+
+TEST(MeshEdit, AttemptsNest)
+{
+  const auto t = meshes::patch(4);
+  MeshEdit& edit = t->edit;
+  const Snapshot before(t->mesh);
+  const auto inner = [&](bool isKept) {
+    return edit.attempt([&]() {
+      edit.put(Vertex(6), t->pointAt(0.3, 0.3));
+      return isKept;
+    });
+  };
+  // An inner success goes with an outer failure.
+  EXPECT_FALSE(edit.attempt([&]() {
+    edit.flip(t->edgeBetween(12, 18));
+    EXPECT_TRUE(inner(true));
+    return false;
+  }));
+  EXPECT_TRUE(Snapshot(t->mesh) == before);
+  // An inner failure leaves what the outer attempt did before and does after.
+  EXPECT_TRUE(edit.attempt([&]() {
+    edit.put(Vertex(18), t->pointAt(0.8, 0.7));
+    EXPECT_FALSE(inner(false));
+    edit.put(Vertex(7), t->pointAt(0.45, 0.2));
+    return true;
+  }));
+  EXPECT_LT((t->mesh.position(Vertex(18)) - Vec3(0.8, 0.7, 0)).norm(), 1e-14);
+  EXPECT_LT((t->mesh.position(Vertex(7)) - Vec3(0.45, 0.2, 0)).norm(), 1e-14);
+  EXPECT_LT((t->mesh.position(Vertex(6)) - Vec3(0.25, 0.25, 0)).norm(), 1e-14);
+  // What was kept is not taken back by a later failure.
+  const Snapshot kept(t->mesh);
+  EXPECT_FALSE(inner(false));
+  EXPECT_TRUE(Snapshot(t->mesh) == kept);
+}
+
+TEST(MeshEdit, SwapsNeitherCreasesNorIntoFolds)
+{
+  const auto t = meshes::patch(4);
+  MeshEdit& edit = t->edit;
+  EXPECT_FALSE(edit.swap(t->edgeBetween(1, 2))) << "on the boundary";
+  EXPECT_TRUE(edit.swap(t->edgeBetween(12, 18)));
+  EXPECT_EQ(t->mesh.valence(Vertex(12)), 5);
+  EXPECT_EQ(t->mesh.valence(Vertex(13)), 7);
+  EXPECT_TRUE(t->edgeBetween(13, 17).valid());
+  // With the vertex 18 beyond the line from 13 to 17, the quad about 12-18 is not convex.
+  const auto u = meshes::patch(4);
+  u->edit.put(Vertex(18), u->pointAt(0.6, 0.6));
+  EXPECT_FALSE(u->edit.swap(u->edgeBetween(12, 18)));
+}
+
+TEST(MeshEdit, SlidesAtMostHalfTheWay)
+{
+  const auto t = meshes::patch(4);
+  const auto yes = []() { return true; };
+  EXPECT_FALSE(t->edit.trySlide(Vertex(12), 0.01, yes)) << "it is on no backbone";
+  EXPECT_FALSE(t->edit.trySlide(Vertex(0), 0.01, yes)) << "a corner stays";
+  EXPECT_FALSE(t->edit.trySlide(Vertex(2), 0.13, yes)) << "more than half an edge";
+  const Snapshot before(t->mesh);
+  EXPECT_FALSE(t->edit.trySlide(Vertex(2), 0.12, []() { return false; }));
+  EXPECT_TRUE(Snapshot(t->mesh) == before);
+  EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.12, yes));
+  EXPECT_LT((t->mesh.position(Vertex(2)) - Vec3(0.62, 0, 0)).norm(), 1e-14);
+  EXPECT_NEAR(t->mesh.arcLength(Vertex(2)), 0.62, 1e-14);
+}
+
+TEST(MeshEdit, TriesAllDirections)
+{
+  const auto t = meshes::patch(4);
+  Vec3 sum = Vec3::Zero();
+  int steps = 0;
+  t->edit.tryAround(
+    Vertex(12), 0.1,
+    [&](const Vec3& step) {
+      EXPECT_NEAR(step.norm(), 0.1, 1e-15);
+      EXPECT_EQ(step.z(), 0.) << "in the tangent plane";
+      sum += step;
+      ++steps;
+    },
+    []() { return false; });
+  EXPECT_EQ(steps, 8);
+  EXPECT_LT(sum.norm(), 1e-14);
+  // On a backbone it slides as long as that helps.
+  double best = 0.1;
+  t->edit.tryAround(
+    Vertex(2), 0.03, [](const Vec3&) { ADD_FAILURE() << "a step off the backbone"; },
+    [&]() {
+      const double distance = std::abs(t->mesh.position(Vertex(2)).x() - 0.6);
+      const bool isBetter = distance < best;
+      best = std::min(best, distance);
+      return isBetter;
+    });
+  EXPECT_NEAR(t->mesh.position(Vertex(2)).x(), 0.59, 1e-14);
+}
+
+TEST(MeshEdit, MovesAreDrawnBackBeforeTheyFold)
+{
+  const auto t = meshes::patch(4);
+  ElementArray<Vertex, Vec3> step(25, Vec3::Zero());
+  ElementArray<Vertex, double> arcLength(25, 0.);
+  for (const Vertex v : t->mesh.vertices())
+  {
+    arcLength[v] = t->mesh.arcLength(v);
+  }
+  step[Vertex(6)] = Vec3(0.05, 0.02, 0);   // harmless
+  step[Vertex(18)] = Vec3(-0.3, -0.25, 0); // beyond its ring; half of it is not
+  arcLength[Vertex(2)] = 0.55;
+  t->edit.moveAll(step, arcLength);
+  EXPECT_LT((t->mesh.position(Vertex(6)) - Vec3(0.3, 0.27, 0)).norm(), 1e-14);
+  EXPECT_LT((t->mesh.position(Vertex(18)) - Vec3(0.6, 0.625, 0)).norm(), 1e-14);
+  EXPECT_LT((t->mesh.position(Vertex(2)) - Vec3(0.55, 0, 0)).norm(), 1e-14);
+  EXPECT_EQ(step[Vertex(6)], Vec3(0.05, 0.02, 0)) << "momentum goes on";
+  EXPECT_EQ(step[Vertex(18)], Vec3(Vec3::Zero())) << "but not into what was refused";
+  for (const Face f : t->mesh.faces())
+  {
+    EXPECT_TRUE(t->mesh.isSound(f));
+  }
+}

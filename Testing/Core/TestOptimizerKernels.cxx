@@ -1,0 +1,429 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Swaps, steps, repairs and measures of the optimisation, each alone, where the answer is known.
+#include "CoarseRegions.h"
+#include "EdgeSwaps.h"
+#include "LocalEmbedding.h"
+#include "LocalRepair.h"
+#include "OptimizerMeshes.h"
+#include "Relaxation.h"
+#include "SelfIntersections.h"
+#include "SurfaceError.h"
+#include "SurfaceProximity.h"
+#include "Tuning.h"
+#include "VertexStar.h"
+
+using namespace stipple;
+
+namespace
+{
+double worstOf(const OptimizedMesh& mesh)
+{
+  double worst = 10;
+  for (const Face f : mesh.faces())
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
+
+/// The inner vertices of a patch, moved at random by up to `most` of an edge.
+void jitter(meshes::TestMesh& t, int m, double most)
+{
+  std::mt19937 engine(5);
+  const auto random = [&]() { return most / m * (engine() / 2147483648. - 1.); };
+  for (const Vertex v : t.mesh.vertices())
+  {
+    if (t.mesh.isFree(v))
+    {
+      const Vec3 p = t.mesh.position(v);
+      const double dx = random();
+      const double dy = random();
+      t.edit.put(v, t.pointAt(p.x() + dx, p.y() + dy));
+    }
+  }
+}
+}
+
+TEST(EdgeSwaps, DelaunayLeavesNoEdgeToSwap)
+{
+  const auto t = meshes::patch(8);
+  jitter(*t, 8, 0.4);
+  const auto wanted = [&]() {
+    int count = 0;
+    for (const Edge e : t->mesh.edges())
+    {
+      count += isDelaunaySwap(t->mesh, e);
+    }
+    return count;
+  };
+  EXPECT_GT(wanted(), 10);
+  const double before = worstOf(t->mesh);
+  EXPECT_GT(delaunaySwaps(t->edit, 20), 10);
+  EXPECT_EQ(wanted(), 0);
+  EXPECT_GE(worstOf(t->mesh), before) << "Delaunay triangulations have the largest least angle";
+}
+
+TEST(EdgeSwaps, RegularitySwapsMakeValencesSix)
+{
+  const auto t = meshes::patch(6);
+  EXPECT_EQ(regularitySwaps(t->edit, 0.5, 5), 0) << "a lattice is as regular as can be";
+  t->edit.flip(t->edgeBetween(24, 32));
+  EXPECT_EQ(t->mesh.valence(Vertex(25)), 7);
+  EXPECT_EQ(regularitySwaps(t->edit, 0.8, 5), 0) << "45 degrees are 0.785, and were there before";
+  EXPECT_EQ(regularitySwaps(t->edit, 0.7, 5), 1);
+  for (const int v : { 24, 25, 31, 32 })
+  {
+    EXPECT_EQ(t->mesh.valence(Vertex(v)), 6);
+  }
+}
+
+TEST(EdgeSwaps, AspectSwapsRaiseTheLeastAspect)
+{
+  const auto t = meshes::patch(4);
+  t->edit.put(Vertex(12), t->pointAt(0.6, 0.6)); // the diagonal 12-18 is the short one now
+  t->edit.put(Vertex(18), t->pointAt(0.7, 0.7));
+  t->edit.flip(t->edgeBetween(12, 18));
+  EXPECT_EQ(aspectSwaps(t->edit, 1) > 0, true);
+  EXPECT_TRUE(t->edgeBetween(12, 18).valid());
+}
+
+TEST(EdgeSwaps, ExcessesCountSectors)
+{
+  const auto t = meshes::patch(4);
+  const auto at = [&](int v) {
+    Halfedge inside = t->mesh.halfedge(Vertex(v));
+    t->mesh.forEachCorner(Vertex(v), [&](Halfedge h) { inside = h; });
+    return inside;
+  };
+  EXPECT_EQ(valenceExcess(t->mesh, at(12)), 0);
+  EXPECT_EQ(valenceExcess(t->mesh, at(2)), 0) << "three triangles over 180 degrees";
+  EXPECT_EQ(valenceExcess(t->mesh, at(0)), 0) << "two over 90 degrees";
+  EXPECT_EQ(valenceExcess(t->mesh, at(4)), -1) << "one over 90 degrees";
+  t->edit.flip(t->edgeBetween(2, 8));
+  EXPECT_EQ(valenceExcess(t->mesh, at(2)), -1);
+  EXPECT_EQ(ribExcess(t->mesh, at(2)), -1);
+  EXPECT_EQ(valenceExcess(t->mesh, at(7)), 1);
+  EXPECT_EQ(irregularity(0), 0);
+  EXPECT_EQ(irregularity(-1), 0);
+  EXPECT_EQ(irregularity(2), 2);
+  EXPECT_EQ(irregularity(-3), 5);
+  // Swapping back makes 1 + 1 + 1 + 1 squares nought.
+  EXPECT_EQ(costChangeOfSwap(
+              t->mesh, t->edgeBetween(3, 7), [&](Halfedge h) { return valenceExcess(t->mesh, h); },
+              [](Vertex, int x) { return x * x; }),
+    -4);
+}
+
+TEST(VertexStar, QualityIsTheSmallestAngleOrAFold)
+{
+  const auto t = meshes::patch(4);
+  EXPECT_NEAR(starQuality(t->mesh, Vertex(12)), 0.25 * Tuning::Pi, 1e-12);
+  const VertexStar star(t->mesh, Vertex(12));
+  EXPECT_NEAR(star.quality(t->mesh.state(Vertex(12))), 0.25 * Tuning::Pi, 1e-12);
+  // (12, 13, 18) with 12 at (0.5, 0.45): atan(0.2 / ...) by the cosine rule of its corners
+  const SurfacePoint there = t->pointAt(0.5, 0.45);
+  const double quality = star.quality(there);
+  EXPECT_LT(quality, 0.25 * Tuning::Pi);
+  EXPECT_TRUE(star.exceeds(there, quality - 1e-9));
+  EXPECT_FALSE(star.exceeds(there, quality + 1e-9));
+  t->edit.put(Vertex(12), there);
+  EXPECT_DOUBLE_EQ(starQuality(t->mesh, Vertex(12)), quality) << "a star foretells the mesh's";
+  EXPECT_LT(star.quality(t->pointAt(0.9, 0.5)), 0) << "beyond its ring triangles are folded";
+  EXPECT_NEAR(triangleQuality(t->mesh, Vertex(0), Vertex(6), Vertex(1)), -2., 0.5)
+    << "and one that faces away is";
+}
+
+TEST(Relaxation, LatticesRest)
+{
+  const auto t = meshes::patch(4);
+  EXPECT_LT(lloydStep(t->mesh, Vertex(12)).norm(), 1e-14);
+  EXPECT_LT(laplacianStep(t->mesh, Vertex(12), false).norm(), 1e-14);
+  EXPECT_LT(stepToMiddle(t->mesh, Vertex(12)).norm(), 1e-14);
+  EXPECT_LT(towardsRidges(t->mesh, Vertex(12), Vec3(0.1, 0, 0)).x(), 0.1 + 1e-12);
+  EXPECT_NEAR(meanEdgeLength(t->mesh, Vertex(12)), (4. + 2. * std::sqrt(2.)) / 24., 1e-12);
+  EXPECT_TRUE(exceedsEdges(t->mesh, Vertex(12), 0.15, 0.5));
+  EXPECT_FALSE(exceedsEdges(t->mesh, Vertex(12), 0.14, 0.5));
+}
+
+TEST(Relaxation, StepsLeadBack)
+{
+  const auto t = meshes::patch(4);
+  t->edit.put(Vertex(12), t->pointAt(0.53, 0.48));
+  const Vec3 back = Vec3(0.5, 0.5, 0) - t->mesh.position(Vertex(12));
+  FaceMeasures measures;
+  measures.update(t->mesh);
+  const Vec3 lloyd = lloydStep(t->mesh, measures, Vertex(12), true);
+  EXPECT_EQ(lloyd, lloydStep(t->mesh, Vertex(12))) << "measured at once or one by one";
+  for (const Vec3& step :
+    { lloyd, laplacianStep(t->mesh, Vertex(12), true), stepToMiddle(t->mesh, Vertex(12)) })
+  {
+    EXPECT_GT(step.dot(back), 0.3 * back.squaredNorm());
+    EXPECT_LT((step - back).norm(), 0.8 * back.norm());
+  }
+  EXPECT_LT((stepToMiddle(t->mesh, Vertex(12)) - back).norm(), 1e-14);
+}
+
+TEST(Relaxation, BackbonesSpaceTheirVerticesEvenly)
+{
+  const auto t = meshes::patch(4);
+  EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.1, []() { return true; }));
+  ElementArray<Vertex, double> arcLength(25, -1.);
+  relaxBackbones(t->mesh, arcLength);
+  EXPECT_NEAR(arcLength[Vertex(1)], 0.25, 1e-12);
+  EXPECT_NEAR(arcLength[Vertex(2)], 0.5, 1e-12);
+  EXPECT_NEAR(arcLength[Vertex(3)], 0.75, 1e-12);
+  EXPECT_EQ(arcLength[Vertex(0)], -1.) << "corners have none";
+  EXPECT_EQ(arcLength[Vertex(12)], -1.);
+}
+
+TEST(LocalRepair, AVertexComesBackIntoItsRing)
+{
+  const auto t = meshes::patch(4);
+  t->edit.put(Vertex(12), t->pointAt(0.72, 0.31)); // beyond the edge 8-13: folded
+  EXPECT_LT(starQuality(t->mesh, Vertex(12)), 0);
+  EXPECT_TRUE(improveByMove(t->edit, Vertex(12)));
+  EXPECT_GT(starQuality(t->mesh, Vertex(12)), 0.7) << "45 degrees are .785";
+  EXPECT_FALSE(improveByMove(t->edit, Vertex(0))) << "corners stay";
+}
+
+TEST(LocalRepair, SettlingMakesAllGoodOrSaysNo)
+{
+  const auto t = meshes::patch(6);
+  jitter(*t, 6, 0.35);
+  std::vector<Vertex> free;
+  std::vector<Face> all;
+  for (const Vertex v : t->mesh.vertices())
+  {
+    if (t->mesh.isFree(v))
+    {
+      free.push_back(v);
+    }
+  }
+  for (const Face f : t->mesh.faces())
+  {
+    all.push_back(f);
+  }
+  const double before = worstOf(t->mesh);
+  EXPECT_LT(before, 0.5);
+  EXPECT_TRUE(settle(t->edit, free, all, 0.6, 0.5, 20));
+  EXPECT_GE(worstOf(t->mesh), 0.5);
+  EXPECT_FALSE(settle(t->edit, free, all, 1.2, 1.1, 3)) << "not all can be equilateral";
+}
+
+TEST(LocalRepair, TrianglesAndValencesAreRepaired)
+{
+  const auto t = meshes::patch(6);
+  jitter(*t, 6, 0.45);
+  EXPECT_LT(worstOf(t->mesh), 0.4);
+  EXPECT_EQ(repairTriangles(t->edit, 0.45, true, true, 10), 0);
+  EXPECT_GE(worstOf(t->mesh), 0.45);
+
+  const auto u = meshes::patch(8);
+  u->edit.flip(u->edgeBetween(30, 40));
+  u->edit.flip(u->edgeBetween(40, 50)); // of valence 4 now
+  const auto irregular = [&]() {
+    int count = 0;
+    for (const Vertex v : u->mesh.vertices())
+    {
+      count += u->mesh.isFree(v) && irregularity(u->mesh.valence(v) - 6) > 0;
+    }
+    return count;
+  };
+  const int before = irregular();
+  ASSERT_GT(before, 0);
+  const double worst = worstOf(u->mesh);
+  EXPECT_GT(repairValences(u->edit, 0.5, 5), 0);
+  EXPECT_LT(irregular(), before);
+  EXPECT_GE(worstOf(u->mesh), std::min(0.5, worst)) << "and no angle is the price";
+}
+
+TEST(LocalRepair, EqualizedTrianglesAreAlike)
+{
+  const auto t = meshes::patch(6);
+  jitter(*t, 6, 0.3);
+  std::vector<Vertex> free;
+  for (const Vertex v : t->mesh.vertices())
+  {
+    if (t->mesh.isFree(v))
+    {
+      free.push_back(v);
+    }
+  }
+  const auto variation = [&]() {
+    double squares = 0;
+    for (const Face f : t->mesh.faces())
+    {
+      squares += std::pow(t->mesh.faceArea(f) - 1. / 72., 2);
+    }
+    return squares;
+  };
+  const double before = variation();
+  const Vec3 held = t->mesh.position(Vertex(24));
+  equalizeTriangles(t->edit, free, 0.3, 10, [](Vertex v) { return v != Vertex(24); });
+  EXPECT_LT(variation(), 0.2 * before);
+  EXPECT_EQ(t->mesh.position(Vertex(24)), held) << "what is not accepted stays";
+}
+
+TEST(SurfaceError, IsTheDistanceOfTheSurfacesPoints)
+{
+  const auto flat = meshes::patch(4);
+  const SurfaceError none(flat->mesh);
+  for (const Vertex v : flat->mesh.vertices())
+  {
+    EXPECT_LT(none.at(v).sum, 1e-28);
+  }
+  // One point of the surface, off every vertex, stands out by 0.1: 1 / 16 of it lies on no vertex.
+  const auto t = meshes::patch(4,
+    [](double x, double y) { return std::abs(x - 0.5625) + std::abs(y - 0.5) < 1e-9 ? 0.1 : 0.; });
+  const SurfaceError error(t->mesh);
+  double largest = 0;
+  for (const Vertex v : t->mesh.vertices())
+  {
+    largest = std::max(largest, error.at(v).largest);
+  }
+  EXPECT_NEAR(largest, 0.01, 1e-12) << "squared";
+  const SurfaceError::Measure about = error.about(Vertex(12));
+  EXPECT_NEAR(about.sum, 0.01, 1e-12);
+  EXPECT_LT((t->atlas.surface().points[about.farthest] - Vec3(0.5625, 0.5, 0.1)).norm(), 1e-14);
+}
+
+TEST(SurfaceError, MovesLowerIt)
+{
+  // A roof whose ridge runs between two columns of vertices
+  const auto t = meshes::patch(8, [](double x, double) { return -0.6 * std::abs(x - 0.46875); });
+  const auto total = [&]() {
+    const SurfaceError error(t->mesh);
+    double sum = 0;
+    for (const Vertex v : t->mesh.vertices())
+    {
+      sum += error.at(v).sum;
+    }
+    return sum;
+  };
+  const double before = total();
+  const double worst = worstOf(t->mesh);
+  EXPECT_GT(reduceSurfaceError(t->edit, 0.6, 1.), 0);
+  EXPECT_LT(total(), 0.6 * before);
+  EXPECT_GE(worstOf(t->mesh), std::min(Tuning::AngleAtTip, worst) - 1e-6);
+}
+
+TEST(SurfaceProximity, KnowsDistancesAndSides)
+{
+  const auto t = meshes::cube(200, false);
+  const SurfaceProximity proximity(t->mesh);
+  const SurfaceDistances largest = proximity.largest();
+  EXPECT_LT(largest.faces, 1e-9) << "no triangle of the cube cuts an edge off";
+  EXPECT_LT(largest.creases, 1e-9);
+  for (const Face f : t->mesh.faces())
+  {
+    EXPECT_TRUE(proximity.facesOutwards(f));
+  }
+  // A vertex of a face goes to the opposite face.
+  Vertex v;
+  for (const Vertex u : t->mesh.vertices())
+  {
+    v = t->mesh.isFree(u) && t->mesh.position(u).z() > 1 - 1e-9 ? u : v;
+  }
+  ASSERT_TRUE(v.valid());
+  const std::vector<Face> faces = facesAbout(t->mesh, { v });
+  const SurfaceDistances small = { 0.01, 0.01 };
+  EXPECT_TRUE(proximity.isNear(faces, small));
+  ProximityGuard guard(t->mesh, proximity, small);
+  EXPECT_TRUE(guard.allows(v));
+  const SurfacePoint before = t->mesh.state(v);
+  SurfacePoint below = before;
+  below.position.z() = -1;
+  t->edit.put(v, below);
+  EXPECT_FALSE(proximity.isNear(faces, small));
+  EXPECT_FALSE(guard.allows(v));
+  EXPECT_GT(proximity.distanceAbout(v), 0.4);
+  t->edit.put(v, before);
+  EXPECT_TRUE(guard.allows(v));
+}
+
+TEST(SelfIntersections, CountsPairsAsVerticesMove)
+{
+  const auto t = meshes::cube(400, true);
+  SelfIntersections intersections(t->mesh);
+  EXPECT_TRUE(intersections.faces().empty());
+  Vertex top;
+  for (const Vertex v : t->mesh.vertices())
+  {
+    top = t->mesh.isFree(v) && (!top.valid() || t->mesh.position(v).z() > t->mesh.position(top).z())
+      ? v
+      : top;
+  }
+  const std::vector<Face> faces = facesAbout(t->mesh, { top });
+  SurfacePoint below = t->mesh.state(top);
+  below.position.z() = -1.5; // a needle through the opposite side
+  const bool isThrough = t->edit.tryPut(top, below, [&]() {
+    EXPECT_GE(intersections.count(faces), 3);
+    intersections.update(faces);
+    EXPECT_GE(intersections.faces().size(), 4U);
+    return false;
+  });
+  EXPECT_FALSE(isThrough);
+  intersections.update(faces);
+  EXPECT_EQ(intersections.count(faces), 0);
+  EXPECT_TRUE(intersections.faces().empty());
+}
+
+TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
+{
+  const auto t = meshes::patch(8);
+  EXPECT_EQ(unfold(t->edit), 0) << "nothing to undo";
+  t->edit.put(Vertex(40), t->pointAt(0.8, 0.5)); // far out of its ring
+  t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
+  std::vector<Face> folded;
+  for (const Face f : t->mesh.faces())
+  {
+    if (faceQuality(t->mesh, f) < Tuning::AngleOfFold)
+    {
+      folded.push_back(f);
+    }
+  }
+  ASSERT_FALSE(folded.empty());
+  EXPECT_EQ(groupsOf(t->mesh, folded).size(), 1U);
+  const meshes::Snapshot before(t->mesh);
+  const auto nothing = embedAbout(
+    t->edit, folded, 2, [](const std::vector<Face>&) { return 0; }, [](int, int) { return false; });
+  EXPECT_TRUE(nothing.empty());
+  EXPECT_TRUE(meshes::Snapshot(t->mesh) == before);
+  EXPECT_EQ(unfold(t->edit), 1);
+  EXPECT_GT(worstOf(t->mesh), 0.3);
+}
+
+TEST(LocalEmbedding, GroupsHangTogetherAtVertices)
+{
+  const auto t = meshes::patch(4);
+  std::vector<Face> faces = facesAbout(t->mesh, { Vertex(6) });
+  for (const Face f : facesAbout(t->mesh, { Vertex(24) }))
+  {
+    faces.push_back(f);
+  }
+  makeUnique(faces);
+  const auto groups = groupsOf(t->mesh, faces);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0], facesAbout(t->mesh, { Vertex(6) }));
+  EXPECT_EQ(groups[1], facesAbout(t->mesh, { Vertex(24) }));
+}
+
+TEST(CoarseRegions, GrowthFallsWithTheDistance)
+{
+  const CoarseRegion region = { Vec3(0.5, 0.5, 0), 0.1, 2. };
+  EXPECT_DOUBLE_EQ(region.growthAt(0.), 2.);
+  EXPECT_DOUBLE_EQ(region.growthAt(0.1), 2.) << "the plateau is half of the growth, in spacings";
+  EXPECT_DOUBLE_EQ(region.growthAt(0.2), 1.5);
+  EXPECT_DOUBLE_EQ(region.growthAt(region.reach()), 1.);
+  const auto t = meshes::patch(4);
+  const SurfacePlace at = t->placeAt(0.5, 0.5);
+  CoarseRegions regions;
+  regions.add(t->atlas.surface(), Face(at.face), region);
+  EXPECT_DOUBLE_EQ(regions.growthAt(Face(at.face), Vec3(0.5, 0.5, 0)), 2.);
+  EXPECT_DOUBLE_EQ(regions.growthAt(Face(t->placeAt(0.7, 0.5).face), Vec3(0.7, 0.5, 0)), 1.5);
+  EXPECT_DOUBLE_EQ(regions.growthAt(Face(t->placeAt(0.9, 0.5).face), Vec3(0.9, 0.5, 0)), 1.);
+  t->mesh.coarsen(regions);
+  EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(12)), 0.25) << "twice the spacing";
+  EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(0)), 1.);
+}
