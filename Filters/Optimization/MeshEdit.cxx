@@ -131,9 +131,10 @@ void MeshEdit::moveAll(
   // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
   // at last all the way.
   ElementArray<Face, char> isSoundNow(static_cast<std::size_t>(mesh.faces().size()));
+  const auto look = [&](Face f) { isSoundNow[f] = mesh.isSound(f); };
+  parallelFor(mesh.faces(), look);
   for (int round = 0; round < Tuning::RoundsOfDrawingBack; ++round)
   {
-    parallelFor(mesh.faces(), [&](Face f) { isSoundNow[f] = mesh.isSound(f); });
     // Most rounds end here; only now look back at how the few were before.
     std::vector<Vertex> back;
     std::swap(mesh.State, this->Before);
@@ -151,6 +152,10 @@ void MeshEdit::moveAll(
     {
       share[v] = round < 2 ? 0.5 * share[v] : 0.;
       moveVertex(v);
+    }
+    for (const Vertex v : back) // no other triangle is another one now
+    {
+      mesh.forEachFace(v, look);
     }
     drawnBack.insert(drawnBack.end(), back.begin(), back.end());
     if (back.empty())
