@@ -29,7 +29,7 @@ SurfacePicker::SurfacePicker(vtkPolyData* input)
 
 SurfacePicker::~SurfacePicker() = default;
 
-bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, SurfacePlace& place) const
+bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace& place) const
 {
   double ends[2][4];
   for (int end = 0; end < 2; ++end)

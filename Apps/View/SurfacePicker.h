@@ -19,7 +19,7 @@ class vtkStaticCellLocator;
 
 namespace stipple
 {
-struct SurfacePlace
+struct PickedPlace
 {
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();                  ///< of the face
@@ -36,7 +36,7 @@ public:
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
   /// What the ray through a window's pixel hits first.
-  [[nodiscard]] bool pick(vtkRenderer* renderer, double x, double y, SurfacePlace& place) const;
+  [[nodiscard]] bool pick(vtkRenderer* renderer, double x, double y, PickedPlace& place) const;
 
   /// Edges of the shortest way between two points of the input; empty if there is none.
   [[nodiscard]] std::vector<std::array<vtkIdType, 2>> shortestPath(

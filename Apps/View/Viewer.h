@@ -114,13 +114,13 @@ private:
   void paintStatus(Canvas& canvas);
 
   // The pointer
-  [[nodiscard]] bool pick(const Pointer& pointer, SurfacePlace& place);
-  void useTool(const SurfacePlace& place, const Pointer& pointer);
+  [[nodiscard]] bool pick(const Pointer& pointer, PickedPlace& place);
+  void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
   void showBrush(const Pointer& pointer);
-  void togglePoint(const SurfacePlace& place);
-  void tagEdges(const SurfacePlace& place, bool path);
+  void togglePoint(const PickedPlace& place);
+  void tagEdges(const PickedPlace& place, bool path);
   Control* controlAt(const Pointer& pointer);
   void setFocus(Control* control);
   int partOf(const Control* control) const;

@@ -68,7 +68,7 @@ bool Viewer::press(const Pointer& pointer)
   const Layout& layout = this->Window.layout();
   const bool inView =
     layout.before.has(pointer.x, pointer.y) || layout.after.has(pointer.x, pointer.y);
-  SurfacePlace place;
+  PickedPlace place;
   if (inView && !pointer.secondary && this->View.tool != Tool::Camera && this->pick(pointer, place))
   {
     this->useTool(place, pointer);
@@ -79,7 +79,7 @@ bool Viewer::press(const Pointer& pointer)
 
 void Viewer::drag(const Pointer& pointer)
 {
-  SurfacePlace place;
+  PickedPlace place;
   if (this->Painting && this->pick(pointer, place))
   {
     this->paint(place.position, false);
@@ -128,14 +128,14 @@ void Viewer::hover(const Pointer& pointer)
 
 void Viewer::showBrush(const Pointer& pointer)
 {
-  SurfacePlace place;
+  PickedPlace place;
   const bool on = this->pick(pointer, place);
   this->BeforeSide.setBrush(
     place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
   this->Window.touch(ViewerWindow::Before);
 }
 
-bool Viewer::pick(const Pointer& pointer, SurfacePlace& place)
+bool Viewer::pick(const Pointer& pointer, PickedPlace& place)
 {
   const Layout& layout = this->Window.layout();
   const bool before = layout.before.has(pointer.x, pointer.y);
@@ -144,7 +144,7 @@ bool Viewer::pick(const Pointer& pointer, SurfacePlace& place)
       pointer.x, pointer.y, place);
 }
 
-void Viewer::useTool(const SurfacePlace& place, const Pointer& pointer)
+void Viewer::useTool(const PickedPlace& place, const Pointer& pointer)
 {
   if (this->View.tool == Tool::Point)
   {
@@ -179,7 +179,7 @@ void Viewer::paint(const Vec3& position, bool begins)
     false);
 }
 
-void Viewer::togglePoint(const SurfacePlace& place)
+void Viewer::togglePoint(const PickedPlace& place)
 {
   const double near = NearPoint * this->Diagonal;
   this->edit(
@@ -200,7 +200,7 @@ void Viewer::togglePoint(const SurfacePlace& place)
     true);
 }
 
-void Viewer::tagEdges(const SurfacePlace& place, bool path)
+void Viewer::tagEdges(const PickedPlace& place, bool path)
 {
   std::vector<std::array<vtkIdType, 2>> edges = { place.edge };
   if (path && this->LastTagged >= 0)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ids of a mesh's elements, each a type of its own: a face cannot be taken for a vertex. An id is an
-// int inside and costs nothing.
+// Ids of a mesh's elements, each a type of its own: a face cannot be taken for a vertex. An id is
+// an int inside and costs nothing.
 #ifndef stipple_ElementIds_h
 #define stipple_ElementIds_h
 
@@ -143,13 +143,17 @@ private:
 };
 }
 
+/// So that ids are keys of unordered containers.
+namespace std
+{
 template <typename Element>
-struct std::hash<stipple::ElementId<Element>>
+struct hash<stipple::ElementId<Element>>
 {
   std::size_t operator()(stipple::ElementId<Element> id) const noexcept
   {
     return std::hash<int>()(id.index());
   }
 };
+}
 
 #endif

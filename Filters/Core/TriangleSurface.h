@@ -66,9 +66,9 @@ using HalfedgeTwins = ElementArray<Halfedge, Halfedge>;
 /// there.
 constexpr Halfedge NonManifoldTwin{ -2 };
 
-/// Twin of every halfedge, none on a boundary. Halfedges are matched by their directed end points; a
-/// directed edge that occurs twice (a non-manifold or mis-oriented surface) yields NonManifoldTwin
-/// for all its halfedges.
+/// Twin of every halfedge, none on a boundary. Halfedges are matched by their directed end points;
+/// a directed edge that occurs twice (a non-manifold or mis-oriented surface) yields
+/// NonManifoldTwin for all its halfedges.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT HalfedgeTwins halfedgeTwins(
   const std::vector<Triangle>& triangles);
 

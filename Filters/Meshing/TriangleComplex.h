@@ -16,7 +16,7 @@ namespace stipple
 struct STIPPLEFILTERSMESHING_EXPORT TriangleComplex
 {
   std::vector<Triangle> triangles;
-  HalfedgeTwins twin;  ///< by halfedge, -1 on the boundary
+  HalfedgeTwins twin;     ///< by halfedge, -1 on the boundary
   std::vector<int> label; ///< by halfedge, the constraint that it lies on, or -1; equal on both
                           ///< sides
 

@@ -144,23 +144,23 @@ TEST(CoarseRegions, GrowAboutTheirCentreAndOnTheirSheet)
   }
   s.connect();
   CoarseRegions regions;
-  EXPECT_EQ(regions.growthAt(0, Vec3(1, 1, 0)), 1.);
+  EXPECT_EQ(regions.growthAt(Face(0), Vec3(1, 1, 0)), 1.);
   const CoarseRegion region = { Vec3(0, 0, 0), 0.5, 2. };
-  regions.add(s, 0, region);
+  regions.add(s, Face(0), region);
   EXPECT_EQ(regions.size(), 1u);
-  EXPECT_EQ(regions.growthAt(0, Vec3(0, 0, 0)), 2.);
-  EXPECT_EQ(regions.growthAt(1, Vec3(0, 0, 0)), 2.);
-  EXPECT_EQ(regions.growthAt(2, Vec3(0, 0, 0.1)), 1.); // near, but on the other sheet
+  EXPECT_EQ(regions.growthAt(Face(0), Vec3(0, 0, 0)), 2.);
+  EXPECT_EQ(regions.growthAt(Face(1), Vec3(0, 0, 0)), 2.);
+  EXPECT_EQ(regions.growthAt(Face(2), Vec3(0, 0, 0.1)), 1.); // near, but on the other sheet
   double before = 2.;
   for (double x = 0.1; x < region.reach(); x += 0.1)
   {
-    const double growth = regions.growthAt(0, Vec3(x, 0, 0));
+    const double growth = regions.growthAt(Face(0), Vec3(x, 0, 0));
     EXPECT_LE(growth, before);
     EXPECT_GT(growth, 1.);
     before = growth;
   }
-  EXPECT_NEAR(regions.growthAt(0, Vec3(region.reach(), 0, 0)), 1., 1e-9);
+  EXPECT_NEAR(regions.growthAt(Face(0), Vec3(region.reach(), 0, 0)), 1., 1e-9);
   // Where two overlap, the larger counts.
-  regions.add(s, 0, { Vec3(0.5, 0, 0), 0.5, 2.5 });
-  EXPECT_EQ(regions.growthAt(0, Vec3(0.5, 0, 0)), 2.5);
+  regions.add(s, Face(0), { Vec3(0.5, 0, 0), 0.5, 2.5 });
+  EXPECT_EQ(regions.growthAt(Face(0), Vec3(0.5, 0, 0)), 2.5);
 }

@@ -21,7 +21,7 @@ namespace benchmarks
 inline vtkSmartPointer<vtkPolyData> readModel(const std::string& name)
 {
   const char* folder = std::getenv("MODELS");
-  return testing::readOff(std::string(folder ? folder : STIPPLE_MODELS) + "/" + name + ".off");
+  return test::readOff(std::string(folder ? folder : STIPPLE_MODELS) + "/" + name + ".off");
 }
 
 inline const char* const NoModel = "model not found: run sh Testing/Data/fetch-models.sh";

@@ -19,7 +19,7 @@ using namespace stipple;
 struct TestMesh
 {
   synthetic::Builder builder;
-  SurfaceCache atlas;
+  stipple::Atlas::Pointer atlas;
   DensityField density;
   std::vector<Sample> samples;
   std::vector<Triangle> triangles;
@@ -29,19 +29,19 @@ struct TestMesh
   void read()
   {
     synthetic::Atlas& made = this->builder.finish();
-    const Status status = this->atlas.update(made.charts, made.graphData);
+    const Status status = stipple::Atlas::read(made.charts, made.graphData, this->atlas);
     EXPECT_TRUE(this->builder.ok() && status.ok()) << status.message();
   }
   void build()
   {
     const Status status =
-      this->mesh.build(this->atlas, this->density, this->samples, this->triangles);
+      this->mesh.build(*this->atlas, this->density, this->samples, this->triangles);
     EXPECT_TRUE(status.ok()) << status.message();
   }
   /// The place of the surface above (x, y) in the chart's parameters; one chart.
   SurfacePlace placeAt(double x, double y) const
   {
-    const AtlasSurface& s = this->atlas.surface();
+    const AtlasSurface& s = this->atlas->surface();
     for (int f = 0; f < s.numberOfFaces(); ++f)
     {
       const Vec3 b = barycentric(Vec2(x, y), s.cornerUV(f, 0), s.cornerUV(f, 1), s.cornerUV(f, 2));
@@ -101,7 +101,7 @@ inline std::unique_ptr<TestMesh> patch(
         s.kind = SampleKind::Corner;
         int k = 0;
         place.bary.maxCoeff(&k);
-        s.surfacePoint = t->atlas.surface().triangles[place.face][k];
+        s.surfacePoint = t->atlas->surface().triangles[place.face][k];
       }
       else if (endX || endY)
       {
@@ -111,7 +111,7 @@ inline std::unique_ptr<TestMesh> patch(
           : s.backbone == 1                  ? j
           : s.backbone == 2                  ? m - i
                                              : m - j;
-        s.arcLength = t->atlas.traces()[s.backbone].length() * along / m;
+        s.arcLength = t->atlas->traces()[s.backbone].length() * along / m;
       }
       t->samples.push_back(s);
       if (i > 0 && j > 0)
@@ -132,8 +132,8 @@ inline std::unique_ptr<TestMesh> cube(int n, bool sphere)
   auto t = std::make_unique<TestMesh>();
   synthetic::cube(t->builder, sphere ? 16 : 1, sphere);
   t->read();
-  t->samples = synthetic::sample(t->atlas.surface(), t->atlas.graph(), t->atlas.traces(), n);
-  const Status status = createMesh(t->atlas, t->samples, t->triangles, {});
+  t->samples = synthetic::sample(t->atlas->surface(), t->atlas->graph(), t->atlas->traces(), n);
+  const Status status = createMesh(*t->atlas, t->samples, t->triangles, {});
   EXPECT_TRUE(status.ok()) << status.message();
   t->build();
   return t;

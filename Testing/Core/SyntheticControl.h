@@ -153,7 +153,7 @@ inline void expectTriangulable(const SurfaceSamples& result, const SamplingDomai
 /// The contract of the samples themselves.
 inline void expectOnSurface(const SurfaceSamples& result, const SamplingDomain& domain)
 {
-  const AtlasSurface& s = domain.surface;
+  const AtlasSurface& s = domain.surface();
   ASSERT_EQ(result.samples.size(), result.density.size());
   for (const Sample& x : result.samples)
   {

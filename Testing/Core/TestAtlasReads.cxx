@@ -4,7 +4,9 @@
 #include "Atlas.h"
 
 #include "vtkConformalAtlas.h"
+#include "vtkControlMap.h"
 #include "vtkDataArray.h"
+#include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -15,7 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
+#include <vector>
 
 using namespace stipple;
 
@@ -147,7 +151,7 @@ TEST(AtlasReadsOfAWholeRun, AreOne)
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputConnection(sphere->GetOutputPort());
   remesher->SetNumberOfPoints(500);
-  remesher->SetBackendToCPU();
+  remesher->GetMapRenderer()->SetBackendToCPU();
   const auto readsOfUpdate = [&] {
     const int before = Atlas::numberOfReads();
     remesher->Update();
@@ -159,7 +163,7 @@ TEST(AtlasReadsOfAWholeRun, AreOne)
   remesher->SetGamma(0.5);
   EXPECT_EQ(readsOfUpdate(), 0) << "a new gamma";
   remesher->SetGradation(2);
-  remesher->AddStroke(0.5, 0, 0, 0.1, 1);
+  remesher->GetControlMap()->AddStroke(0.5, 0, 0, 0.1, 1);
   EXPECT_EQ(readsOfUpdate(), 0) << "gradation and a stroke";
   remesher->SetNumberOfPoints(600);
   EXPECT_EQ(readsOfUpdate(), 0) << "more points";

@@ -54,7 +54,7 @@ protected:
   void SetUp() override
   {
     cube(this->Cube, 1, false);
-    Atlas& atlas = this->Cube.finish();
+    synthetic::Atlas& atlas = this->Cube.finish();
     ASSERT_TRUE(readSamplingDomain(atlas.charts, atlas.graphData, this->domain).ok());
   }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The small things that everything stands on: outcomes, sentences, the feature graph as data.
+#include "AtlasSurface.h"
 #include "FeatureGraph.h"
 #include "MessageText.h"
 #include "Progress.h"
@@ -68,6 +69,17 @@ FeatureGraph someGraph()
   return graph;
 }
 
+/// As far as graphs are read against it: those points, and six triangles in the last of five
+/// charts.
+AtlasSurface someSurface()
+{
+  AtlasSurface surface;
+  surface.points.resize(7, Vec3::Zero());
+  surface.extent.resize(5, Vec2(1, 1));
+  surface.chartBegin = { 0, 0, 0, 0, 0, 6 };
+  return surface;
+}
+
 std::vector<Vec3> somePoints()
 {
   std::vector<Vec3> points;
@@ -95,7 +107,7 @@ TEST(FeatureGraph, IsReadAsItWasWritten)
   ASSERT_EQ(data->GetNumberOfLines(), 2);
   ASSERT_EQ(data->GetNumberOfVerts(), 1);
   FeatureGraph read;
-  ASSERT_TRUE(readFeatureGraph(data, read).ok());
+  ASSERT_TRUE(readFeatureGraph(data, someSurface(), read).ok());
   ASSERT_EQ(read.backbones.size(), 2U);
   for (std::size_t b = 0; b < 2; ++b)
   {
@@ -114,21 +126,22 @@ TEST(FeatureGraph, IsReadAsItWasWritten)
 TEST(FeatureGraph, SaysWhichArraysItNeeds)
 {
   FeatureGraph read;
-  EXPECT_TRUE(readFeatureGraph(nullptr, read).ok());
+  EXPECT_TRUE(readFeatureGraph(nullptr, someSurface(), read).ok());
   EXPECT_TRUE(read.backbones.empty());
   for (const char* name : { "SurfacePointId", "IsCorner" })
   {
     const auto data = toPolyData(someGraph(), somePoints());
     data->GetPointData()->RemoveArray(name);
-    EXPECT_NE(readFeatureGraph(data, read).message().find(name), std::string::npos);
+    EXPECT_NE(readFeatureGraph(data, someSurface(), read).message().find(name), std::string::npos);
   }
   for (const char* name : { "BackboneType", "Closed" })
   {
     const auto data = toPolyData(someGraph(), somePoints());
     data->GetCellData()->RemoveArray(name);
-    EXPECT_NE(readFeatureGraph(data, read).message().find(name), std::string::npos);
+    EXPECT_NE(readFeatureGraph(data, someSurface(), read).message().find(name), std::string::npos);
   }
   const auto data = toPolyData(someGraph(), somePoints());
   data->GetPointData()->RemoveArray("ChartCellId");
-  EXPECT_NE(readFeatureGraph(data, read).message().find("ChartCellId"), std::string::npos);
+  EXPECT_NE(
+    readFeatureGraph(data, someSurface(), read).message().find("ChartCellId"), std::string::npos);
 }

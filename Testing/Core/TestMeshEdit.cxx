@@ -48,13 +48,13 @@ TEST(OptimizedMesh, RefusesWhatIsNoMeshOfTheAtlas)
   OptimizedMesh other;
   std::vector<Triangle> lacking = t->triangles;
   lacking.pop_back(); // a corner is in no triangle then, and a boundary edge is missing
-  EXPECT_FALSE(other.build(t->atlas, t->density, t->samples, lacking).ok());
+  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, lacking).ok());
   std::vector<Triangle> turned = t->triangles;
   std::swap(turned[3][0], turned[3][1]);
-  EXPECT_FALSE(other.build(t->atlas, t->density, t->samples, turned).ok());
+  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, turned).ok());
   std::vector<Sample> unknown = t->samples;
   unknown[1].backbone = 99;
-  EXPECT_FALSE(other.build(t->atlas, t->density, unknown, t->triangles).ok());
+  EXPECT_FALSE(other.build(*t->atlas, t->density, unknown, t->triangles).ok());
 }
 
 TEST(OptimizedMesh, FoldsAreNotSound)

@@ -285,7 +285,7 @@ TEST(SurfaceError, IsTheDistanceOfTheSurfacesPoints)
   EXPECT_NEAR(largest, 0.01, 1e-12) << "squared";
   const SurfaceError::Measure about = error.about(Vertex(12));
   EXPECT_NEAR(about.sum, 0.01, 1e-12);
-  EXPECT_LT((t->atlas.surface().points[about.farthest] - Vec3(0.5625, 0.5, 0.1)).norm(), 1e-14);
+  EXPECT_LT((t->atlas->surface().points[about.farthest] - Vec3(0.5625, 0.5, 0.1)).norm(), 1e-14);
 }
 
 TEST(SurfaceError, MovesLowerIt)
@@ -419,7 +419,7 @@ TEST(CoarseRegions, GrowthFallsWithTheDistance)
   const auto t = meshes::patch(4);
   const SurfacePlace at = t->placeAt(0.5, 0.5);
   CoarseRegions regions;
-  regions.add(t->atlas.surface(), Face(at.face), region);
+  regions.add(t->atlas->surface(), Face(at.face), region);
   EXPECT_DOUBLE_EQ(regions.growthAt(Face(at.face), Vec3(0.5, 0.5, 0)), 2.);
   EXPECT_DOUBLE_EQ(regions.growthAt(Face(t->placeAt(0.7, 0.5).face), Vec3(0.7, 0.5, 0)), 1.5);
   EXPECT_DOUBLE_EQ(regions.growthAt(Face(t->placeAt(0.9, 0.5).face), Vec3(0.9, 0.5, 0)), 1.);

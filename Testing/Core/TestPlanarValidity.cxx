@@ -55,7 +55,7 @@ struct Square
   }
   std::vector<BackboneInterval> invalid()
   {
-    Atlas& atlas = this->builder.finish();
+    synthetic::Atlas& atlas = this->builder.finish();
     const Status status = readSamplingDomain(atlas.charts, atlas.graphData, this->domain);
     EXPECT_TRUE(status.ok()) << status.message();
     this->places.resize(this->domain.graph().backbones.size());

@@ -21,7 +21,7 @@ struct Fixture
   SurfaceSampler sampler;
   void take()
   {
-    Atlas& atlas = this->builder.finish();
+    synthetic::Atlas& atlas = this->builder.finish();
     ASSERT_TRUE(this->builder.ok());
     const Status status = this->sampler.setDomain(atlas.charts, atlas.graphData);
     ASSERT_TRUE(status.ok()) << status.message();
@@ -236,7 +236,7 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
   // met if the samples within two spacings of a backbone are as many as wanted there.
   double along = 0;
   int intervals = 0;
-  const std::vector<std::vector<int>> on = samplesByBackbone(domain.graph, result.samples);
+  const std::vector<std::vector<int>> on = samplesByBackbone(domain.graph(), result.samples);
   for (const std::vector<int>& list : on)
   {
     for (std::size_t i = 1; i < list.size(); ++i)
@@ -254,7 +254,7 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
   int count = 0;
   const double scale = result.density.back() /
     std::exp(
-      2. * domain.surface.position(result.samples.back().face, result.samples.back().bary).y());
+      2. * domain.surface().position(result.samples.back().face, result.samples.back().bary).y());
   for (std::size_t c = 0; c < maps.images.size(); ++c)
   {
     // Columns of pixels left and right of the seam x = 1/2, two to four hundredths away (a spacing
@@ -271,7 +271,7 @@ TEST(SurfaceSampler, SpacingOnBackbonesIsTheSpacingBesideThem)
   }
   for (const Sample& x : result.samples)
   {
-    const Vec3 p = domain.surface.position(x.face, x.bary);
+    const Vec3 p = domain.surface().position(x.face, x.bary);
     count += std::abs(p.x() - 0.5) < 0.05 && p.y() > 0.1 && p.y() < 0.9;
   }
   EXPECT_NEAR(std::sqrt(wanted / count), 1., 0.05) << wanted << " wanted, got " << count;
@@ -355,10 +355,10 @@ TEST(SurfaceSampler, ConstraintsAreSamples)
     for (const ConstraintPoint& c : graph.constraints)
     {
       const Vec3 p =
-        domain.surface.position(domain.surface.chartBegin[c.chart] + c.chartCell, c.bary);
+        domain.surface().position(domain.surface().chartBegin[c.chart] + c.chartCell, c.bary);
       EXPECT_EQ(std::count_if(result.samples.begin(), result.samples.end(),
                   [&](const Sample& s) {
-                    return (domain.surface.position(s.face, s.bary) - p).norm() < 1e-9;
+                    return (domain.surface().position(s.face, s.bary) - p).norm() < 1e-9;
                   }),
         1)
         << p.transpose();
@@ -470,7 +470,7 @@ TEST(SurfaceSampler, BackboneWithoutANodeIsRefused)
   b.addBackbone(BackboneType::Boundary, bent);
   b.addBackbone(BackboneType::Boundary, run(at, 3, n, 0, n));
   b.addBackbone(BackboneType::Boundary, run(at, 0, n, 0, 0));
-  Atlas& atlas = b.finish();
+  synthetic::Atlas& atlas = b.finish();
   SurfaceSampler sampler;
   const Status status = sampler.setDomain(atlas.charts, atlas.graphData);
   EXPECT_FALSE(status.ok());

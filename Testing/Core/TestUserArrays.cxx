@@ -29,6 +29,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace stipple;
 
@@ -55,7 +57,7 @@ struct Errors
   }
 };
 
-/// A sphere's atlas with a constraint, and 200 samples of it.
+/// A sphere's atlas of four charts with a constraint, and 200 samples of it.
 struct Stages
 {
   vtkNew<vtkConformalAtlas> atlas;
@@ -70,6 +72,7 @@ struct Stages
     constraints->InsertNextPoint(0.3, 0.3, 0.3);
     this->atlas->SetInputConnection(sphere->GetOutputPort());
     this->atlas->SetConstraints(constraints);
+    this->atlas->SetNumberOfCharts(4); // seams meet
     vtkNew<vtkGeometryMapRenderer> maps;
     maps->SetInputConnection(this->atlas->GetOutputPort());
     maps->SetMapSize(64);
@@ -174,19 +177,22 @@ protected:
     bad->ReplaceCellAtId(0, size, other.data());
     (cells == data->GetLines() ? data->SetLines(bad) : data->SetPolys(bad));
     EXPECT_NE(this->read().find("has the point"), std::string::npos) << point;
-    (data->GetLines() == bad ? data->SetLines(good) : data->SetPolys(good));
+    (data->GetLines() == bad.Get() ? data->SetLines(good) : data->SetPolys(good));
     ASSERT_EQ(this->read(), "");
   }
 
   vtkIdType sampleOf(SampleKind kind)
   {
     vtkDataArray* array = this->samples->GetPointData()->GetArray("SampleKind");
-    vtkIdType i = 0;
-    while (array->GetComponent(i, 0) != static_cast<int>(kind))
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
     {
-      ++i;
+      if (array->GetComponent(i, 0) == static_cast<int>(kind))
+      {
+        return i;
+      }
     }
-    return i;
+    ADD_FAILURE() << "no sample of kind " << static_cast<int>(kind);
+    return 0;
   }
 };
 }
@@ -291,11 +297,11 @@ TEST_F(UserArrays, FiltersSayItOnceAndGiveNothing)
   bad->SetComponent(0, 0, -5);
   this->chart->GetPointData()->AddArray(bad);
   vtkNew<vtkCDTRemesh> mesher;
-  mesher->SetInputData(0, this->samples);
-  mesher->SetInputData(1, this->charts);
-  mesher->SetInputData(2, this->graph);
+  mesher->SetInputDataObject(0, this->samples);
+  mesher->SetInputDataObject(1, this->charts);
+  mesher->SetInputDataObject(2, this->graph);
   vtkNew<vtkGeometryMapRenderer> maps;
-  maps->SetInputData(this->charts);
+  maps->SetInputDataObject(0, this->charts);
   for (vtkAlgorithm* filter :
     { static_cast<vtkAlgorithm*>(mesher), static_cast<vtkAlgorithm*>(maps) })
   {

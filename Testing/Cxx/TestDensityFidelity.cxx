@@ -5,6 +5,7 @@
 //
 // --models FOLDER: where the models are. --measure: print the figures of smaller windows too, and
 // judge none.
+#include "Atlas.h"
 #include "ChartGraph.h"
 #include "Check.h"
 #include "Geometry.h"
