@@ -27,9 +27,6 @@ namespace stipple
 {
 namespace
 {
-/// vtkGeometryRemesher's progress when its maps are done.
-constexpr double MapsDone = 0.4;
-
 /// The window's thread comes first when there are fewer cores than work.
 void lowerPriority()
 {
@@ -63,8 +60,9 @@ MeshWorker::MeshWorker(vtkPolyData* input, vtkImageData* importanceImage)
   }
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
-  observer->SetCallback(&MeshWorker::onProgress);
+  observer->SetCallback(&MeshWorker::onEvent);
   this->Remesher->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->Remesher->AddObserver(vtkGeometryRemesher::StageEndEvent, observer);
   this->Thread = std::thread(&MeshWorker::work, this);
 }
 
@@ -163,6 +161,7 @@ void MeshWorker::perform(const Session& session)
   const double begin = vtkTimerLog::GetUniversalTime();
   ErrorCollector errors(this->Remesher);
   applyOptions(session, this->Remesher);
+  this->MapsDone = false;
   this->Remesher->Update();
   if (this->StopAsked != GoOn)
   {
@@ -208,18 +207,22 @@ void MeshWorker::publishAtlas()
   this->Atlas = std::move(result);
 }
 
-void MeshWorker::onProgress(vtkObject* caller, unsigned long, void* data, void*)
+void MeshWorker::onEvent(vtkObject* caller, unsigned long event, void* data, void* callData)
 {
   auto* self = static_cast<MeshWorker*>(data);
   auto* remesher = static_cast<vtkGeometryRemesher*>(caller);
-  const double progress = remesher->GetProgress();
-  self->Fraction = progress;
-  if (progress >= MapsDone && self->StopAsked != AtOnce)
+  self->Fraction = remesher->GetProgress();
+  if (event == vtkGeometryRemesher::StageEndEvent &&
+    *static_cast<int*>(callData) == vtkGeometryRemesher::MAPS)
   {
-    self->publishAtlas();
+    self->MapsDone = true;
+    if (self->StopAsked != AtOnce)
+    {
+      self->publishAtlas();
+    }
   }
   const int stop = self->StopAsked;
-  if (stop == AtOnce || (stop == BeforeTheMesh && progress >= MapsDone))
+  if (stop == AtOnce || (stop == BeforeTheMesh && self->MapsDone))
   {
     remesher->SetAbortExecute(1);
   }

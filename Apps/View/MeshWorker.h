@@ -77,13 +77,14 @@ private:
     BeforeTheMesh, ///< once charts and maps are done
     AtOnce
   };
-  static void onProgress(vtkObject* caller, unsigned long event, void* self, void* callData);
+  static void onEvent(vtkObject* caller, unsigned long event, void* self, void* callData);
   void work();
   void perform(const Session& session);
   void publishAtlas();
 
   vtkSmartPointer<vtkGeometryRemesher> Remesher; ///< the thread's
   unsigned long PublishedTime = 0;               ///< the thread's
+  bool MapsDone = false;                         ///< the thread's, of what runs
   Session Current;                               ///< written under the mutex
   std::mutex Mutex;
   std::condition_variable Wake;

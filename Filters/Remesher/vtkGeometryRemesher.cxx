@@ -7,6 +7,7 @@
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
 #include "vtkDataArraySelection.h"
@@ -37,6 +38,9 @@ vtkStandardNewMacro(vtkGeometryRemesher);
 
 namespace
 {
+static_assert(
+  static_cast<int>(vtkGeometryRemesher::StageStartEvent) > static_cast<int>(vtkCommand::UserEvent));
+
 constexpr int NumberOfStages = 6;
 // Behind the stages come the algorithms that other patterns put in their places.
 constexpr int QuadMeshing = 6;
@@ -258,21 +262,37 @@ vtkMTimeType vtkGeometryRemesher::GetMTime()
   {
     time = std::max(time, stage->GetMTime());
   }
+  return std::max(time, this->Stages->StoppedTime.GetMTime());
+}
+
+int vtkGeometryRemesher::ComputePipelineMTime(vtkInformation* request,
+  vtkInformationVector** inInfo, vtkInformationVector* outInfo, int requestFromOutputPort,
+  vtkMTimeType* time)
+{
+  // An update begins: what a stopped execution left empty, here and behind, is older than that.
   if (this->Stages->Stopped)
   {
-    this->Stages->StoppedTime.Modified(); // newer than the outputs that the stopped execution left
-                                          // empty
+    this->Stages->StoppedTime.Modified();
   }
-  return std::max(time, this->Stages->StoppedTime.GetMTime());
+  return this->Superclass::ComputePipelineMTime(
+    request, inInfo, outInfo, requestFromOutputPort, time);
 }
 
 bool vtkGeometryRemesher::RunStage(int algorithm)
 {
   Internals& s = *this->Stages;
-  const int stage = stageOf(algorithm);
+  int stage = stageOf(algorithm);
   s.Current = algorithm;
   s.StageError.clear();
   s.ExecutiveError.clear();
+  if (!s.Trying)
+  {
+    this->InvokeEvent(StageStartEvent, &stage);
+    if (this->AbortExecute)
+    {
+      return false;
+    }
+  }
   const double begin = vtkTimerLog::GetUniversalTime();
   const bool updated = s.InOrder[algorithm]->GetExecutive()->Update() != 0;
   s.Seconds[stage] += vtkTimerLog::GetUniversalTime() - begin;
@@ -311,6 +331,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     return true;
   }
   this->UpdateProgress(ProgressBegin[stage + 1]);
+  this->InvokeEvent(StageEndEvent, &stage);
   return true;
 }
 

@@ -197,6 +197,15 @@ public:
   /// Wall-clock seconds that a stage took in the last execution; 0 if it had nothing to do.
   double GetStageSeconds(int stage);
 
+  /// Events of an execution, before and after every stage, also one that has nothing to do; the
+  /// call data is an int*, the StageType. A stage that fails or is stopped has no end. Observers
+  /// may call SetAbortExecute(1), as those of progress may.
+  enum StageEventType
+  {
+    StageStartEvent = 1101,
+    StageEndEvent = 1102
+  };
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -204,6 +213,8 @@ protected:
   ~vtkGeometryRemesher() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inInfo,
+    vtkInformationVector* outInfo, int requestFromOutputPort, vtkMTimeType* time) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

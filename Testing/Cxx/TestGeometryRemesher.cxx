@@ -29,6 +29,7 @@
 #include "vtkRemeshOptimizer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkTriangleFilter.h"
 
 #include <array>
 #include <cstdlib>
@@ -285,6 +286,61 @@ void testErrors()
     "the least number is exact");
 }
 
+/// What the stages' events say, in their order: the stage at its begin, and its complement at its
+/// end.
+struct StageWatcher
+{
+  std::vector<int> seen;
+  int stopAtEndOf = -1;
+  static void look(vtkObject* caller, unsigned long event, void* data, void* stage)
+  {
+    auto* self = static_cast<StageWatcher*>(data);
+    const int s = *static_cast<int*>(stage);
+    const bool ends = event == vtkGeometryRemesher::StageEndEvent;
+    self->seen.push_back(ends ? ~s : s);
+    if (ends && s == self->stopAtEndOf)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+};
+
+void testStageEvents()
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputConnection(cube->GetOutputPort());
+  remesher->GetMapRenderer()->SetBackendToCPU();
+  remesher->SetNumberOfPoints(100);
+  StageWatcher watcher;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watcher);
+  command->SetCallback(&StageWatcher::look);
+  remesher->AddObserver(vtkGeometryRemesher::StageStartEvent, command);
+  remesher->AddObserver(vtkGeometryRemesher::StageEndEvent, command);
+  remesher->Update();
+  check(watcher.seen == std::vector<int>({ 0, ~0, 1, ~1, 2, ~2, 3, ~3, 4, ~4, 5, ~5 }),
+    "every stage begins and ends once, in order");
+  watcher.seen.clear();
+  remesher->Update();
+  check(watcher.seen.empty(), "nothing executes, no stage begins");
+  watcher.stopAtEndOf = vtkGeometryRemesher::MAPS;
+  remesher->SetNumberOfPoints(120);
+  remesher->Update();
+  check(watcher.seen == std::vector<int>({ 0, ~0, 1, ~1, 2 }), "stopped once the maps are done");
+  watcher.seen.clear();
+  watcher.stopAtEndOf = -1;
+  remesher->SetNumberOfPoints(5);
+  Messages messages;
+  vtkNew<vtkCallbackCommand> errors;
+  errors->SetClientData(&messages);
+  errors->SetCallback(&Messages::add);
+  remesher->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  remesher->AddObserver(vtkCommand::ErrorEvent, errors);
+  remesher->Update();
+  check(watcher.seen == std::vector<int>({ 0, ~0, 1, ~1, 2, ~2, 3 }), "what fails has no end");
+}
+
 void testEmptyInput()
 {
   vtkNew<vtkPolyData> nothing;
@@ -353,8 +409,17 @@ void testProgressAndAbort()
     check(remesher->GetOutput()->GetNumberOfPoints() == 0, "stopped at " + std::to_string(stopAt));
     check(messages.texts.empty(), "a stop is no error");
   }
+  const vtkMTimeType time = remesher->GetMTime();
+  check(remesher->GetMTime() == time, "who asks for the time does not change it");
+  vtkNew<vtkTriangleFilter> behind;
+  behind->SetInputConnection(remesher->GetOutputPort());
+  watcher = { 0., 0.5, true };
+  behind->Update();
+  check(behind->GetOutput()->GetNumberOfPoints() == 0, "nothing behind a stop");
   watcher = {};
-  remesher->Update(); // nothing was changed since
+  behind->Update(); // nothing was changed since
+  check(behind->GetOutput()->GetNumberOfPoints() == 2000, "after a stop filters behind execute");
+  check(remesher->GetMTime() < behind->GetOutput()->GetUpdateTime(), "and then all is up to date");
   check(remesher->GetOutput()->GetNumberOfPoints() == 2000,
     "after a stop the next update does the work");
   check(watcher.monotonous && watcher.last == 1., "progress rises to 1");
@@ -370,6 +435,7 @@ int TestGeometryRemesher(int, char*[])
   testArrayImportance();
   testSelectedMaps();
   testErrors();
+  testStageEvents();
   testEmptyInput();
   testProgressAndAbort();
   return test::exitStatus();
