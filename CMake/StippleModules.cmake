@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # stipple_add_module(MODULE CLASSES vtkX... KERNELS X... HEADERS X...): a VTK module of vtkX.{h,cxx} and, as plain
 # C++17 beside them, of X.{h,cxx} and X.h, which are private to the project: not installed, but seen by its other
-# targets. What every file includes is compiled once a module.
+# targets.
 function (stipple_add_module module)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "CLASSES;KERNELS;HEADERS")
   set(sources ${arg_KERNELS})
@@ -15,10 +15,6 @@ function (stipple_add_module module)
     PRIVATE_HEADERS ${headers})
   vtk_module_include("${module}"
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>")
-  string(REPLACE "Stipple::" "" target "${module}")
-  target_precompile_headers(${target} PRIVATE
-    <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <string> <unordered_map> <vector>
-    <vtkPolyData.h> <vtkSmartPointer.h>)
 endfunction ()
 
 # Finds the vtk.module files under Filters/ and Rendering/ and builds them as VTK modules (Stipple::*).
