@@ -68,7 +68,7 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
 }
 }
 
-Status createMesh(const SurfaceCache& atlas, const std::vector<Sample>& samples,
+Status createMesh(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
   std::vector<Triangle>& triangles, const Progress& progress)
 {
   const AtlasSurface& surface = atlas.surface();
@@ -205,7 +205,7 @@ std::vector<std::vector<int>> backboneChains(
   return chains;
 }
 
-vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas,
+vtkSmartPointer<vtkPolyData> meshToPolyData(const stipple::Atlas& atlas,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
 {
   const AtlasSurface& surface = atlas.surface();

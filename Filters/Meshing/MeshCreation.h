@@ -4,9 +4,9 @@
 #ifndef stipple_MeshCreation_h
 #define stipple_MeshCreation_h
 
+#include "Atlas.h"
 #include "ChartTriangulation.h"
 #include "StippleFiltersMeshingModule.h"
-#include "SurfaceCache.h"
 
 #include "vtkSmartPointer.h"
 
@@ -14,7 +14,7 @@ namespace stipple
 {
 /// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all
 /// edges of the backbones, and the topology of the surface.
-STIPPLEFILTERSMESHING_EXPORT Status createMesh(const SurfaceCache& atlas,
+STIPPLEFILTERSMESHING_EXPORT Status createMesh(const Atlas& atlas,
   const std::vector<Sample>& samples, std::vector<Triangle>& triangles, const Progress& progress);
 
 /// The samples of every backbone in order, with the nodes at its ends; a closed backbone repeats
@@ -23,8 +23,8 @@ STIPPLEFILTERSMESHING_EXPORT std::vector<std::vector<int>> backboneChains(
   const FeatureGraph& graph, const std::vector<Sample>& samples);
 
 /// The mesh, with the arrays of the samples, provenance, and the input's attributes.
-STIPPLEFILTERSMESHING_EXPORT vtkSmartPointer<vtkPolyData> meshToPolyData(const SurfaceCache& atlas,
-  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
+STIPPLEFILTERSMESHING_EXPORT vtkSmartPointer<vtkPolyData> meshToPolyData(
+  const Atlas& atlas, const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
 
 /// The chains as lines over the points of the mesh, with BackboneType, Closed and BackboneId; seams
 /// only if asked for.

@@ -16,7 +16,7 @@ namespace
 /// A crease, as it leaves a corner.
 struct Crease
 {
-  const SurfaceCache& atlas;
+  const Atlas& atlas;
   int backbone;
   bool fromEnd;
 

@@ -17,7 +17,7 @@ namespace
 class ConstraintFinder
 {
 public:
-  explicit ConstraintFinder(const SurfaceCache& atlas)
+  explicit ConstraintFinder(const stipple::Atlas& atlas)
   {
     const AtlasSurface& surface = atlas.surface();
     for (const ConstraintPoint& c : atlas.graph().constraints)
@@ -49,7 +49,7 @@ private:
 };
 }
 
-Status OptimizedMesh::build(const SurfaceCache& atlas, const DensityField& density,
+Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
 {
   this->Atlas = &atlas;

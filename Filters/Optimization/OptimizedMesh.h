@@ -5,12 +5,12 @@
 #ifndef stipple_OptimizedMesh_h
 #define stipple_OptimizedMesh_h
 
+#include "Atlas.h"
 #include "CoarseRegions.h"
 #include "DensityField.h"
 #include "ElementIds.h"
 #include "SampleSet.h"
 #include "StippleFiltersOptimizationModule.h"
-#include "SurfaceCache.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
@@ -58,7 +58,7 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT OptimizedMesh
 public:
   /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of
   /// a backbone.
-  Status build(const SurfaceCache& atlas, const DensityField& density,
+  Status build(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
 
   ElementRange<Vertex> vertices() const { return this->State.ids(); }
@@ -183,7 +183,7 @@ public:
   std::vector<Sample> samples() const;
   /// Backbone vertices in order, with both ends; empty for seams.
   const std::vector<std::vector<Vertex>>& chains() const { return this->Chain; }
-  const SurfaceCache& atlas() const { return *this->Atlas; }
+  const stipple::Atlas& atlas() const { return *this->Atlas; }
 
 private:
   friend class MeshEdit;
@@ -199,7 +199,7 @@ private:
   void putOnBackbone(Vertex v, double arcLength);
   void findOtherNormal(Vertex v);
 
-  const SurfaceCache* Atlas = nullptr;
+  const stipple::Atlas* Atlas = nullptr;
   const DensityField* Field = nullptr;
   CoarseRegions Coarse;
   OpenMesh::TriConnectivity Graph; // halfedges without coordinates

@@ -123,7 +123,7 @@ Sample interiorSample(const SurfacePlace& place)
 class OutlineSamples
 {
 public:
-  explicit OutlineSamples(const SurfaceCache& atlas)
+  explicit OutlineSamples(const stipple::Atlas& atlas)
     : Surface(atlas.surface())
     , Atlas(atlas)
     , IsNode(atlas.surface().points.size(), 0)
@@ -183,13 +183,13 @@ public:
 
 private:
   const AtlasSurface& Surface;
-  const SurfaceCache& Atlas;
+  const stipple::Atlas& Atlas;
   std::vector<char> IsNode;
   std::unordered_map<int, std::array<int, 3>> PieceOf; // by halfedge: backbone, segment, side
 };
 
 /// One chart that only its outline bounds.
-bool isOneOpenChart(const SurfaceCache& atlas)
+bool isOneOpenChart(const stipple::Atlas& atlas)
 {
   const auto& backbones = atlas.graph().backbones;
   return atlas.surface().numberOfCharts() == 1 && atlas.graph().constraints.empty() &&
@@ -197,7 +197,7 @@ bool isOneOpenChart(const SurfaceCache& atlas)
       [](const Backbone& b) { return b.type == BackboneType::Boundary; });
 }
 
-Status gridOfOneChart(const SurfaceCache& atlas, int numberOfSamples, QuadMesh& mesh)
+Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, QuadMesh& mesh)
 {
   const AtlasSurface& surface = atlas.surface();
   const Vec2& extent = surface.extent[0];
@@ -247,7 +247,7 @@ Status gridOfOneChart(const SurfaceCache& atlas, int numberOfSamples, QuadMesh& 
 }
 
 /// Inner backbones of every chart in its parameter plane.
-std::vector<std::vector<Segment>> innerSegments(const SurfaceCache& atlas)
+std::vector<std::vector<Segment>> innerSegments(const stipple::Atlas& atlas)
 {
   const AtlasSurface& surface = atlas.surface();
   std::vector<std::vector<Segment>> segments(surface.numberOfCharts());
@@ -330,8 +330,8 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
 }
 }
 
-Status meshWithQuads(const SurfaceCache& atlas, const std::vector<Sample>& samples, QuadMesh& mesh,
-  const Progress& progress)
+Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
+  QuadMesh& mesh, const Progress& progress)
 {
   mesh.samples.clear();
   mesh.polygons.clear();

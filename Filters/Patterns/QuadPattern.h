@@ -4,9 +4,9 @@
 #ifndef stipple_QuadPattern_h
 #define stipple_QuadPattern_h
 
+#include "Atlas.h"
 #include "SampleSet.h"
 #include "StippleFiltersPatternsModule.h"
-#include "SurfaceCache.h"
 
 namespace stipple
 {
@@ -21,8 +21,8 @@ struct QuadMesh
 /// chart give way to the nodes of a square lattice that keep clear of the backbones, as many as fit
 /// and the samples farthest from them for the rest; samples on backbones and constraints stay, so
 /// that charts meet along seams in triangles and the number of samples is kept.
-STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(const SurfaceCache& atlas,
-  const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress);
+STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(
+  const Atlas& atlas, const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress);
 }
 
 #endif

@@ -25,7 +25,7 @@ std::uint64_t edgeKey(int a, int b)
 constexpr double OnEdge = 1e-9;
 
 /// The place that walks from one end of an edge reach that come nearest to the middle of the chord.
-SurfacePlace middleOf(const SurfaceCache& atlas, const SurfacePlace& from, const SurfacePlace& to)
+SurfacePlace middleOf(const Atlas& atlas, const SurfacePlace& from, const SurfacePlace& to)
 {
   const AtlasSurface& surface = atlas.surface();
   const Vec3 a = surface.position(from.face, from.bary);
@@ -55,7 +55,7 @@ SurfacePlace middleOf(const SurfaceCache& atlas, const SurfacePlace& from, const
 /// The edges of the mesh that lie on sharp and boundary backbones, with the arc length of their
 /// middles.
 std::unordered_map<std::uint64_t, Sample> middlesOnBackbones(
-  const SurfaceCache& atlas, const std::vector<Sample>& samples)
+  const Atlas& atlas, const std::vector<Sample>& samples)
 {
   std::unordered_map<std::uint64_t, Sample> result;
   const FeatureGraph& graph = atlas.graph();
@@ -93,7 +93,7 @@ std::unordered_map<std::uint64_t, Sample> middlesOnBackbones(
   return result;
 }
 
-Status relax(const SurfaceCache& atlas, SubdividedMesh& mesh, int rounds)
+Status relax(const Atlas& atlas, SubdividedMesh& mesh, int rounds)
 {
   OptimizedMesh optimized;
   const DensityField uniform;
@@ -112,7 +112,7 @@ Status relax(const SurfaceCache& atlas, SubdividedMesh& mesh, int rounds)
   return status;
 }
 
-void splitOnce(const SurfaceCache& atlas, int level, SubdividedMesh& mesh)
+void splitOnce(const Atlas& atlas, int level, SubdividedMesh& mesh)
 {
   const auto onBackbones = middlesOnBackbones(atlas, mesh.samples);
   std::unordered_map<std::uint64_t, int> middle;
@@ -164,7 +164,7 @@ void splitOnce(const SurfaceCache& atlas, int level, SubdividedMesh& mesh)
 }
 }
 
-Status subdivideSemiRegularly(const SurfaceCache& atlas, const std::vector<Sample>& samples,
+Status subdivideSemiRegularly(const Atlas& atlas, const std::vector<Sample>& samples,
   const std::vector<Triangle>& triangles, int levels, int rounds, SubdividedMesh& mesh,
   const Progress& progress)
 {

@@ -5,9 +5,9 @@
 #ifndef stipple_SemiRegularSubdivision_h
 #define stipple_SemiRegularSubdivision_h
 
+#include "Atlas.h"
 #include "SampleSet.h"
 #include "StippleFiltersPatternsModule.h"
-#include "SurfaceCache.h"
 
 namespace stipple
 {
@@ -25,7 +25,7 @@ struct SubdividedMesh
 /// on the surface by the middle of its edge, whatever seams lie between its ends; on a sharp or
 /// boundary backbone, in the middle of the piece of it. Every level is relaxed for `rounds` rounds,
 /// which do not touch the connectivity.
-STIPPLEFILTERSPATTERNS_EXPORT Status subdivideSemiRegularly(const SurfaceCache& atlas,
+STIPPLEFILTERSPATTERNS_EXPORT Status subdivideSemiRegularly(const Atlas& atlas,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles, int levels,
   int rounds, SubdividedMesh& mesh, const Progress& progress);
 }
