@@ -8,8 +8,8 @@
 #include "FeatureCurves.h"
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
+#include "FilterInputs.h"
 #include "LongEdges.h"
-#include "ReportingThread.h"
 #include "SurfaceRepair.h"
 #include "UserArrays.h"
 
@@ -157,39 +157,21 @@ int vtkConformalAtlas::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkConformalAtlas::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPartitionedDataSetCollection* charts =
-    vtkPartitionedDataSetCollection::GetData(outputVector, 0);
-  vtkPolyData* graph = vtkPolyData::GetData(outputVector, 1);
-  const auto reportToUser = [this](double fraction) {
-    // Splitting a chart makes new work: better to wait than to go back.
-    this->UpdateProgress(std::max(this->GetProgress(), fraction));
-    return !this->GetAbortExecute();
-  };
   this->DensityRatio = 0;
   this->NumberOfFallbackCharts = 0;
-  Work work = { this, input, charts, graph };
-  const stipple::Status status = stipple::runReporting(
-    reportToUser, [&](const stipple::Progress& progress) { return work.run(progress); });
-  if (!status.ok())
-  {
-    charts->Initialize();
-    graph->Initialize();
-    if (!status.isAbort())
-    {
-      vtkErrorMacro(<< status.message());
-    }
-    return 0;
-  }
-  if (this->DensityRatio > this->MaximumDensityRatio)
+  Work work = { this, vtkPolyData::GetData(inputVector[0]),
+    vtkPartitionedDataSetCollection::GetData(outputVector, 0),
+    vtkPolyData::GetData(outputVector, 1) };
+  const int result = stipple::execute(
+    this, this->ErrorCode, [&](const stipple::Progress& progress) { return work.run(progress); });
+  if (this->ErrorCode == 0 && this->DensityRatio > this->MaximumDensityRatio)
   {
     vtkWarningMacro(<< "The density ratio of a chart is " << this->DensityRatio << ", more than "
                     << this->MaximumDensityRatio
                     << ": it has so few of the input's triangles that splitting it does not help. "
                        "Points may be badly placed there; subdivide the input first.");
   }
-  this->UpdateProgress(1.);
-  return 1;
+  return result;
 }
 
 stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)

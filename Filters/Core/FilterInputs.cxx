@@ -3,8 +3,11 @@
 #include "FilterInputs.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 namespace stipple
 {
@@ -29,18 +32,28 @@ Status FilterInputs::read(Atlas::Pointer& atlas, std::vector<Sample>& samples) c
 Progress progressOf(vtkAlgorithm* filter)
 {
   return [filter](double fraction) {
-    filter->UpdateProgress(fraction);
+    filter->UpdateProgress(std::max(filter->GetProgress(), fraction));
     return filter->GetAbortExecute() == 0;
   };
 }
 
-int endAfter(const Status& failure, vtkAlgorithm* filter)
+int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCode)
 {
-  if (failure.isAbort())
+  errorCode = static_cast<unsigned long>(outcome.code());
+  if (outcome.ok())
+  {
+    filter->UpdateProgress(1.);
+    return 1;
+  }
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    filter->GetOutputDataObject(port)->Initialize();
+  }
+  if (outcome.isAbort())
   {
     return 1;
   }
-  vtkErrorWithObjectMacro(filter, << failure.message());
+  vtkErrorWithObjectMacro(filter, << outcome.message());
   return 0;
 }
 }

@@ -5,6 +5,7 @@
 #define stipple_FilterInputs_h
 
 #include "Atlas.h"
+#include "ReportingThread.h"
 #include "SampleSet.h"
 
 class vtkAlgorithm;
@@ -31,11 +32,21 @@ private:
   vtkPolyData* FeatureGraph;
 };
 
-/// Reports to a filter, and stops when it is to abort.
+/// Reports to a filter, and stops when it is to abort. The fraction never falls: who tries
+/// something again waits.
 Progress progressOf(vtkAlgorithm* filter);
 
-/// What RequestData() returns after a failure: an error, which the filter reports, or an abort.
-int endAfter(const Status& failure, vtkAlgorithm* filter);
+/// What RequestData() returns after its work. A failure leaves the outputs empty and its code in
+/// the filter's errorCode, 0 otherwise; an error is reported, an abort is none.
+int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCode);
+
+/// All of RequestData(): calls work(progress), which returns a Status, on another thread while this
+/// one reports and hears whether to stop.
+template <typename Work>
+int execute(vtkAlgorithm* filter, unsigned long& errorCode, const Work& work)
+{
+  return endAfter(runReporting(progressOf(filter), work), filter, errorCode);
+}
 }
 
 #endif

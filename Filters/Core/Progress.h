@@ -19,33 +19,53 @@ inline bool report(const Progress& progress, double fraction)
   return !progress || progress(fraction);
 }
 
-/// Outcome of an algorithm: success, a one-sentence error, or an abort asked for by the caller.
+/// What became of an algorithm. The numbers are what filters answer to GetErrorCode(); those of
+/// failures lie above vtkErrorCode::UserError. vtkGeometryRemesher::ErrorCodeType has them for
+/// users.
+enum class StatusCode : unsigned long
+{
+  Ok = 0,
+  Aborted = 40001,
+  BadInput = 40002,     ///< data or a parameter that cannot be used
+  TooFewPoints = 40003, ///< no mesh has so few points
+  Internal = 40004      ///< a promise that one part made to another was not kept
+};
+
+/// Outcome of an algorithm: success, an abort asked for by the caller, or an error with a code, a
+/// sentence for people, and for too few points the number that works.
 class [[nodiscard]] Status
 {
 public:
   static Status success() { return {}; }
-  static Status error(std::string message) { return { Code::Error, std::move(message) }; }
-  static Status aborted() { return { Code::Aborted, "aborted" }; }
+  static Status error(std::string message) { return { StatusCode::BadInput, std::move(message) }; }
+  static Status tooFewPoints(std::string message, int least = 0)
+  {
+    return { StatusCode::TooFewPoints, std::move(message), least };
+  }
+  static Status internal(std::string message)
+  {
+    return { StatusCode::Internal, std::move(message) };
+  }
+  static Status aborted() { return { StatusCode::Aborted, "aborted" }; }
 
-  bool ok() const { return this->State == Code::Ok; }
-  bool isAbort() const { return this->State == Code::Aborted; }
+  bool ok() const { return this->State == StatusCode::Ok; }
+  bool isAbort() const { return this->State == StatusCode::Aborted; }
+  StatusCode code() const { return this->State; }
   const std::string& message() const { return this->Text; }
+  /// With StatusCode::TooFewPoints: the least number of points that works, 0 if it is not known.
+  int leastNumberOfPoints() const { return this->Least; }
 
 private:
-  enum class Code
-  {
-    Ok,
-    Error,
-    Aborted
-  };
   Status() = default;
-  Status(Code code, std::string text)
+  Status(StatusCode code, std::string text, int least = 0)
     : State(code)
     , Text(std::move(text))
+    , Least(least)
   {
   }
-  Code State = Code::Ok;
+  StatusCode State = StatusCode::Ok;
   std::string Text;
+  int Least = 0;
 };
 }
 

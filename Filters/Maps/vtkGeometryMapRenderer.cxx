@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeometryMapRenderer.h"
 
+#include "FilterInputs.h"
 #include "MapCatalogue.h"
 #include "MapSizing.h"
 
@@ -327,6 +328,7 @@ int vtkGeometryMapRenderer::RequestData(
   auto* input = vtkPartitionedDataSetCollection::GetData(inputVector[0], 0);
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector, 0);
   Internals& self = *this->Internal;
+  this->ErrorCode = 0;
   output->Initialize();
   this->NumberOfRenderedMaps = 0;
   if (!input || input->GetNumberOfPartitionedDataSets() == 0)
@@ -349,8 +351,7 @@ int vtkGeometryMapRenderer::RequestData(
   }
   if (!status.ok())
   {
-    vtkErrorMacro(<< status.message());
-    return 0;
+    return stipple::endAfter(status, this, this->ErrorCode);
   }
   const std::string backendName = self.Renderer->GetName();
   const std::vector<Size> sizes = self.sizes(this->MapSize, this->NumberOfSamples);
@@ -375,12 +376,8 @@ int vtkGeometryMapRenderer::RequestData(
                           : stipple::Status::aborted();
     if (!status.ok())
     {
-      if (!status.isAbort())
-      {
-        vtkErrorMacro(<< status.message());
-      }
       output->Initialize();
-      return status.isAbort() ? 1 : 0;
+      return stipple::endAfter(status, this, this->ErrorCode);
     }
     output->SetPartition(c, 0, self.image(c, names));
     if (input->HasMetaData(c) && input->GetMetaData(c)->Has(vtkCompositeDataSet::NAME()))

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 
 namespace stipple
@@ -19,13 +18,13 @@ class Stitcher
 public:
   /// isSeam by label.
   Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Vec3> positions,
-    std::vector<char> isSeam);
-  std::vector<char> labelsWithEdge();
-  bool resolveRepeatedEdges();
-  void resolveDegenerateTriangles();
-  TriangleComplex& mesh() { return this->Mesh; }
-  int sample(int vertex) const { return this->SampleOf[vertex]; }
-  int chartOfUnresolvedEdge() const { return this->FaceChart[this->Unresolved / 3]; }
+    ElementArray<Label, char> isSeam);
+  ElementArray<Label, char> labelsWithEdge();
+  bool resolveRepeatedEdges(const Stop& stop);
+  void resolveDegenerateTriangles(const Stop& stop);
+  const TriangleComplex& mesh() const { return this->Mesh; }
+  int sample(Vertex v) const { return this->SampleOf[v]; }
+  Chart chartOfUnresolvedEdge() const { return this->FaceChart[faceOf(this->Unresolved)]; }
 
 private:
   static std::uint64_t key(int a, int b)
@@ -33,21 +32,25 @@ private:
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
       static_cast<unsigned int>(std::max(a, b));
   }
-  std::uint64_t edgeKey(int h) const
+  std::uint64_t edgeKey(Halfedge h) const
   {
-    return key(this->SampleOf[this->Mesh.tail(h)], this->SampleOf[this->Mesh.head(h)]);
+    return key(this->sample(this->Mesh.tail(h)), this->sample(this->Mesh.head(h)));
   }
-  bool isBad(int h) const
+  bool isBad(Halfedge h) const
   {
     const std::uint64_t k = this->edgeKey(h);
     return (k >> 32) == (k & 0xffffffffu) || this->Count.at(k) > 1;
   }
-  bool canFlip(int h) const
+  bool canFlip(Halfedge h) const
   {
-    const int label = this->Mesh.label[h];
-    return this->Mesh.twin[h] >= 0 && (label < 0 || (this->SeamsMayGo && this->IsSeam[label]));
+    const Label label = this->Mesh.label[h];
+    return !this->Mesh.isBoundary(h) && faceOf(h) != faceOf(this->Mesh.twin[h]) && // a triangle
+                                                                                   // glued to
+                                                                                   // itself has no
+                                                                                   // other diagonal
+      (!label.valid() || (this->SeamsMayGo && this->IsSeam[label]));
   }
-  int rootOf(int label)
+  Label rootOf(Label label)
   {
     while (this->Root[label] != label)
     {
@@ -56,64 +59,66 @@ private:
     return label;
   }
   /// The flip of h yields an edge that is not there yet.
-  bool flipIsSimple(int h) const
+  bool flipIsSimple(Halfedge h) const
   {
-    const int c = this->SampleOf[this->Mesh.apex(h)];
-    const int d = this->SampleOf[this->Mesh.apex(this->Mesh.twin[h])];
+    const int c = this->sample(this->Mesh.apex(h));
+    const int d = this->sample(this->Mesh.apex(this->Mesh.twin[h]));
     const auto found = this->Count.find(key(c, d));
     return c != d && (found == this->Count.end() || found->second == 0);
   }
-  bool isConvex(int h) const;
-  void flip(int h)
+  bool isConvex(Halfedge h) const;
+  void flip(Halfedge h)
   {
     --this->Count[this->edgeKey(h)];
-    this->Mesh.label[h] = this->Mesh.label[this->Mesh.twin[h]] = -1;
+    this->Mesh.label[h] = this->Mesh.label[this->Mesh.twin[h]] = Label();
     this->Mesh.flip(h);
     ++this->Count[this->edgeKey(h)];
   }
-  double height(int a, int b, int c) const;
-  double worstHeight(int h) const;
-  double worstHeightAfter(int h) const;
-  bool tryBadEdge(int h, bool onlyConvex);
+  double height(Vertex a, Vertex b, Vertex c) const;
+  double worstHeight(Halfedge h) const;
+  double worstHeightAfter(Halfedge h) const;
+  bool tryBadEdge(Halfedge h, bool onlyConvex);
 
   TriangleComplex Mesh;
-  std::vector<int> SampleOf;
-  std::vector<Vec2> Parameter;
+  ElementArray<Vertex, int> SampleOf;
+  ElementArray<Vertex, Vec2> Parameter;
   std::vector<Vec3> Position; // by sample
-  std::vector<int> FaceChart;
+  ElementArray<Face, Chart> FaceChart;
   std::unordered_map<std::uint64_t, int> Count; // edges between two samples
-  std::vector<char> IsSeam;
-  std::vector<int> Root; // of merged labels
+  ElementArray<Label, char> IsSeam;
+  ElementArray<Label, Label> Root; // of merged labels
   bool SeamsMayGo = false;
-  int Unresolved = -1;
+  Halfedge Unresolved;
 };
 
 Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Vec3> positions,
-  std::vector<char> isSeam)
+  ElementArray<Label, char> isSeam)
   : Position(std::move(positions))
   , IsSeam(std::move(isSeam))
-  , Root(this->IsSeam.size())
 {
-  std::iota(this->Root.begin(), this->Root.end(), 0);
+  for (Label l : this->IsSeam.ids())
+  {
+    this->Root.push_back(l);
+  }
   for (const ChartTriangulation& chart : charts)
   {
     for (const auto& pair : chart.merged)
     {
       // What is no seam stands for both.
-      const int a = this->rootOf(pair[0]);
-      const int b = this->rootOf(pair[1]);
+      const Label a = this->rootOf(pair[0]);
+      const Label b = this->rootOf(pair[1]);
       const bool keepA = this->IsSeam[a] == this->IsSeam[b] ? a < b : !this->IsSeam[a];
       this->Root[keepA ? b : a] = keepA ? a : b;
     }
   }
-  std::unordered_map<int, int> waiting; // by label, the boundary halfedge whose other side is still
-                                        // to come
+  // By label, the boundary halfedge whose other side is still to come.
+  std::unordered_map<Label, Halfedge> waiting;
   for (std::size_t c = 0; c < charts.size(); ++c)
   {
     const TriangleComplex& chart = charts[c].complex;
     const int firstVertex = static_cast<int>(this->SampleOf.size());
-    const int firstHalfedge = this->Mesh.numberOfHalfedges();
-    for (std::size_t v = 0; v < charts[c].sample.size(); ++v)
+    const int firstFace = this->Mesh.numberOfFaces();
+    for (int v = 0; v < charts[c].numberOfVertices(); ++v)
     {
       this->SampleOf.push_back(charts[c].sample[v]);
       this->Parameter.push_back(charts[c].parameter[v]);
@@ -122,24 +127,28 @@ Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Ve
     {
       this->Mesh.triangles.push_back(
         { t[0] + firstVertex, t[1] + firstVertex, t[2] + firstVertex });
-      this->FaceChart.push_back(static_cast<int>(c));
+      this->FaceChart.push_back(Chart(static_cast<int>(c)));
     }
-    for (int h = 0; h < chart.numberOfHalfedges(); ++h)
+    const auto here = [firstFace](Halfedge h) {
+      return halfedgeOf(Face(faceOf(h).index() + firstFace), cornerOf(h));
+    };
+    for (Halfedge h : chart.halfedges())
     {
-      this->Mesh.twin.push_back(Halfedge(chart.twin[h] < 0 ? -1 : chart.twin[h] + firstHalfedge));
-      this->Mesh.label.push_back(chart.label[h] < 0 ? -1 : this->rootOf(chart.label[h]));
-      if (chart.twin[h] < 0 && chart.label[h] >= 0)
+      const Label label = chart.label[h].valid() ? this->rootOf(chart.label[h]) : Label();
+      this->Mesh.twin.push_back(chart.isBoundary(h) ? Halfedge() : here(chart.twin[h]));
+      this->Mesh.label.push_back(label);
+      if (chart.isBoundary(h) && label.valid())
       {
-        const auto [other, fresh] = waiting.try_emplace(this->Mesh.label.back(), firstHalfedge + h);
+        const auto [other, fresh] = waiting.try_emplace(label, here(h));
         if (!fresh)
         {
-          this->Mesh.glue(other->second, firstHalfedge + h);
+          this->Mesh.glue(other->second, here(h));
         }
       }
     }
   }
   this->Count.reserve(this->Mesh.twin.size());
-  for (int h = 0; h < this->Mesh.numberOfHalfedges(); ++h)
+  for (Halfedge h : this->Mesh.halfedges())
   {
     if (h > this->Mesh.twin[h])
     {
@@ -149,9 +158,9 @@ Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Ve
 }
 
 /// Both triangles that the flip of h would make are positive in the parameter plane of their chart.
-bool Stitcher::isConvex(int h) const
+bool Stitcher::isConvex(Halfedge h) const
 {
-  const int g = this->Mesh.twin[h];
+  const Halfedge g = this->Mesh.twin[h];
   const Vec2& a = this->Parameter[this->Mesh.tail(h)];
   const Vec2& b = this->Parameter[this->Mesh.head(h)];
   const Vec2& c = this->Parameter[this->Mesh.apex(h)];
@@ -159,35 +168,35 @@ bool Stitcher::isConvex(int h) const
   return orient2(d, c, a) > 0 && orient2(c, d, b) > 0;
 }
 
-double Stitcher::height(int a, int b, int c) const
+double Stitcher::height(Vertex a, Vertex b, Vertex c) const
 {
-  const Vec3& p = this->Position[this->SampleOf[a]];
-  const Vec3& q = this->Position[this->SampleOf[b]];
-  const Vec3& r = this->Position[this->SampleOf[c]];
+  const Vec3& p = this->Position[this->sample(a)];
+  const Vec3& q = this->Position[this->sample(b)];
+  const Vec3& r = this->Position[this->sample(c)];
   const double longest =
     std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
   return longest > 0 ? 2. * triangleArea(p, q, r) / longest : 0.;
 }
 
-double Stitcher::worstHeight(int h) const
+double Stitcher::worstHeight(Halfedge h) const
 {
   const TriangleComplex& m = this->Mesh;
-  const int g = m.twin[h];
+  const Halfedge g = m.twin[h];
   return std::min(
     this->height(m.tail(h), m.head(h), m.apex(h)), this->height(m.tail(g), m.head(g), m.apex(g)));
 }
 
-double Stitcher::worstHeightAfter(int h) const
+double Stitcher::worstHeightAfter(Halfedge h) const
 {
   const TriangleComplex& m = this->Mesh;
-  const int c = m.apex(h);
-  const int d = m.apex(m.twin[h]);
+  const Vertex c = m.apex(h);
+  const Vertex d = m.apex(m.twin[h]);
   return std::min(this->height(d, c, m.tail(h)), this->height(c, d, m.head(h)));
 }
 
-bool Stitcher::tryBadEdge(int h, bool onlyConvex)
+bool Stitcher::tryBadEdge(Halfedge h, bool onlyConvex)
 {
-  const auto allowed = [&](int e) {
+  const auto allowed = [&](Halfedge e) {
     return this->canFlip(e) && (!onlyConvex || this->isConvex(e)) && this->flipIsSimple(e);
   };
   if (!this->canFlip(h))
@@ -200,15 +209,18 @@ bool Stitcher::tryBadEdge(int h, bool onlyConvex)
     return true;
   }
   // Swap an edge beside it first, if that opens the way.
-  const int g = this->Mesh.twin[h];
-  for (int e : { nextHalfedge(h), previousHalfedge(h), nextHalfedge(g), previousHalfedge(g) })
+  const Halfedge g = this->Mesh.twin[h];
+  for (Halfedge e : { nextHalfedge(h), previousHalfedge(h), nextHalfedge(g), previousHalfedge(g) })
   {
     if (allowed(e))
     {
+      const bool behind = e == nextHalfedge(h) || e == nextHalfedge(g);
       this->flip(e);
-      if (allowed(h))
+      // Which turned the sides of its quad: the bad edge is another halfedge now.
+      const Halfedge bad = behind ? nextHalfedge(e) : previousHalfedge(this->Mesh.twin[e]);
+      if (allowed(bad))
       {
-        this->flip(h);
+        this->flip(bad);
         return true;
       }
       for (int back = 0; back < 3; ++back) // a flip turns the diagonal by a quarter: three more
@@ -221,10 +233,10 @@ bool Stitcher::tryBadEdge(int h, bool onlyConvex)
   return false;
 }
 
-bool Stitcher::resolveRepeatedEdges()
+bool Stitcher::resolveRepeatedEdges(const Stop& stop)
 {
   // First swaps that keep the parameter plane unfolded; where these do not do, any that keep the
-  // topology; then of seams too.
+  // topology; then of seams too. Every swap that stays leaves fewer edges too many, so this ends.
   for (int stage = 0; stage < 3; ++stage)
   {
     const bool onlyConvex = stage == 0;
@@ -233,9 +245,13 @@ bool Stitcher::resolveRepeatedEdges()
     while (changed)
     {
       changed = false;
-      this->Unresolved = -1;
-      for (int h = 0; h < this->Mesh.numberOfHalfedges(); ++h)
+      this->Unresolved = Halfedge();
+      for (Halfedge h : this->Mesh.halfedges())
       {
+        if (isAsked(stop))
+        {
+          return false;
+        }
         if (this->isBad(h))
         {
           if (this->tryBadEdge(h, onlyConvex))
@@ -250,9 +266,9 @@ bool Stitcher::resolveRepeatedEdges()
       }
     }
     bool clean = true;
-    for (int h = 0; h < this->Mesh.numberOfHalfedges() && clean; ++h)
+    for (Halfedge h : this->Mesh.halfedges())
     {
-      clean = !this->isBad(h);
+      clean = clean && !this->isBad(h);
     }
     if (clean)
     {
@@ -263,40 +279,45 @@ bool Stitcher::resolveRepeatedEdges()
   return false;
 }
 
-std::vector<char> Stitcher::labelsWithEdge()
+ElementArray<Label, char> Stitcher::labelsWithEdge()
 {
-  std::vector<char> present(this->Root.size(), 0);
-  for (int l : this->Mesh.label)
+  ElementArray<Label, char> present(this->Root.size(), 0);
+  for (Label l : this->Mesh.label)
   {
-    if (l >= 0)
+    if (l.valid())
     {
       present[l] = 1;
     }
   }
-  for (std::size_t l = 0; l < present.size(); ++l)
+  for (Label l : present.ids())
   {
-    present[l] = present[this->rootOf(static_cast<int>(l))];
+    present[l] = present[this->rootOf(l)];
   }
   return present;
 }
 
-void Stitcher::resolveDegenerateTriangles()
+void Stitcher::resolveDegenerateTriangles(const Stop& stop)
 {
   // Corners of the rectangle that lie on straight lines of the surface leave triangles without
   // area.
   for (int round = 0; round < 10; ++round)
   {
     bool changed = false;
-    for (int f = 0; f < static_cast<int>(this->Mesh.triangles.size()); ++f)
+    for (Face f : this->Mesh.faces())
     {
-      const Triangle& t = this->Mesh.triangles[f];
-      if (this->height(t[0], t[1], t[2]) > MinimumHeight)
+      if (isAsked(stop))
+      {
+        return;
+      }
+      const Halfedge first = halfedgeOf(f, 0);
+      if (this->height(this->Mesh.tail(first), this->Mesh.head(first), this->Mesh.apex(first)) >
+        MinimumHeight)
       {
         continue;
       }
-      int best = -1;
+      Halfedge best;
       double bestHeight = 0;
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      for (Halfedge h : halfedgesOf(f))
       {
         if (this->canFlip(h) && this->flipIsSimple(h))
         {
@@ -308,7 +329,7 @@ void Stitcher::resolveDegenerateTriangles()
           }
         }
       }
-      if (best >= 0)
+      if (best.valid())
       {
         this->flip(best);
         changed = true;
@@ -324,32 +345,38 @@ void Stitcher::resolveDegenerateTriangles()
 
 Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<ChartTriangulation>& charts,
-  const std::vector<Sample>& samples, std::vector<Triangle>& triangles, std::vector<char>& hasEdge)
+  const std::vector<Sample>& samples, std::vector<Triangle>& triangles,
+  ElementArray<Label, char>& hasEdge, Chart& chartAtFault, const Stop& stop)
 {
   std::vector<Vec3> positions;
   for (const Sample& s : samples)
   {
     positions.push_back(surface.position(s.face, s.bary));
   }
-  std::vector<char> isSeam(intervals.count(), 0);
-  for (int l = 0; l < intervals.count(); ++l)
+  ElementArray<Label, char> isSeam(static_cast<std::size_t>(intervals.count()), 0);
+  for (Label l : intervals.labels())
   {
     isSeam[l] = graph.backbones[intervals.backbone(l)].type == BackboneType::Seam;
   }
   Stitcher stitcher(charts, std::move(positions), isSeam);
-  if (!stitcher.resolveRepeatedEdges())
+  if (!stitcher.resolveRepeatedEdges(stop))
   {
-    return Status::error("Chart " + std::to_string(stitcher.chartOfUnresolvedEdge()) +
+    if (isAsked(stop))
+    {
+      return Status::aborted();
+    }
+    chartAtFault = stitcher.chartOfUnresolvedEdge();
+    return Status::tooFewPoints("Chart " + std::to_string(chartAtFault.index()) +
       " is too small for its share of the samples: two of them would be joined by two edges; use "
       "more points.");
   }
-  stitcher.resolveDegenerateTriangles();
+  stitcher.resolveDegenerateTriangles(stop);
   hasEdge = stitcher.labelsWithEdge();
-  for (int l = 0; l < intervals.count(); ++l)
+  for (Label l : intervals.labels())
   {
     if (!hasEdge[l] && !isSeam[l])
     {
-      return Status::error("Two neighbouring samples of backbone " +
+      return Status::tooFewPoints("Two neighbouring samples of backbone " +
         std::to_string(intervals.backbone(l)) +
         " could not be joined by an edge; use more points.");
     }
@@ -358,7 +385,8 @@ Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
   triangles.reserve(stitcher.mesh().triangles.size());
   for (const Triangle& t : stitcher.mesh().triangles)
   {
-    triangles.push_back({ stitcher.sample(t[0]), stitcher.sample(t[1]), stitcher.sample(t[2]) });
+    triangles.push_back({ stitcher.sample(Vertex(t[0])), stitcher.sample(Vertex(t[1])),
+      stitcher.sample(Vertex(t[2])) });
   }
   return Status::success();
 }

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 namespace stipple
 {
@@ -118,7 +118,7 @@ public:
   void build(const ChartGraph& chartGraph, int c, const std::vector<BackboneTrace>& traces,
     const FeatureGraph& graph, const BackboneIntervals& intervals,
     const std::vector<Sample>& samples, const std::vector<int>& interior);
-  Status triangulate(int c, ChartTriangulation& mesh);
+  Status triangulate(int c, const Stop& stop, ChartTriangulation& mesh);
 
 private:
   int add(int sample, const Vec2& uv, const Vec3& position)
@@ -136,7 +136,7 @@ private:
   std::vector<Vec2> Parameter;
   std::vector<Vec3> Position;
   std::vector<std::array<int, 2>> Segments;
-  std::vector<int> SegmentLabel;
+  std::vector<Label> SegmentLabel;
   int InteriorBegin = 0; // bends and samples on backbones come first
 };
 
@@ -184,7 +184,7 @@ void ChartProblem::build(const ChartGraph& chartGraph, int c,
         }
       }
     }
-    const int label = intervals.label(segment.backbone, segment.interval);
+    const Label label = intervals.label(segment.backbone, segment.interval);
     int last = segment.first;
     const auto link = [&](int v) {
       this->Segments.push_back({ { last, v } });
@@ -208,7 +208,7 @@ void ChartProblem::build(const ChartGraph& chartGraph, int c,
   }
 }
 
-Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
+Status ChartProblem::triangulate(int c, const Stop& stop, ChartTriangulation& mesh)
 {
   using Kind = DelaunayConflict::Kind;
   const std::string chart = "Chart " + std::to_string(c);
@@ -217,7 +217,11 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
   for (int attempt = 0;; ++attempt)
   {
     const DelaunayConflict conflict =
-      constrainedDelaunay(this->Parameter, this->Segments, triangles);
+      constrainedDelaunay(this->Parameter, this->Segments, triangles, stop);
+    if (isAsked(stop))
+    {
+      return Status::aborted();
+    }
     if (conflict.kind == Kind::None)
     {
       break;
@@ -226,7 +230,7 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
       conflict.first >= this->InteriorBegin;
     if (!canMove || attempt == attempts)
     {
-      return Status::error(chart +
+      return Status::tooFewPoints(chart +
         " cannot be triangulated: its backbones carry too few samples, or samples that coincide; "
         "use "
         "more points.");
@@ -239,31 +243,27 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
   }
   if (triangles.empty())
   {
-    return Status::error(chart + " has no triangle between its samples; use more points.");
+    return Status::tooFewPoints(chart + " has no triangle between its samples; use more points.");
   }
   TriangleComplex& complex = mesh.complex;
   complex.triangles = std::move(triangles);
   complex.twin = halfedgeTwins(complex.triangles);
-  complex.label.assign(complex.twin.size(), -1);
-  const auto key = [](int a, int b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
-      static_cast<unsigned int>(std::max(a, b));
-  };
-  std::unordered_map<std::uint64_t, int> labelOf;
+  complex.label.assign(complex.twin.size(), Label());
+  std::map<std::pair<Vertex, Vertex>, Label> labelOf; // of a segment, from the smaller vertex
+  std::vector<char> onBackbone(this->Sample.size(), 0);
   for (std::size_t s = 0; s < this->Segments.size(); ++s)
   {
-    labelOf[key(this->Segments[s][0], this->Segments[s][1])] = this->SegmentLabel[s];
+    const auto [a, b] = this->Segments[s];
+    labelOf[std::minmax(Vertex(a), Vertex(b))] = this->SegmentLabel[s];
+    onBackbone[a] = onBackbone[b] = 1;
   }
-  std::vector<char> onBackbone(this->Sample.size(), 0);
-  for (const auto& s : this->Segments)
+  for (Halfedge h : complex.halfedges())
   {
-    onBackbone[s[0]] = onBackbone[s[1]] = 1;
-  }
-  for (int h = 0; h < complex.numberOfHalfedges(); ++h)
-  {
-    if (onBackbone[complex.tail(h)] && onBackbone[complex.head(h)])
+    const Vertex a = complex.tail(h);
+    const Vertex b = complex.head(h);
+    if (onBackbone[a.index()] && onBackbone[b.index()])
     {
-      const auto found = labelOf.find(key(complex.tail(h), complex.head(h)));
+      const auto found = labelOf.find(std::minmax(a, b));
       if (found != labelOf.end())
       {
         complex.label[h] = found->second;
@@ -273,7 +273,7 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
   this->removeBends(mesh);
   if (!complex.isSound())
   {
-    return Status::error(chart +
+    return Status::tooFewPoints(chart +
       " cannot be triangulated: its triangles do not fit together without the bends of its "
       "backbones; use more points.");
   }
@@ -289,7 +289,7 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
   {
     if (static_cast<bool>(used[v]) != (this->Sample[v] >= 0))
     {
-      return Status::error(
+      return Status::tooFewPoints(
         chart + " cannot be triangulated: its backbones carry too few samples; use more points.");
     }
   }
@@ -301,20 +301,22 @@ Status ChartProblem::triangulate(int c, ChartTriangulation& mesh)
 void ChartProblem::removeBends(ChartTriangulation& mesh) const
 {
   TriangleComplex& complex = mesh.complex;
-  std::vector<int> outgoing(this->Sample.size(), -1);
-  std::vector<int> bends;
+  std::vector<Vertex> bends;
   for (int v = 0; v < this->InteriorBegin; ++v)
   {
     if (this->Sample[v] < 0)
     {
-      bends.push_back(v);
+      bends.emplace_back(v);
     }
   }
   if (bends.empty())
   {
     return;
   }
-  const auto score = [this](int a, int b, int c) {
+  const auto score = [this](Vertex va, Vertex vb, Vertex vc) {
+    const int a = va.index();
+    const int b = vb.index();
+    const int c = vc.index();
     if (this->Sample[a] == this->Sample[c] && this->Sample[a] >= 0)
     {
       return -20.;
@@ -323,7 +325,8 @@ void ChartProblem::removeBends(ChartTriangulation& mesh) const
     return shapeInSpace(this->Position[a], this->Position[b], this->Position[c]) -
       (plane > 0 ? 0. : 2.);
   };
-  for (int h = 0; h < complex.numberOfHalfedges(); ++h)
+  ElementArray<Vertex, Halfedge> outgoing(this->Sample.size());
+  for (Halfedge h : complex.halfedges())
   {
     outgoing[complex.tail(h)] = h;
   }
@@ -331,8 +334,9 @@ void ChartProblem::removeBends(ChartTriangulation& mesh) const
   for (std::size_t before = bends.size() + 1; !bends.empty() && bends.size() < before;)
   {
     before = bends.size();
-    bends.erase(std::remove_if(bends.begin(), bends.end(),
-                  [&](int v) { return complex.removeFromChain(v, outgoing, score, mesh.merged); }),
+    bends.erase(
+      std::remove_if(bends.begin(), bends.end(),
+        [&](Vertex v) { return complex.removeFromChain(v, outgoing, score, mesh.merged); }),
       bends.end());
   }
   complex.compact();
@@ -351,20 +355,19 @@ BackboneIntervals::BackboneIntervals(
   }
 }
 
-int BackboneIntervals::backbone(int label) const
+int BackboneIntervals::backbone(Label label) const
 {
-  return static_cast<int>(
-           std::upper_bound(this->begin.begin(), this->begin.end(), label) - this->begin.begin()) -
-    1;
+  const auto behind = std::upper_bound(this->begin.begin(), this->begin.end(), label.index());
+  return static_cast<int>(behind - this->begin.begin()) - 1;
 }
 
 Status triangulateChart(const AtlasSurface& surface, int c, const ChartGraph& chartGraph,
   const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartTriangulation& mesh)
+  const std::vector<int>& interior, ChartTriangulation& mesh, const Stop& stop)
 {
   ChartProblem problem(surface, c);
   problem.build(chartGraph, c, traces, graph, intervals, samples, interior);
-  return problem.triangulate(c, mesh);
+  return problem.triangulate(c, stop, mesh);
 }
 }

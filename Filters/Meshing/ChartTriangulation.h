@@ -6,6 +6,7 @@
 #define stipple_ChartTriangulation_h
 
 #include "ChartGraph.h"
+#include "ReportingThread.h"
 #include "StippleFiltersMeshingModule.h"
 #include "TriangleComplex.h"
 
@@ -20,8 +21,9 @@ struct STIPPLEFILTERSMESHING_EXPORT BackboneIntervals
                                          ///< nodes
 
   BackboneIntervals(const FeatureGraph& graph, std::vector<std::vector<int>> samplesByBackbone);
-  int label(int backbone, int interval) const { return this->begin[backbone] + interval; }
-  int backbone(int label) const;
+  Label label(int backbone, int interval) const { return Label(this->begin[backbone] + interval); }
+  ElementRange<Label> labels() const { return { 0, this->count() }; }
+  int backbone(Label label) const;
   int count() const { return this->begin.back(); }
 };
 
@@ -29,20 +31,23 @@ struct STIPPLEFILTERSMESHING_EXPORT BackboneIntervals
 struct ChartTriangulation
 {
   TriangleComplex complex; ///< over the chart's own vertices
-  std::vector<int> sample; ///< by vertex; two vertices may be the same sample where a cut enters
-                           ///< the chart
-  std::vector<Vec2> parameter;            ///< by vertex
-  std::vector<std::array<int, 2>> merged; ///< labels of intervals between which no triangle is
-                                          ///< left: one edge
+  /// By vertex; two vertices may be the same sample where a cut enters the chart.
+  std::vector<int> sample;
+  std::vector<Vec2> parameter; ///< by vertex
+  /// Labels of intervals between which no triangle is left: one edge.
+  std::vector<std::array<Label, 2>> merged;
+
+  int numberOfVertices() const { return static_cast<int>(this->sample.size()); }
 };
 
 /// Triangulates chart c. Constraints follow the backbones exactly, so that every sample comes out
 /// on its side of them, also where the chord between two samples would cut it off; what that needs
-/// besides the samples is taken out again.
+/// besides the samples is taken out again. Once `stop` is true, this ends early and leaves nothing
+/// of use.
 STIPPLEFILTERSMESHING_EXPORT Status triangulateChart(const AtlasSurface& surface, int c,
   const ChartGraph& chartGraph, const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartTriangulation& mesh);
+  const std::vector<int>& interior, ChartTriangulation& mesh, const Stop& stop = {});
 }
 
 #endif

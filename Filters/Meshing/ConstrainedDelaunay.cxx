@@ -79,7 +79,8 @@ bool findObstacle(const Delaunay& cdt, Delaunay::Vertex_handle a, Delaunay::Vert
 }
 
 DelaunayConflict constrainedDelaunay(const std::vector<Vec2>& points,
-  const std::vector<std::array<int, 2>>& segments, std::vector<Triangle>& triangles)
+  const std::vector<std::array<int, 2>>& segments, std::vector<Triangle>& triangles,
+  const Stop& stop)
 {
   using Kind = DelaunayConflict::Kind;
   triangles.clear();
@@ -100,6 +101,10 @@ DelaunayConflict constrainedDelaunay(const std::vector<Vec2>& points,
   Delaunay::Face_handle hint;
   for (const std::size_t o : order)
   {
+    if (isAsked(stop))
+    {
+      return {};
+    }
     const int i = static_cast<int>(o);
     const std::size_t before = cdt.number_of_vertices();
     const auto v = cdt.insert(position[i], hint);

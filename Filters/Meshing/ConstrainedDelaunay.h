@@ -5,6 +5,7 @@
 #define stipple_ConstrainedDelaunay_h
 
 #include "Progress.h"
+#include "ReportingThread.h"
 #include "StippleFiltersMeshingModule.h"
 #include "TriangleSurface.h"
 
@@ -30,9 +31,10 @@ struct DelaunayConflict
 /// Points and segments must be in general enough position: distinct points, segments that meet at
 /// their ends only and pass through no other point. Exact predicates decide, so that collinear,
 /// cocircular and nearly coincident points are as good as any. The result depends on the input's
-/// order only.
+/// order only. Once `stop` is true, this ends early and leaves no triangle.
 STIPPLEFILTERSMESHING_EXPORT DelaunayConflict constrainedDelaunay(const std::vector<Vec2>& points,
-  const std::vector<std::array<int, 2>>& segments, std::vector<Triangle>& triangles);
+  const std::vector<std::array<int, 2>>& segments, std::vector<Triangle>& triangles,
+  const Stop& stop = {});
 }
 
 #endif

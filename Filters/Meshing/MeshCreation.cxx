@@ -5,6 +5,7 @@
 #include "AttributeTransfer.h"
 #include "ChartStitching.h"
 #include "PolyDataConversion.h"
+#include "ReportingThread.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -12,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -58,7 +58,7 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
     }
     if (charts[c].boundary.size() < 3 || charts[c].boundary.size() != links)
     {
-      return Status::error("Chart " + std::to_string(c) + " has " +
+      return Status::tooFewPoints("Chart " + std::to_string(c) + " has " +
         countOf(static_cast<int>(charts[c].boundary.size()), "samples") +
         " in a row on its outline, where a closed chain of at least three is needed; use more "
         "points.");
@@ -68,11 +68,14 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
 }
 }
 
-Status createMesh(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
-  std::vector<Triangle>& triangles, const Progress& progress)
+Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
+  std::vector<Triangle>& triangles, const Progress& progress, Chart* atFault)
 {
   const AtlasSurface& surface = atlas.surface();
   const FeatureGraph& graph = atlas.graph();
+  Chart chartAtFault;
+  Chart& fault = atFault ? *atFault : chartAtFault;
+  fault = Chart();
   Status status = checkSamples(graph, samples);
   if (!status.ok())
   {
@@ -102,27 +105,25 @@ Status createMesh(const stipple::Atlas& atlas, const std::vector<Sample>& sample
 
   std::vector<ChartTriangulation> meshes(numberOfCharts);
   std::vector<std::optional<Status>> outcome(numberOfCharts);
-  vtkSMPTools::For(0, numberOfCharts, 1, [&](vtkIdType begin, vtkIdType end) {
-    for (int c = static_cast<int>(begin); c < end; ++c)
-    {
-      outcome[c] = triangulateChart(surface, c, chartGraphs[c], atlas.traces(), graph, intervals,
-        samples, interior[c], meshes[c]);
-    }
+  status = reportingFor(numberOfCharts, progress, 0.05, 0.6, [&](int c, const Stop& stop) {
+    outcome[c] = triangulateChart(surface, c, chartGraphs[c], atlas.traces(), graph, intervals,
+      samples, interior[c], meshes[c], stop);
   });
-  for (const auto& result : outcome)
+  if (!status.ok())
   {
-    if (!result->ok())
+    return status;
+  }
+  for (int c = 0; c < numberOfCharts; ++c)
+  {
+    if (!outcome[c]->ok())
     {
-      return *result;
+      fault = Chart(c);
+      return *outcome[c];
     }
   }
-  if (!report(progress, 0.6))
-  {
-    return Status::aborted();
-  }
-
-  std::vector<char> hasEdge;
-  status = stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge);
+  ElementArray<Label, char> hasEdge;
+  status = stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge, fault,
+    [&progress] { return !report(progress, 0.6); });
   if (!status.ok())
   {
     return status;
@@ -151,7 +152,7 @@ Status createMesh(const stipple::Atlas& atlas, const std::vector<Sample>& sample
     const int g = mesh.twin[h];
     if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
     {
-      return Status::error("The samples " + std::to_string(mesh.tail(h)) + ", " +
+      return Status::tooFewPoints("The samples " + std::to_string(mesh.tail(h)) + ", " +
         std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
         " would carry two triangles back to back; use more points.");
     }
@@ -159,7 +160,8 @@ Status createMesh(const stipple::Atlas& atlas, const std::vector<Sample>& sample
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == atlas.topology()))
   {
-    return Status::error("The samples do not carry the surface's topology (Euler characteristic " +
+    return Status::tooFewPoints(
+      "The samples do not carry the surface's topology (Euler characteristic " +
       std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) +
       ", " + countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
       std::to_string(atlas.topology().boundaryLoops) + "); use more points.");

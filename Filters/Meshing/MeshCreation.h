@@ -13,9 +13,11 @@
 namespace stipple
 {
 /// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all
-/// edges of the backbones, and the topology of the surface.
+/// edges of the backbones, and the topology of the surface. Samples that have no such mesh are too
+/// few points; atFault is then the chart that another sample inside would help, or none.
 STIPPLEFILTERSMESHING_EXPORT Status createMesh(const Atlas& atlas,
-  const std::vector<Sample>& samples, std::vector<Triangle>& triangles, const Progress& progress);
+  const std::vector<Sample>& samples, std::vector<Triangle>& triangles, const Progress& progress,
+  Chart* atFault = nullptr);
 
 /// The samples of every backbone in order, with the nodes at its ends; a closed backbone repeats
 /// its first.

@@ -12,37 +12,45 @@ namespace
 /// outer[i].
 struct Hole
 {
-  std::vector<int> vertices;
-  std::vector<int> outer;
-  std::vector<int> label;
-  std::vector<int> faces;                   ///< freed by the hole
-  std::vector<std::vector<int>> neighbours; ///< by vertex, before the hole was made
+  std::vector<Vertex> vertices;
+  std::vector<Halfedge> outer;
+  std::vector<Label> label;
+  std::vector<Face> faces;                     ///< freed by the hole
+  std::vector<std::vector<Vertex>> neighbours; ///< by vertex, before the hole was made
 };
+
+void keepOutgoing(const TriangleComplex& c, Face f, ElementArray<Vertex, Halfedge>& outgoing)
+{
+  for (Halfedge h : halfedgesOf(f))
+  {
+    outgoing[c.tail(h)] = h;
+  }
+}
 
 /// The fan from the labelled halfedge `first` counterclockwise to the next labelled edge. False if
 /// it has no such end, or meets a vertex twice, so that no disk would be left to fill.
-bool openSide(const TriangleComplex& c, int first, Hole& hole)
+bool openSide(const TriangleComplex& c, Halfedge first, Hole& hole)
 {
-  int h = first;
+  Halfedge h = first;
   hole.vertices.push_back(c.head(h));
   while (true)
   {
-    const int edge = nextHalfedge(h);
+    const Halfedge edge = nextHalfedge(h);
     hole.vertices.push_back(c.head(edge));
     hole.outer.push_back(c.twin[edge]);
     hole.label.push_back(c.label[edge]);
-    hole.faces.push_back(h / 3);
-    if (c.label[previousHalfedge(h)] >= 0)
+    hole.faces.push_back(faceOf(h));
+    if (c.label[previousHalfedge(h)].valid())
     {
       break;
     }
     h = c.turnLeft(h);
-    if (h < 0 || h == first)
+    if (!h.valid() || h == first)
     {
       return false;
     }
   }
-  std::vector<int> sorted = hole.vertices;
+  std::vector<Vertex> sorted = hole.vertices;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
   {
@@ -51,12 +59,12 @@ bool openSide(const TriangleComplex& c, int first, Hole& hole)
   for (std::size_t i = 0; i < hole.vertices.size(); ++i)
   {
     // Face i lies between the vertices i and i + 1; `vertex` is the third.
-    const int f = i < hole.faces.size() ? hole.faces[i] : hole.faces.back();
-    const auto& t = c.triangles[f];
-    const int g =
-      3 * f + static_cast<int>(std::find(t.begin(), t.end(), hole.vertices[i]) - t.begin());
-    std::vector<int> near;
-    for (int o : c.star(g))
+    const Face f = i < hole.faces.size() ? hole.faces[i] : hole.faces.back();
+    const Triangle& t = c.triangle(f);
+    const auto corner = std::find(t.begin(), t.end(), hole.vertices[i].index()) - t.begin();
+    const Halfedge g = halfedgeOf(f, static_cast<int>(corner));
+    std::vector<Vertex> near;
+    for (Halfedge o : c.star(g))
     {
       near.push_back(c.head(o));
       near.push_back(c.apex(o));
@@ -68,31 +76,25 @@ bool openSide(const TriangleComplex& c, int first, Hole& hole)
 
 /// Swaps edges of a vertex's star until no two of its edges run to the same vertex: such a pair
 /// encloses others, which would be cut off if the vertex went.
-void separateStar(TriangleComplex& c, int vertex, std::vector<int>& outgoing)
+void separateStar(TriangleComplex& c, Vertex vertex, ElementArray<Vertex, Halfedge>& outgoing)
 {
   for (bool changed = true; changed;)
   {
     changed = false;
-    const std::vector<int> star = c.star(outgoing[vertex]);
-    for (int h : star)
+    const std::vector<Halfedge> star = c.star(outgoing[vertex]);
+    for (Halfedge h : star)
     {
-      const int twin = c.twin[h];
+      const Halfedge twin = c.twin[h];
       const bool isDouble = std::any_of(
-        star.begin(), star.end(), [&](int g) { return g != h && c.head(g) == c.head(h); });
-      if (!isDouble || twin < 0 || c.label[h] >= 0 || c.apex(h) == c.apex(twin) ||
+        star.begin(), star.end(), [&](Halfedge g) { return g != h && c.head(g) == c.head(h); });
+      if (!isDouble || !twin.valid() || c.label[h].valid() || c.apex(h) == c.apex(twin) ||
         c.apex(h) == vertex || c.apex(twin) == vertex)
       {
         continue;
       }
-      const int faces[2] = { h / 3, twin / 3 };
       c.flip(h);
-      for (int f : faces)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          outgoing[c.triangles[f][k]] = 3 * f + k;
-        }
-      }
+      keepOutgoing(c, faceOf(h), outgoing);
+      keepOutgoing(c, faceOf(twin), outgoing);
       changed = true;
       break;
     }
@@ -101,16 +103,16 @@ void separateStar(TriangleComplex& c, int vertex, std::vector<int>& outgoing)
 
 /// Clips the best ear again and again; returns the halfedge on the closing edge, from the last
 /// vertex to the first.
-int fill(
-  TriangleComplex& c, Hole hole, std::vector<int>& outgoing, const TriangleComplex::Score& score)
+Halfedge fill(TriangleComplex& c, Hole hole, ElementArray<Vertex, Halfedge>& outgoing,
+  const TriangleComplex::Score& score)
 {
-  hole.outer.push_back(-1); // the closing edge
-  hole.label.push_back(-1);
+  hole.outer.emplace_back(); // the closing edge
+  hole.label.emplace_back();
   const auto connected = [&](std::size_t i, std::size_t j) {
     const auto& near = hole.neighbours[i];
     return std::find(near.begin(), near.end(), hole.vertices[j]) != near.end();
   };
-  int closing = -1;
+  Halfedge closing;
   std::size_t used = 0;
   while (hole.vertices.size() >= 3)
   {
@@ -131,32 +133,31 @@ int fill(
     }
     const std::size_t p = (best + n - 1) % n;
     const std::size_t q = (best + 1) % n;
-    const int f = hole.faces[used++];
-    c.triangles[f] = { hole.vertices[p], hole.vertices[best], hole.vertices[q] };
-    for (int k = 0; k < 3; ++k)
-    {
-      outgoing[c.triangles[f][k]] = 3 * f + k;
-    }
-    const auto attach = [&](int h, std::size_t edge) {
-      c.twin[h] = -1;
+    const Face f = hole.faces[used++];
+    c.triangle(
+      f) = { hole.vertices[p].index(), hole.vertices[best].index(), hole.vertices[q].index() };
+    keepOutgoing(c, f, outgoing);
+    const auto attach = [&](Halfedge h, std::size_t edge) {
+      c.twin[h] = Halfedge();
       c.glue(h, hole.outer[edge]);
       c.label[h] = hole.label[edge];
-      if (hole.outer[edge] < 0 && hole.label[edge] < 0)
+      if (!hole.outer[edge].valid() && !hole.label[edge].valid())
       {
         closing = h;
       }
     };
-    attach(3 * f, p);
-    attach(3 * f + 1, best);
+    attach(halfedgeOf(f, 0), p);
+    attach(halfedgeOf(f, 1), best);
+    const Halfedge last = halfedgeOf(f, 2);
     if (n == 3)
     {
-      attach(3 * f + 2, q);
+      attach(last, q);
       break;
     }
-    c.twin[3 * f + 2] = -1;
-    c.label[3 * f + 2] = -1;
-    hole.outer[p] = 3 * f + 2;
-    hole.label[p] = -1;
+    c.twin[last] = Halfedge();
+    c.label[last] = Label();
+    hole.outer[p] = last;
+    hole.label[p] = Label();
     const auto drop = [&](auto& list) { list.erase(list.begin() + static_cast<long>(best)); };
     drop(hole.vertices);
     drop(hole.outer);
@@ -166,7 +167,7 @@ int fill(
   if (used == 0)
   {
     closing = hole.outer.front();
-    if (closing >= 0)
+    if (closing.valid())
     {
       outgoing[c.tail(closing)] = closing;
       outgoing[c.head(closing)] = nextHalfedge(closing);
@@ -174,31 +175,32 @@ int fill(
   }
   for (; used < hole.faces.size(); ++used)
   {
-    const int f = hole.faces[used];
-    c.triangles[f] = { -1, -1, -1 };
-    for (int k = 0; k < 3; ++k)
+    const Face f = hole.faces[used];
+    c.triangle(f) = { -1, -1, -1 };
+    for (Halfedge h : halfedgesOf(f))
     {
-      c.twin[3 * f + k] = c.label[3 * f + k] = -1;
+      c.twin[h] = Halfedge();
+      c.label[h] = Label();
     }
   }
   return closing;
 }
 }
 
-void TriangleComplex::flip(int h)
+void TriangleComplex::flip(Halfedge h)
 {
   // (a, b, c) with h = a->b and (b, a, d) become (d, c, a) with h = d->c and (c, d, b).
-  const int g = this->twin[h];
-  const std::array<int, 4> from = { { previousHalfedge(h), nextHalfedge(g), previousHalfedge(g),
-    nextHalfedge(h) } };
-  const std::array<int, 4> to = { { nextHalfedge(h), previousHalfedge(h), nextHalfedge(g),
+  const Halfedge g = this->twin[h];
+  const std::array<Halfedge, 4> from = { { previousHalfedge(h), nextHalfedge(g),
+    previousHalfedge(g), nextHalfedge(h) } };
+  const std::array<Halfedge, 4> to = { { nextHalfedge(h), previousHalfedge(h), nextHalfedge(g),
     previousHalfedge(g) } };
-  const int a = this->tail(h);
-  const int b = this->tail(g);
-  const int c = this->tail(from[0]);
-  const int d = this->tail(from[2]);
-  std::array<int, 4> outer;
-  std::array<int, 4> labels;
+  const Vertex a = this->tail(h);
+  const Vertex b = this->tail(g);
+  const Vertex c = this->tail(from[0]);
+  const Vertex d = this->tail(from[2]);
+  std::array<Halfedge, 4> outer;
+  std::array<Label, 4> labels;
   for (int i = 0; i < 4; ++i)
   {
     outer[i] = this->twin[from[i]];
@@ -211,7 +213,9 @@ void TriangleComplex::flip(int h)
       }
     }
   }
-  const auto set = [&](int corner, int v) { this->triangles[corner / 3][corner % 3] = v; };
+  const auto set = [&](Halfedge corner, Vertex v) {
+    this->triangle(faceOf(corner))[cornerOf(corner)] = v.index();
+  };
   set(h, d);
   set(to[0], c);
   set(to[1], a);
@@ -220,7 +224,7 @@ void TriangleComplex::flip(int h)
   set(to[3], b);
   for (int i = 0; i < 4; ++i)
   {
-    this->twin[to[i]] = -1;
+    this->twin[to[i]] = Halfedge();
   }
   for (int i = 0; i < 4; ++i)
   {
@@ -229,13 +233,13 @@ void TriangleComplex::flip(int h)
   }
 }
 
-std::vector<int> TriangleComplex::star(int outgoing) const
+std::vector<Halfedge> TriangleComplex::star(Halfedge outgoing) const
 {
-  const int v = this->tail(outgoing);
-  const auto most = static_cast<std::size_t>(this->numberOfHalfedges());
-  int first = outgoing;
+  const Vertex v = this->tail(outgoing);
+  const std::size_t most = this->twin.size();
+  Halfedge first = outgoing;
   std::size_t steps = 0;
-  for (int h = this->turnRight(first); h >= 0 && h != outgoing; h = this->turnRight(h))
+  for (Halfedge h = this->turnRight(first); h.valid() && h != outgoing; h = this->turnRight(h))
   {
     first = h;
     if (++steps > most || this->tail(h) != v)
@@ -243,8 +247,8 @@ std::vector<int> TriangleComplex::star(int outgoing) const
       return {};
     }
   }
-  std::vector<int> result;
-  int h = first;
+  std::vector<Halfedge> result;
+  Halfedge h = first;
   do
   {
     if (result.size() == most || this->tail(h) != v)
@@ -253,16 +257,16 @@ std::vector<int> TriangleComplex::star(int outgoing) const
     }
     result.push_back(h);
     h = this->turnLeft(h);
-  } while (h >= 0 && h != first);
+  } while (h.valid() && h != first);
   return result;
 }
 
 bool TriangleComplex::isSound() const
 {
-  for (int h = 0; h < this->numberOfHalfedges(); ++h)
+  for (Halfedge h : this->halfedges())
   {
-    const int g = this->twin[h];
-    if (this->tail(h) >= 0 && g >= 0 &&
+    const Halfedge g = this->twin[h];
+    if (this->tail(h).valid() && g.valid() &&
       (g == h || this->twin[g] != h || this->tail(g) != this->head(h) ||
         this->head(g) != this->tail(h)))
     {
@@ -272,16 +276,16 @@ bool TriangleComplex::isSound() const
   return true;
 }
 
-bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, const Score& score,
-  std::vector<std::array<int, 2>>& merged)
+bool TriangleComplex::removeFromChain(Vertex vertex, ElementArray<Vertex, Halfedge>& outgoing,
+  const Score& score, std::vector<std::array<Label, 2>>& merged)
 {
   separateStar(*this, vertex, outgoing);
-  std::array<int, 2> first = { { -1, -1 } };
+  std::array<Halfedge, 2> first;
   int sides = 0;
-  int constraint = -1;
-  for (int h : this->star(outgoing[vertex]))
+  Label constraint;
+  for (Halfedge h : this->star(outgoing[vertex]))
   {
-    if (this->label[h] >= 0 && sides < 2)
+    if (this->label[h].valid() && sides < 2)
     {
       first[sides++] = h;
       constraint = this->label[h];
@@ -301,23 +305,23 @@ bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, co
     }
     unfilled += hole[s].faces.size() == 1 ? 1 : 0;
   }
-  if (unfilled == 2 || (sides == 1 && unfilled == 1 && hole[0].outer.front() < 0))
+  if (unfilled == 2 || (sides == 1 && unfilled == 1 && !hole[0].outer.front().valid()))
   {
     return false;
   }
-  std::array<int, 2> closing = { { -1, -1 } };
+  std::array<Halfedge, 2> closing;
   for (int s = 0; s < sides; ++s)
   {
-    if (hole[s].faces.size() == 1 && hole[s].label.front() >= 0 &&
+    if (hole[s].faces.size() == 1 && hole[s].label.front().valid() &&
       hole[s].label.front() != constraint)
     {
       merged.push_back({ { hole[s].label.front(), constraint } });
     }
     closing[s] = fill(*this, hole[s], outgoing, score);
-    if (closing[s] >= 0)
+    if (closing[s].valid())
     {
       this->label[closing[s]] = constraint;
-      this->twin[closing[s]] = -1;
+      this->twin[closing[s]] = Halfedge();
     }
   }
   this->glue(closing[0], closing[1]);
@@ -326,32 +330,33 @@ bool TriangleComplex::removeFromChain(int vertex, std::vector<int>& outgoing, co
 
 void TriangleComplex::compact()
 {
-  std::vector<int> target(this->triangles.size(), -1);
+  ElementArray<Face, Face> target(this->triangles.size());
   int n = 0;
-  for (std::size_t f = 0; f < this->triangles.size(); ++f)
+  for (Face f : this->faces())
   {
-    if (this->triangles[f][0] >= 0)
+    if (this->triangle(f)[0] >= 0)
     {
-      target[f] = n++;
+      target[f] = Face(n++);
     }
   }
-  for (std::size_t f = 0; f < this->triangles.size(); ++f)
+  for (Face f : this->faces())
   {
-    const int g = target[f];
-    if (g < 0)
+    const Face g = target[f];
+    if (!g.valid())
     {
       continue;
     }
-    this->triangles[g] = this->triangles[f];
+    this->triangle(g) = this->triangle(f);
     for (int k = 0; k < 3; ++k)
     {
-      const int t = this->twin[3 * f + k];
-      this->twin[3 * g + k] = t < 0 ? -1 : 3 * target[t / 3] + t % 3;
-      this->label[3 * g + k] = this->label[3 * f + k];
+      const Halfedge t = this->twin[halfedgeOf(f, k)];
+      this->twin[halfedgeOf(g, k)] =
+        t.valid() ? halfedgeOf(target[faceOf(t)], cornerOf(t)) : Halfedge();
+      this->label[halfedgeOf(g, k)] = this->label[halfedgeOf(f, k)];
     }
   }
   this->triangles.resize(n);
-  this->twin.resize(3 * n);
-  this->label.resize(3 * n);
+  this->twin.resize(3 * static_cast<std::size_t>(n));
+  this->label.resize(3 * static_cast<std::size_t>(n));
 }
 }

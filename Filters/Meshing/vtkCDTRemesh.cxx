@@ -37,31 +37,29 @@ int vtkCDTRemesh::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const stipple::FilterInputs inputs(inputVector);
-  vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
-  if (inputs.isEmpty())
-  {
-    return 1;
-  }
-  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
-  std::vector<stipple::Sample> samples;
-  std::vector<stipple::Triangle> triangles;
-  stipple::Status status = inputs.read(atlas, samples);
-  if (status.ok())
-  {
-    status = stipple::createMesh(*atlas, samples, triangles, stipple::progressOf(this));
-  }
-  if (!status.ok())
-  {
-    return stipple::endAfter(status, this);
-  }
-  const auto mesh = stipple::meshToPolyData(*atlas, samples, triangles);
-  const auto lines = stipple::featureLines(
-    atlas->graph(), stipple::backboneChains(atlas->graph(), samples), mesh, true);
-  meshOutput->ShallowCopy(mesh);
-  linesOutput->ShallowCopy(lines);
-  this->UpdateProgress(1.);
-  return 1;
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    if (inputs.isEmpty())
+    {
+      return stipple::Status::success();
+    }
+    stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
+    std::vector<stipple::Sample> samples;
+    std::vector<stipple::Triangle> triangles;
+    stipple::Status status = inputs.read(atlas, samples);
+    if (status.ok())
+    {
+      status = stipple::createMesh(*atlas, samples, triangles, progress);
+    }
+    if (status.ok())
+    {
+      const auto mesh = stipple::meshToPolyData(*atlas, samples, triangles);
+      const auto lines = stipple::featureLines(
+        atlas->graph(), stipple::backboneChains(atlas->graph(), samples), mesh, true);
+      vtkPolyData::GetData(outputVector, 0)->ShallowCopy(mesh);
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
+    }
+    return status;
+  });
 }
 
 void vtkCDTRemesh::PrintSelf(ostream& os, vtkIndent indent)

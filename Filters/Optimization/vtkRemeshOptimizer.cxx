@@ -21,6 +21,14 @@ struct vtkRemeshOptimizer::Internals
 {
   stipple::Atlas::Pointer Atlas;
   stipple::DensityField Density;
+  stipple::OptimizerOptions Options;
+
+  /// The density may be null.
+  stipple::Status optimize(const stipple::FilterInputs& inputs,
+    vtkPartitionedDataSetCollection* density, const stipple::Progress& progress,
+    std::vector<stipple::Sample>& samples, stipple::OptimizedMesh& mesh);
+  void write(const stipple::OptimizedMesh& mesh, const std::vector<stipple::Sample>& samples,
+    bool leastSquares, vtkInformationVector* output) const;
 };
 
 vtkRemeshOptimizer::vtkRemeshOptimizer()
@@ -43,59 +51,43 @@ int vtkRemeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkRemeshOptimizer::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+stipple::Status vtkRemeshOptimizer::Internals::optimize(const stipple::FilterInputs& inputs,
+  vtkPartitionedDataSetCollection* density, const stipple::Progress& progress,
+  std::vector<stipple::Sample>& samples, stipple::OptimizedMesh& mesh)
 {
-  const stipple::FilterInputs inputs(inputVector);
-  auto* control = vtkPartitionedDataSetCollection::GetData(inputVector[3]);
-  vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* linesOutput = vtkPolyData::GetData(outputVector, 1);
-  if (inputs.isEmpty())
-  {
-    return 1;
-  }
-  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
-  stipple::DensityField& density = this->Implementation->Density;
-  std::vector<stipple::Sample> samples;
-  stipple::OptimizedMesh mesh;
-  stipple::Status status = inputs.read(atlas, samples);
+  stipple::TriangleSurface given;
+  stipple::Status status = inputs.read(this->Atlas, samples);
   if (status.ok())
   {
-    status = density.read(this->FollowDensity ? control : nullptr, atlas->surface());
+    status = this->Density.read(density, this->Atlas->surface());
   }
-  stipple::TriangleSurface given;
   if (status.ok())
   {
     status = stipple::readPolyData(inputs.samples(), given);
   }
   if (status.ok())
   {
-    status = mesh.build(*atlas, density, samples, given.triangles);
+    status = mesh.build(*this->Atlas, this->Density, samples, given.triangles);
   }
   if (status.ok())
   {
-    using Options = stipple::OptimizerOptions;
-    Options options;
-    options.swaps = static_cast<Options::Swaps>(this->Connectivity);
-    options.moves = static_cast<Options::Moves>(this->Smoothing);
-    options.iterations = this->NumberOfIterations;
-    options.ribs = this->Ribs;
-    options.errorReduction = 0.01 * this->ErrorReduction;
-    options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
-    status =
-      stipple::optimizeMesh(mesh, options, [progress = stipple::progressOf(this)](double fraction) {
-        return progress(0.05 + 0.9 * fraction);
-      });
+    status = stipple::optimizeMesh(
+      mesh, this->Options, [&](double fraction) { return progress(0.05 + 0.9 * fraction); });
   }
-  if (!status.ok())
+  if (status.ok() && this->Options.moves != stipple::OptimizerOptions::Moves::None &&
+    this->Options.iterations > 0)
   {
-    return stipple::endAfter(status, this);
+    samples = mesh.samples();
   }
-  const bool moved =
-    this->Smoothing != vtkRemeshOptimizer::SMOOTHING_NONE && this->NumberOfIterations > 0;
-  const auto result =
-    stipple::meshToPolyData(*atlas, moved ? mesh.samples() : samples, mesh.triangles());
-  if (this->Placement == LEAST_SQUARES)
+  return status;
+}
+
+void vtkRemeshOptimizer::Internals::write(const stipple::OptimizedMesh& mesh,
+  const std::vector<stipple::Sample>& samples, bool leastSquares,
+  vtkInformationVector* output) const
+{
+  const auto result = stipple::meshToPolyData(*this->Atlas, samples, mesh.triangles());
+  if (leastSquares)
   {
     const std::vector<stipple::Vec3> positions = stipple::leastSquaresPositions(mesh);
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -112,11 +104,39 @@ int vtkRemeshOptimizer::RequestData(
       chains.back().push_back(v.index());
     }
   }
-  const auto lines = stipple::featureLines(atlas->graph(), chains, result, false);
-  meshOutput->ShallowCopy(result);
-  linesOutput->ShallowCopy(lines);
-  this->UpdateProgress(1.);
-  return 1;
+  const auto lines = stipple::featureLines(this->Atlas->graph(), chains, result, false);
+  vtkPolyData::GetData(output, 0)->ShallowCopy(result);
+  vtkPolyData::GetData(output, 1)->ShallowCopy(lines);
+}
+
+int vtkRemeshOptimizer::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const stipple::FilterInputs inputs(inputVector);
+  auto* density =
+    this->FollowDensity ? vtkPartitionedDataSetCollection::GetData(inputVector[3]) : nullptr;
+  using Options = stipple::OptimizerOptions;
+  Options& options = this->Implementation->Options;
+  options.swaps = static_cast<Options::Swaps>(this->Connectivity);
+  options.moves = static_cast<Options::Moves>(this->Smoothing);
+  options.iterations = this->NumberOfIterations;
+  options.ribs = this->Ribs;
+  options.errorReduction = 0.01 * this->ErrorReduction;
+  options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    stipple::Status status = stipple::Status::success();
+    if (!inputs.isEmpty())
+    {
+      std::vector<stipple::Sample> samples;
+      stipple::OptimizedMesh mesh;
+      status = this->Implementation->optimize(inputs, density, progress, samples, mesh);
+      if (status.ok())
+      {
+        this->Implementation->write(mesh, samples, this->Placement == LEAST_SQUARES, outputVector);
+      }
+    }
+    return status;
+  });
 }
 
 void vtkRemeshOptimizer::SetPreset(bool followDensity, bool ribs)

@@ -219,7 +219,7 @@ Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, QuadMesh
   }
   if (lattice.size() == 0)
   {
-    return Status::error("A grid of quads needs at least 4 points; use more points.");
+    return Status::tooFewPoints("A grid of quads needs at least 4 points.", 4);
   }
   lattice.spacing = extent.cwiseQuotient(Vec2(lattice.width - 1, lattice.height - 1));
   const OutlineSamples outline(atlas);

@@ -58,36 +58,37 @@ int vtkQuadRemesh::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const stipple::FilterInputs inputs(inputVector);
-  if (inputs.isEmpty())
-  {
-    return 1;
-  }
-  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
-  std::vector<stipple::Sample> samples;
-  stipple::QuadMesh mesh;
-  stipple::Status status = inputs.read(atlas, samples);
-  if (status.ok())
-  {
-    status = stipple::meshWithQuads(*atlas, samples, mesh, stipple::progressOf(this));
-  }
-  if (!status.ok())
-  {
-    return stipple::endAfter(status, this);
-  }
-  // Cell arrays come from one triangle of every polygon.
-  std::vector<stipple::Triangle> triangles;
-  for (const std::vector<int>& p : mesh.polygons)
-  {
-    triangles.push_back({ p[0], p[1], p[2] });
-  }
-  const auto result = stipple::meshToPolyData(*atlas, mesh.samples, triangles);
-  setPolygons(mesh, result);
-  const auto lines = stipple::featureLines(
-    atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, true);
-  vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
-  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
-  this->UpdateProgress(1.);
-  return 1;
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    if (inputs.isEmpty())
+    {
+      return stipple::Status::success();
+    }
+    stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
+    std::vector<stipple::Sample> samples;
+    stipple::QuadMesh mesh;
+    stipple::Status status = inputs.read(atlas, samples);
+    if (status.ok())
+    {
+      status = stipple::meshWithQuads(*atlas, samples, mesh, progress);
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+    // Cell arrays come from one triangle of every polygon.
+    std::vector<stipple::Triangle> triangles;
+    for (const std::vector<int>& p : mesh.polygons)
+    {
+      triangles.push_back({ p[0], p[1], p[2] });
+    }
+    const auto result = stipple::meshToPolyData(*atlas, mesh.samples, triangles);
+    setPolygons(mesh, result);
+    const auto lines = stipple::featureLines(
+      atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, true);
+    vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
+    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
+    return status;
+  });
 }
 
 void vtkQuadRemesh::PrintSelf(ostream& os, vtkIndent indent)

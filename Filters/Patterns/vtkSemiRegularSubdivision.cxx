@@ -75,36 +75,36 @@ int vtkSemiRegularSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const stipple::FilterInputs inputs(inputVector);
-  if (inputs.isEmpty())
-  {
-    return 1;
-  }
-  stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
-  std::vector<stipple::Sample> samples;
-  stipple::SubdividedMesh mesh;
-  stipple::Status status = inputs.read(atlas, samples);
-  stipple::TriangleSurface given;
-  if (status.ok())
-  {
-    status = stipple::readPolyData(inputs.samples(), given);
-  }
-  if (status.ok())
-  {
-    status = stipple::subdivideSemiRegularly(*atlas, samples, given.triangles,
-      this->NumberOfSubdivisions, this->NumberOfIterations, mesh, stipple::progressOf(this));
-  }
-  if (!status.ok())
-  {
-    return stipple::endAfter(status, this);
-  }
-  const auto result = stipple::meshToPolyData(*atlas, mesh.samples, mesh.triangles);
-  addHierarchy(mesh, result);
-  const auto lines = stipple::featureLines(
-    atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, false);
-  vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
-  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
-  this->UpdateProgress(1.);
-  return 1;
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    if (inputs.isEmpty())
+    {
+      return stipple::Status::success();
+    }
+    stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
+    std::vector<stipple::Sample> samples;
+    stipple::SubdividedMesh mesh;
+    stipple::TriangleSurface given;
+    stipple::Status status = inputs.read(atlas, samples);
+    if (status.ok())
+    {
+      status = stipple::readPolyData(inputs.samples(), given);
+    }
+    if (status.ok())
+    {
+      status = stipple::subdivideSemiRegularly(*atlas, samples, given.triangles,
+        this->NumberOfSubdivisions, this->NumberOfIterations, mesh, progress);
+    }
+    if (status.ok())
+    {
+      const auto result = stipple::meshToPolyData(*atlas, mesh.samples, mesh.triangles);
+      addHierarchy(mesh, result);
+      const auto lines = stipple::featureLines(
+        atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, false);
+      vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
+    }
+    return status;
+  });
 }
 
 void vtkSemiRegularSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -29,18 +29,20 @@ namespace
 {
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// The first point of a triangle that is not finite, or -1.
-int firstBadPoint(const stipple::TriangleSurface& surface)
+stipple::Status checkPoints(const stipple::TriangleSurface& surface, const char* name)
 {
-  int bad = -1;
   for (const stipple::Triangle& t : surface.triangles)
   {
     for (const int p : t)
     {
-      bad = !surface.points[p].allFinite() && (bad < 0 || p < bad) ? p : bad;
+      if (!surface.points[p].allFinite())
+      {
+        return stipple::Status::error(
+          "point " + std::to_string(p) + " of the " + name + " is not finite");
+      }
     }
   }
-  return bad;
+  return stipple::Status::success();
 }
 
 void addColumn(vtkTable* table, vtkDataArray* column, const stipple::QualityFigure& figure)
@@ -156,52 +158,43 @@ int vtkSurfaceQuality::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSurfaceQuality::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* referenceData = vtkPolyData::GetData(inputVector[1]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkTable* table = vtkTable::GetData(outputVector, 1);
-  std::vector<int> cellOf;
-  const stipple::TriangleSurface mesh = stipple::fromPolyData(input, &cellOf);
-  stipple::TriangleSurface reference;
-  if (const int bad = firstBadPoint(mesh); bad >= 0)
-  {
-    vtkErrorMacro("point " << bad << " of the mesh is not finite");
-    return 0;
-  }
-  if (referenceData)
-  {
-    reference = stipple::fromPolyData(referenceData);
-    if (const int bad = firstBadPoint(reference); bad >= 0)
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+    vtkPolyData* referenceData = vtkPolyData::GetData(inputVector[1]);
+    std::vector<int> cellOf;
+    const stipple::TriangleSurface mesh = stipple::fromPolyData(input, &cellOf);
+    stipple::Status status = checkPoints(mesh, "mesh");
+    stipple::MeshDistance distance;
+    if (status.ok() && referenceData)
     {
-      vtkErrorMacro("point " << bad << " of the reference is not finite");
-      return 0;
+      const stipple::TriangleSurface reference = stipple::fromPolyData(referenceData);
+      status = checkPoints(reference, "reference");
+      if (status.ok() && !(reference.area() > 0))
+      {
+        status = stipple::Status::error(
+          "the reference has no triangle with an area: there is nothing to measure to");
+      }
+      if (status.ok())
+      {
+        status =
+          stipple::measureDistance(mesh, reference, this->NumberOfSamples, progress, distance);
+      }
     }
-    if (!(reference.area() > 0))
-    {
-      vtkErrorMacro("the reference has no triangle with an area: there is nothing to measure to");
-      return 0;
-    }
-  }
-  const stipple::Progress progress = stipple::progressOf(this);
-  const stipple::MeshQuality quality = stipple::measureQuality(mesh);
-  stipple::MeshDistance distance;
-  if (referenceData)
-  {
-    const stipple::Status status =
-      stipple::measureDistance(mesh, reference, this->NumberOfSamples, progress, distance);
     if (!status.ok())
     {
-      return stipple::endAfter(status, this);
+      return status;
     }
-  }
-  output->ShallowCopy(input);
-  addShapes(output, mesh, cellOf);
-  if (referenceData)
-  {
-    vtkDoubleArray* array =
-      addArray(output->GetPointData(), "Distance", output->GetNumberOfPoints());
-    std::copy(distance.ofPoint.begin(), distance.ofPoint.end(), array->GetPointer(0));
-  }
-  fill(table, stipple::figuresOf(quality, referenceData ? &distance : nullptr));
-  return 1;
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+    output->ShallowCopy(input);
+    addShapes(output, mesh, cellOf);
+    if (referenceData)
+    {
+      vtkDoubleArray* array =
+        addArray(output->GetPointData(), "Distance", output->GetNumberOfPoints());
+      std::copy(distance.ofPoint.begin(), distance.ofPoint.end(), array->GetPointer(0));
+    }
+    fill(vtkTable::GetData(outputVector, 1),
+      stipple::figuresOf(stipple::measureQuality(mesh), referenceData ? &distance : nullptr));
+    return status;
+  });
 }

@@ -4,6 +4,7 @@
 
 #include "MessageText.h"
 #include "OptionTable.h"
+#include "Progress.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
@@ -11,6 +12,7 @@
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
 #include "vtkDataArraySelection.h"
+#include "vtkErrorCode.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
@@ -38,8 +40,17 @@ vtkStandardNewMacro(vtkGeometryRemesher);
 
 namespace
 {
+using Remesher = vtkGeometryRemesher;
+constexpr bool isCode(int code, stipple::StatusCode status)
+{
+  return code == static_cast<int>(status) && code > vtkErrorCode::UserError;
+}
+static_assert(isCode(Remesher::ABORTED, stipple::StatusCode::Aborted) &&
+  isCode(Remesher::BAD_INPUT, stipple::StatusCode::BadInput) &&
+  isCode(Remesher::TOO_FEW_POINTS, stipple::StatusCode::TooFewPoints) &&
+  isCode(Remesher::INTERNAL_ERROR, stipple::StatusCode::Internal));
 static_assert(
-  static_cast<int>(vtkGeometryRemesher::StageStartEvent) > static_cast<int>(vtkCommand::UserEvent));
+  static_cast<int>(Remesher::StageStartEvent) > static_cast<int>(vtkCommand::UserEvent));
 
 constexpr int NumberOfStages = 6;
 // Behind the stages come the algorithms that other patterns put in their places.
@@ -84,8 +95,6 @@ struct vtkGeometryRemesher::Internals
   int Current = 0;
   std::string StageError;     ///< the first that the stage reported
   std::string ExecutiveError; ///< the first that its executive reported
-  bool Failed = false;        ///< a stage did in this execution
-  bool Trying = false;        ///< numbers of points: nobody is told
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
@@ -152,9 +161,7 @@ struct vtkGeometryRemesher::Internals
     {
       const double begin = ProgressBegin[stageOf(self->Current)];
       const double end = ProgressBegin[stageOf(self->Current) + 1];
-      self->Self->UpdateProgress(self->Trying
-          ? self->Self->GetProgress()
-          : begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
+      self->Self->UpdateProgress(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
       if (self->Self->GetAbortExecute())
       {
         stage->SetAbortExecute(1);
@@ -281,89 +288,44 @@ int vtkGeometryRemesher::ComputePipelineMTime(vtkInformation* request,
 bool vtkGeometryRemesher::RunStage(int algorithm)
 {
   Internals& s = *this->Stages;
+  vtkAlgorithm* filter = s.InOrder[algorithm];
   int stage = stageOf(algorithm);
   s.Current = algorithm;
   s.StageError.clear();
   s.ExecutiveError.clear();
-  if (!s.Trying)
+  this->InvokeEvent(StageStartEvent, &stage);
+  if (this->AbortExecute)
   {
-    this->InvokeEvent(StageStartEvent, &stage);
-    if (this->AbortExecute)
-    {
-      return false;
-    }
+    this->ErrorCode = ABORTED;
+    return false;
   }
   const double begin = vtkTimerLog::GetUniversalTime();
-  const bool updated = s.InOrder[algorithm]->GetExecutive()->Update() != 0;
+  const bool updated = filter->GetExecutive()->Update() != 0;
   s.Seconds[stage] += vtkTimerLog::GetUniversalTime() - begin;
-  if (s.InOrder[algorithm]->GetAbortExecute() || this->AbortExecute)
+  if (filter->GetAbortExecute() || this->AbortExecute)
   {
     this->AbortExecute = 1;
-    s.InOrder[algorithm]->Modified(); // what it left is not its result
+    this->ErrorCode = ABORTED;
+    filter->Modified(); // what it left is not its result
     return false;
   }
   if (!updated || !s.StageError.empty())
   {
-    s.InOrder[algorithm]->Modified();
-    if (s.Trying)
+    filter->Modified();
+    this->ErrorCode = filter->GetErrorCode();
+    if (this->ErrorCode == 0)
     {
-      return false;
+      this->ErrorCode = INTERNAL_ERROR;
     }
-    std::string sentence = !s.StageError.empty()
-      ? s.StageError
-      : (!s.ExecutiveError.empty()
-            ? s.ExecutiveError
-            : "The " + std::string(AlgorithmNames[algorithm]) + " failed without saying why.");
-    if (algorithm == MESHING)
-    {
-      sentence = this->SentenceWithNumber(s.Sampler->GetNumberOfSamples(), sentence);
-    }
-    if (this->AbortExecute)
-    {
-      return false;
-    }
-    s.Failed = true;
-    vtkErrorMacro(<< sentence);
+    const std::string& sentence = !s.StageError.empty() ? s.StageError : s.ExecutiveError;
+    vtkErrorMacro(<< (!sentence.empty() ? sentence
+                                        : "The " + std::string(AlgorithmNames[algorithm]) +
+                        " failed without saying why."));
     return false;
-  }
-  if (s.Trying)
-  {
-    return true;
   }
   this->UpdateProgress(ProgressBegin[stage + 1]);
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
-}
-
-std::string vtkGeometryRemesher::SentenceWithNumber(int points, const std::string& sentence)
-{
-  Internals& s = *this->Stages;
-  const std::string advice = "use more points.";
-  if (sentence.size() < advice.size() ||
-    sentence.compare(sentence.size() - advice.size(), advice.size(), advice) != 0)
-  {
-    return sentence;
-  }
-  std::string result = sentence;
-  s.Trying = true;
-  const int most = 2 * points + 100;
-  for (int n = points + 1; n <= most && !this->AbortExecute; n += 1 + (n - points) / 8)
-  {
-    s.MapRenderer->SetNumberOfSamples(n);
-    s.Sampler->SetNumberOfSamples(n);
-    if (this->RunStage(MAPS) && this->RunStage(CONTROL) && this->RunStage(SAMPLING) &&
-      this->RunStage(MESHING))
-    {
-      result.replace(result.size() - advice.size(), advice.size(),
-        "use more points, for instance " + std::to_string(n) + ".");
-      break;
-    }
-  }
-  s.Trying = false;
-  s.Current = MESHING;
-  s.MapRenderer->SetNumberOfSamples(points);
-  s.Sampler->SetNumberOfSamples(points);
-  return result;
 }
 
 bool vtkGeometryRemesher::RunStages()
@@ -385,6 +347,7 @@ bool vtkGeometryRemesher::RunStages()
   s.selectMaps();
   s.MapRenderer->SetNumberOfSamples(points);
   s.Sampler->SetNumberOfSamples(points);
+  s.Sampler->SetRaiseNumberOfSamples(this->NumberOfPoints == 0);
   if (!this->RunStage(MAPS) || !this->RunStage(CONTROL) || !this->RunStage(SAMPLING))
   {
     return false;
@@ -401,7 +364,7 @@ int vtkGeometryRemesher::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& s = *this->Stages;
-  s.Failed = false;
+  this->ErrorCode = 0;
   s.Stopped = false;
   s.Seconds.fill(0.);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -432,8 +395,13 @@ int vtkGeometryRemesher::RequestData(
     }
     return 1;
   }
-  s.Stopped = this->AbortExecute != 0;
-  return s.Failed ? 0 : 1;
+  s.Stopped = this->ErrorCode == ABORTED;
+  return this->ErrorCode == 0 || s.Stopped ? 1 : 0;
+}
+
+int vtkGeometryRemesher::GetLeastNumberOfPoints()
+{
+  return this->Stages->Sampler->GetMinimumNumberOfSamples();
 }
 
 std::string vtkGeometryRemesher::GetOptionTable()

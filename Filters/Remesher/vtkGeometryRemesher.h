@@ -33,9 +33,8 @@
  * was stopped by SetAbortExecute(1), from an observer of progress, leaves empty outputs and is done
  * again by the next update.
  *
- * @warning Fewer points than the features and the topology need are an error that names the least
- * number; a few above it may fail too, for charts whose samples have no triangulation together, and
- * this error names a number that works.
+ * @warning Fewer points than the features and the topology need are an error that names the next
+ * number that works.
  * @warning Input points that coincide are welded, and the arrays of one of them are used: values
  * that jump where a surface is cut, as texture coordinates do, are interpolated across the jump.
  *
@@ -50,7 +49,6 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for an error's sentence
 
 class vtkCDTRemesh;
 class vtkConformalAtlas;
@@ -72,7 +70,8 @@ public:
 
   ///@{
   /// The exact number of points of the mesh, from 0 to as many as vtkErrorDiffusionSampler makes; 0
-  /// is as many as the input has after repairs. The default is 0.
+  /// is as many as the input has after repairs, or where no mesh has so few
+  /// GetLeastNumberOfPoints(). The default is 0.
   void SetNumberOfPoints(int points);
   vtkGetMacro(NumberOfPoints, int);
   int GetNumberOfPointsMinValue();
@@ -206,6 +205,23 @@ public:
     StageEndEvent = 1102
   };
 
+  /// What GetErrorCode() answers after an update that gave no mesh, 0 after one that did: it was
+  /// stopped; data or a parameter cannot be used; no mesh has so few points, and
+  /// GetLeastNumberOfPoints() is a number that works; or a fault of Stipple's. The stages have the
+  /// same codes.
+  enum ErrorCodeType
+  {
+    ABORTED = 40001,
+    BAD_INPUT = 40002,
+    TOO_FEW_POINTS = 40003,
+    INTERNAL_ERROR = 40004
+  };
+
+  /// After an update that failed with TOO_FEW_POINTS: the next NumberOfPoints that can be had,
+  /// which was tried out. After another one: the least that these charts, features and constraints
+  /// need by count; a number close to it may still have no mesh.
+  int GetLeastNumberOfPoints();
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -221,10 +237,7 @@ private:
   vtkGeometryRemesher(const vtkGeometryRemesher&) = delete;
   void operator=(const vtkGeometryRemesher&) = delete;
 
-  bool RunStage(int stage);
-  /// What is said when a number of points was too few for the mesher: its sentence with a number
-  /// that works.
-  std::string SentenceWithNumber(int points, const std::string& sentence);
+  bool RunStage(int algorithm);
   bool RunStages();
 
   int NumberOfPoints = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BackboneBand.h"
 
+#include "SamplingConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +12,7 @@ namespace stipple
 {
 namespace
 {
-constexpr double stepInRows = 0.3; ///< of half a row; twice that beyond a band of width 1
-constexpr int mostSteps = 40;      ///< on a side
-constexpr int mostFaces = 300;     ///< that a walk crosses on a side
+using Constants = SamplingConstants;
 
 /// A straight walk on the surface, from the middle of an edge into the face on its left.
 class StraightWalk
@@ -68,7 +68,7 @@ public:
       length -= reach;
       const int h = 3 * this->Face + (corner + 1) % 3;
       const int twin = this->Surface.twin[h];
-      if (!crossed(h, length) || twin < 0 || ++this->Crossed > mostFaces)
+      if (!crossed(h, length) || twin < 0 || ++this->Crossed > Constants::MostFaces)
       {
         return false;
       }
@@ -165,11 +165,11 @@ void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlIm
   };
   double middle = 0;
   double length = 0;
-  for (int i = 0; i < mostSteps; ++i)
+  for (int i = 0; i < Constants::MostSteps; ++i)
   {
-    const double halfRow = std::sqrt(bandLimit / (scale * (rho > 0 ? rho : fallback)));
+    const double halfRow = std::sqrt(BandLimit / (scale * (rho > 0 ? rho : fallback)));
     const double before = 0.5 * length;
-    length = (middle < halfRow ? 1. : 2.) * stepInRows * halfRow;
+    length = (middle < halfRow ? 1. : 2.) * Constants::StepInRows * halfRow;
     const double next = middle + before + 0.5 * length;
     if (!std::isfinite(length) || !advance(middle, next))
     {
@@ -177,10 +177,10 @@ void BandSection::walk(const SamplingDomain& domain, const std::vector<ControlIm
     }
     middle = next;
     rho = density();
-    const double scaled = scale * rho / bandLimit;
+    const double scaled = scale * rho / BandLimit;
     const double inRows = std::sqrt(scaled);
     this->Steps.push_back({ sign * middle, length * scale * rho, scaled, length * inRows });
-    if (rho > 0 ? middle * inRows > widestBand : i > mostSteps / 2)
+    if (rho > 0 ? middle * inRows > Constants::WidestBand : i > Constants::MostSteps / 2)
     {
       return;
     }
@@ -217,9 +217,9 @@ double BandSection::widthThatWants(double wanted) const
 {
   double low = 1;
   double had = this->wanted(low, true);
-  while (had < wanted && low < widestBand)
+  while (had < wanted && low < Constants::WidestBand)
   {
-    const double high = std::min(low + 0.1, widestBand);
+    const double high = std::min(low + 0.1, Constants::WidestBand);
     const double has = this->wanted(high, true);
     if (has >= wanted)
     {

@@ -12,15 +12,10 @@
 
 namespace stipple
 {
-/// On each side of a backbone the places whose distance d has d^2 rho < bandLimit stand for its
+/// On each side of a backbone the places whose distance d has d^2 rho < BandLimit stand for its
 /// samples: (sqrt(3) / 4)^2 s^2 rho with s^2 rho = 2 / sqrt(3), that is, half the height of a row
 /// of the hexagonal lattice of spacing s.
-constexpr double bandLimit = 0.21650635094610965; // sqrt(3) / 8
-
-/// A band may be widened up to this many times to make room for those that share it: two backbones
-/// in one place nearly keep their spacing. What is not there even so, is not sampled. (Wider ones
-/// leave gaps where seams meet at small angles.)
-constexpr double widestBand = 2.0;
+constexpr double BandLimit = 0.21650635094610965; // sqrt(3) / 8
 
 /// The surface on both sides of a backbone, across it at one place.
 class STIPPLEFILTERSSAMPLING_EXPORT BandSection
@@ -35,7 +30,8 @@ public:
   /// Samples wanted per unit of length in the band of this width (1: half a row on each side); what
   /// lies in bands of other backbones too, is shared with them in equal parts, or counted in full.
   double wanted(double width, bool shared) const;
-  /// The least width of at least 1 in which that many are wanted, shared; at most widestBand.
+  /// The least width of at least 1 in which that many are wanted, shared; at most
+  /// SamplingConstants::WidestBand.
   double widthThatWants(double wanted) const;
   int numberOfSides() const { return this->Sides; }
 
@@ -44,7 +40,7 @@ private:
   {
     double offset; ///< signed distance from the backbone of the step's middle; negative on side 1
     double wanted; ///< samples per unit of length that the step is worth
-    double rho;    ///< samples wanted per unit of surface area, over bandLimit
+    double rho;    ///< samples wanted per unit of surface area, over BandLimit
     double extent; ///< the step's length in units of half a row there
   };
   void walk(const SamplingDomain& domain, const std::vector<ControlImage>& images, int backbone,

@@ -3,6 +3,7 @@
 #include "BackboneSampling.h"
 
 #include "BackboneBand.h"
+#include "SamplingConstants.h"
 
 #include "vtkSMPTools.h"
 
@@ -14,8 +15,7 @@ namespace stipple
 {
 namespace
 {
-/// Sections across a backbone lie this part of its samples' spacing apart.
-constexpr double stepInSpacings = 0.6;
+using Constants = SamplingConstants;
 
 /// Pieces of a backbone between fixed places (or its ends), as (begin, end) in arc length.
 std::vector<std::array<double, 2>> pieces(const SamplingDomain& domain, int b)
@@ -84,10 +84,10 @@ BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<Con
       alone = perLength;
       if (shared < perLength)
       {
-        perLength = std::min(perLength, sides * section.wanted(widestBand, true));
+        perLength = std::min(perLength, sides * section.wanted(Constants::WidestBand, true));
         width = section.widthThatWants(perLength / sides);
       }
-      if (step * perLength <= 2. * stepInSpacings || step <= shortest)
+      if (step * perLength <= 2. * Constants::StepInSpacings || step <= shortest)
       {
         break;
       }
@@ -97,7 +97,7 @@ BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<Con
     result.wanted.push_back(result.wanted.back() + step * (perLength / root + least));
     result.width.push_back(width);
     result.density.push_back(alone * alone * 2. / std::sqrt(3.) / scale);
-    step = std::min(2. * step, perLength > 0 ? stepInSpacings / perLength : longest);
+    step = std::min(2. * step, perLength > 0 ? Constants::StepInSpacings / perLength : longest);
     step = std::clamp(step, shortest, longest);
   }
   if (result.width.empty())
@@ -157,7 +157,7 @@ double BackboneDensity::widest(double begin, double end) const
 }
 
 std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
-  const std::vector<ControlImage>& images, double scale, double meanDensity)
+  const std::vector<ControlImage>& images, double scale, double meanDensity, const Stop& stop)
 {
   std::vector<BackboneDensity> result(domain.traces().size());
   // The longest ones first, so that no thread is left waiting for one.
@@ -167,7 +167,7 @@ std::vector<BackboneDensity> backboneDensities(const SamplingDomain& domain,
     [&](int a, int b) { return domain.traces()[a].length() > domain.traces()[b].length(); });
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(order.size()), 1, [&](vtkIdType first, vtkIdType last) {
-      for (vtkIdType i = first; i < last; ++i)
+      for (vtkIdType i = first; i < last && !isAsked(stop); ++i)
       {
         const int b = order[i];
         result[b] = densityAlong(domain, images, b, scale, meanDensity);

@@ -5,6 +5,7 @@
 #define stipple_BackboneSampling_h
 
 #include "ControlImage.h"
+#include "ReportingThread.h"
 #include "SamplingDomain.h"
 
 namespace stipple
@@ -35,10 +36,10 @@ struct STIPPLEFILTERSSAMPLING_EXPORT BackboneDensity
 };
 
 /// Densities along all backbones for samples of about `scale` times the control, whose mean per
-/// unit of surface area is meanDensity.
+/// unit of surface area is meanDensity. Those that come after `stop` has become true are empty.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneDensity> backboneDensities(
   const SamplingDomain& domain, const std::vector<ControlImage>& images, double scale,
-  double meanDensity);
+  double meanDensity, const Stop& stop = {});
 
 /// As if every backbone wanted the same number of samples per length.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<BackboneDensity> uniformBackboneDensities(

@@ -3,6 +3,7 @@
 #include "BandMask.h"
 
 #include "BackboneBand.h"
+#include "SamplingConstants.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,10 @@ namespace stipple
 {
 namespace
 {
+using Constants = SamplingConstants;
+
 /// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
-constexpr double discLimit = 1. / 3.14159265358979323846;
+constexpr double DiscLimit = 1. / 3.14159265358979323846;
 
 /// The first column (or row) of the raster in each column of the image, and where the last ends.
 std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
@@ -83,7 +86,8 @@ bool BandMask::fits(const ControlImage& image) const
     (image.faceIndex ? haveSameBytes(this->Faces, image.faceIndex) : this->Faces.empty());
 }
 
-void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage& image)
+void BandMask::build(
+  const SamplingDomain& domain, int chart, const ControlImage& image, const Stop& stop)
 {
   const std::size_t n = static_cast<std::size_t>(image.numberOfPixels());
   this->Image = image;
@@ -106,15 +110,18 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
   this->addLines(domain, chart);
-  this->spread();
-
+  this->spread(stop);
+  if (isAsked(stop))
+  {
+    return;
+  }
   const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
   this->Low.resize(n);
   this->High.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
     const FirstFundamentalForm& form = this->Forms[i];
-    const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : bandLimit;
+    const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : BandLimit;
     const double toCorner =
       std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
     const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
@@ -140,14 +147,14 @@ void BandMask::addLines(const SamplingDomain& domain, int chart)
       {
         const Vec2 a = trace.parameter(domain.surface(), { i, 0. }, side);
         const Vec2 b2 = trace.parameter(domain.surface(), { i, 1. }, side);
-        this->Lines.push_back({ a, b2 - a, bandLimit, static_cast<int>(b), trace.arcLength[i],
+        this->Lines.push_back({ a, b2 - a, BandLimit, static_cast<int>(b), trace.arcLength[i],
           trace.arcLength[i + 1] - trace.arcLength[i] });
       }
     }
   }
   for (const Vec2& p : domain.chartConstraints[chart])
   {
-    this->Lines.push_back({ p, Vec2::Zero(), discLimit, -1, 0., 0. });
+    this->Lines.push_back({ p, Vec2::Zero(), DiscLimit, -1, 0., 0. });
   }
   const Vec2 pixel(
     this->Image.extent.x() / this->Image.width, this->Image.extent.y() / this->Image.height);
@@ -178,10 +185,12 @@ void BandMask::offer(int pixel, int line)
   }
 }
 
-void BandMask::spread()
+void BandMask::spread(const Stop& stop)
 {
   const int width = this->Image.width;
-  for (std::size_t k = 0; k < this->Queue.size(); ++k) // it grows
+  constexpr std::size_t Look = 4095; // for a stop, every 4096 pixels
+  for (std::size_t k = 0; k < this->Queue.size() && ((k & Look) != 0 || !isAsked(stop));
+       ++k) // it grows
   {
     const int pixel = this->Queue[k];
     const int line = this->Nearest[pixel];
@@ -203,7 +212,7 @@ BandMask::Control BandMask::controlOf(
   const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
 {
   Control control = { image, densities, scale,
-    static_cast<float>(scale / (widestBand * widestBand)), {} };
+    static_cast<float>(scale / (Constants::WidestBand * Constants::WidestBand)), {} };
   control.widest.reserve(this->Lines.size());
   for (const Line& line : this->Lines)
   {
@@ -278,12 +287,12 @@ double BandMask::partWithin(
 }
 
 void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
-  double scale, InteriorRaster& raster) const
+  double scale, InteriorRaster& raster, const Stop& stop) const
 {
   const Control control = this->controlOf(image, densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
-  for (int y = 0; y < image.height; ++y)
+  for (int y = 0; y < image.height && !isAsked(stop); ++y)
   {
     for (int x = 0; x < image.width; ++x)
     {

@@ -6,6 +6,7 @@
 
 #include "BackboneSampling.h"
 #include "ControlImage.h"
+#include "ReportingThread.h"
 #include "SamplingDomain.h"
 
 #include <cstddef>
@@ -32,15 +33,17 @@ struct InteriorRaster
 class STIPPLEFILTERSSAMPLING_EXPORT BandMask
 {
 public:
-  /// Of the image, the size and what is not the control are read.
-  void build(const SamplingDomain& domain, int chart, const ControlImage& image);
+  /// Of the image, the size and what is not the control are read. Once `stop` is true, this ends
+  /// early and leaves nothing of use, and so does close().
+  void build(
+    const SamplingDomain& domain, int chart, const ControlImage& image, const Stop& stop = {});
   /// Whether it was built from an image like this one.
   bool fits(const ControlImage& image) const;
 
   /// Closes the pixels of a raster that lie in the bands of backbones with these densities, for
   /// samples of scale times the control; those that want nothing are left as they are.
   void close(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale,
-    InteriorRaster& raster) const;
+    InteriorRaster& raster, const Stop& stop = {}) const;
   /// The part of the control that it would close, of an image without a raster.
   double share(
     const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const;
@@ -60,7 +63,7 @@ private:
   struct Surroundings;
   void addLines(const SamplingDomain& domain, int chart);
   void offer(int pixel, int line);
-  void spread();
+  void spread(const Stop& stop);
   /// A control and what is wanted along backbones.
   struct Control;
   Control controlOf(

@@ -6,8 +6,8 @@
 #include "FloatValues.h"
 #include "Importance.h"
 #include "ImportanceSource.h"
+#include "SamplingConstants.h"
 #include "SurfaceDiffusion.h"
-#include "vtkControlMap.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkImageData.h"
@@ -28,6 +28,8 @@ namespace stipple
 {
 namespace
 {
+using Constants = SamplingConstants;
+
 /// One chart: the map that comes in, and the control that goes out.
 struct ControlChart
 {
@@ -82,19 +84,19 @@ void forEachChart(std::size_t charts, F f)
 
 /// Magnitudes of an importance that rounding leaves on a flat surface of this area: radii of
 /// curvature beyond 1e5 times the surface's size.
-double roundingNoise(int importance, double area)
+double roundingNoise(ImportanceKind importance, double area)
 {
   const double curvature = area > 0 ? 1e-5 / std::sqrt(area) : 0.;
   switch (importance)
   {
-    case vtkControlMap::MEAN:
-    case vtkControlMap::MINIMUM:
-    case vtkControlMap::MAXIMUM:
+    case ImportanceKind::Mean:
+    case ImportanceKind::Minimum:
+    case ImportanceKind::Maximum:
       return curvature;
-    case vtkControlMap::GAUSSIAN:
-    case vtkControlMap::TOTAL:
+    case ImportanceKind::Gaussian:
+    case ImportanceKind::Total:
       return curvature * curvature;
-    case vtkControlMap::L2:
+    case ImportanceKind::L2:
       return std::cbrt(curvature * curvature);
     default:
       return 0.;
@@ -133,8 +135,8 @@ struct ControlMapBuilder::Internals
   using Key = std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>>;
   Key mapsKey;
   /// Kind, array, picture and its time, projection, band-pass.
-  using SourceKey =
-    std::tuple<int, std::string, vtkSmartPointer<vtkImageData>, vtkMTimeType, int, double, double>;
+  using SourceKey = std::tuple<ImportanceKind, std::string, vtkSmartPointer<vtkImageData>,
+    vtkMTimeType, PictureProjection, double, double>;
   SourceKey sourceKey;
   bool hasBase = false;
   std::vector<std::vector<float>> base; ///< importance before the transfer function, in [0, 1]
@@ -160,7 +162,7 @@ struct ControlMapBuilder::Internals
   Status readFaces();
   std::vector<ControlImage> views() const;
   Status fillBase(const ControlMapOptions& o, const Progress& progress);
-  double scaleByQuantile(const std::vector<float*>& values, int importance);
+  double scaleByQuantile(const std::vector<float*>& values, ImportanceKind importance);
   Status smooth(const std::vector<float*>& values, double percent, const Progress& p);
   void paintStrokes(const std::vector<BrushStroke>& wanted);
   Status fillImportance(const ControlMapOptions& o, bool varies, const UnitFunctionTable& table,
@@ -325,10 +327,10 @@ std::vector<float*> ControlMapBuilder::Internals::controls() const
   return result;
 }
 
-/// Divides by the 99.5 % quantile, clamping to [0, 1]; returns the largest result, or 0 if the
+/// Divides by the largest quantile, clamping to [0, 1]; returns the largest result, or 0 if the
 /// values are nothing but rounding.
 double ControlMapBuilder::Internals::scaleByQuantile(
-  const std::vector<float*>& values, int importance)
+  const std::vector<float*>& values, ImportanceKind importance)
 {
   std::vector<WeightedValues> weighted;
   for (std::size_t c = 0; c < values.size(); ++c)
@@ -337,7 +339,7 @@ double ControlMapBuilder::Internals::scaleByQuantile(
     weighted.push_back({ values[c], chart.area->data(), chart.size, chart.pixelArea() });
   }
   const double noise = roundingNoise(importance, surfaceArea(weighted));
-  double quantile = weightedQuantile(weighted, 0.995);
+  double quantile = weightedQuantile(weighted, Constants::LargestQuantile);
   if (quantile <= noise || !std::isfinite(quantile)) // all but a few places are flat
   {
     quantile = forEachPixelRun(
@@ -377,10 +379,10 @@ Status ControlMapBuilder::Internals::smooth(
 /// The importance before the transfer function. Needs the surface where it works on it.
 Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const Progress& progress)
 {
-  const bool picture = o.importance == vtkControlMap::IMAGE;
-  SourceKey key(o.importance, o.importance == vtkControlMap::ARRAY ? o.arrayName : "",
+  const bool picture = o.importance == ImportanceKind::Image;
+  SourceKey key(o.importance, o.importance == ImportanceKind::Array ? o.arrayName : "",
     picture ? o.image : nullptr, picture && o.image ? o.image->GetMTime() : 0,
-    picture ? o.projection : 0, o.bandPass[0], o.bandPass[1]);
+    picture ? o.projection : PictureProjection::Chart, o.bandPass[0], o.bandPass[1]);
   if (this->hasBase && key == this->sourceKey)
   {
     return Status::success();
@@ -450,7 +452,7 @@ Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const 
     // What six digits cannot tell from nothing is nothing.
     const float rest = forEachPixelRun(
       this->charts, [&](const PixelRun& r) { return largestOf(values[r.chart], r.begin, r.end); });
-    largest = rest > 1e-5f ? this->scaleByQuantile(values, vtkControlMap::UNIFORM) : 0.;
+    largest = rest > 1e-5f ? this->scaleByQuantile(values, ImportanceKind::Uniform) : 0.;
   }
   this->largestBase = static_cast<float>(largest);
   this->sourceKey = std::move(key);
@@ -547,11 +549,11 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
     return [&progress, begin, end](
              double fraction) { return report(progress, begin + (end - begin) * fraction); };
   };
-  bool varies = o.importance != vtkControlMap::UNIFORM && o.gamma > 0.;
+  bool varies = o.importance != ImportanceKind::Uniform && o.gamma > 0.;
   const bool bandPass = varies && o.bandPass[1] > 0.;
   const bool gradation = varies && o.gradation > 0.;
   const bool projection =
-    varies && o.importance == vtkControlMap::IMAGE && o.projection != vtkControlMap::CHART;
+    varies && o.importance == ImportanceKind::Image && o.projection != PictureProjection::Chart;
   const bool strokes = !o.strokes.empty();
   if (bandPass && !(o.bandPass[0] < o.bandPass[1]))
   {

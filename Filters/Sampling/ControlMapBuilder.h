@@ -5,6 +5,7 @@
 #ifndef stipple_ControlMapBuilder_h
 #define stipple_ControlMapBuilder_h
 
+#include "ImportanceSource.h"
 #include "Painting.h"
 #include "Progress.h"
 
@@ -25,10 +26,10 @@ namespace stipple
 /// The parameters of vtkControlMap, in the order in which they act.
 struct ControlMapOptions
 {
-  int importance = 0;                          ///< vtkControlMap::ImportanceType
-  std::string arrayName;                       ///< for ARRAY
-  vtkImageData* image = nullptr;               ///< for IMAGE
-  int projection = 0;                          ///< vtkControlMap::ProjectionType
+  ImportanceKind importance = ImportanceKind::Uniform;
+  std::string arrayName;         ///< for Array
+  vtkImageData* image = nullptr; ///< for Image
+  PictureProjection projection = PictureProjection::Chart;
   std::array<double, 2> bandPass = { { 0. } }; ///< fine and coarse, % of the diagonal; 0, 0: none
   vtkPiecewiseFunction* transfer = nullptr;    ///< null: none
   double gamma = 1.;                           ///< 0 or more

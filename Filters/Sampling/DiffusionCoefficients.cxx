@@ -160,10 +160,10 @@ Shares mixed(const Shares& a, const Shares& b, double t)
 }
 
 /// The keys of Ostromoukhov's table between which a quarter has one of its own (see the header).
-constexpr int beforeQuarter = 44;
-constexpr int quarter = 64;
-constexpr int behindQuarter = 77;
-constexpr Shares atQuarter = { 0.42, 0.30, 0.15 };
+constexpr int BeforeQuarter = 44;
+constexpr int Quarter = 64;
+constexpr int BehindQuarter = 77;
+constexpr Shares AtQuarter = { 0.42, 0.30, 0.15 };
 }
 
 DiffusionCoefficients diffusionCoefficients(DiffusionMethod method, double level)
@@ -173,10 +173,10 @@ DiffusionCoefficients diffusionCoefficients(DiffusionMethod method, double level
   const double mirrored = std::min(x, 255. - x);
   const bool symmetric = method == DiffusionMethod::Ostromoukhov;
   Shares c;
-  if (symmetric && mirrored > beforeQuarter && mirrored < behindQuarter)
+  if (symmetric && mirrored > BeforeQuarter && mirrored < BehindQuarter)
   {
-    const int end = mirrored < quarter ? beforeQuarter : behindQuarter;
-    c = mixed(published(method, end), atQuarter, (mirrored - end) / (quarter - end));
+    const int end = mirrored < Quarter ? BeforeQuarter : BehindQuarter;
+    c = mixed(published(method, end), AtQuarter, (mirrored - end) / (Quarter - end));
   }
   else
   {
@@ -192,10 +192,10 @@ DiffusionCoefficients diffusionCoefficients(DiffusionMethod method, double level
 const DiffusionCoefficients* diffusionTable(DiffusionMethod method)
 {
   const auto make = [](DiffusionMethod m) {
-    std::vector<DiffusionCoefficients> t(diffusionTableScale + 1);
-    for (int i = 0; i <= diffusionTableScale; ++i)
+    std::vector<DiffusionCoefficients> t(DiffusionTableScale + 1);
+    for (int i = 0; i <= DiffusionTableScale; ++i)
     {
-      t[i] = diffusionCoefficients(m, static_cast<double>(i) / diffusionTableScale);
+      t[i] = diffusionCoefficients(m, static_cast<double>(i) / DiffusionTableScale);
     }
     return t;
   };

@@ -44,8 +44,8 @@ struct DiffusionCoefficients
 STIPPLEFILTERSSAMPLING_EXPORT DiffusionCoefficients diffusionCoefficients(
   DiffusionMethod method, double level);
 
-/// The same, tabulated at index / diffusionTableScale for index 0 .. diffusionTableScale.
-constexpr int diffusionTableScale = 255 * 16;
+/// The same, tabulated at index / DiffusionTableScale for index 0 .. DiffusionTableScale.
+constexpr int DiffusionTableScale = 255 * 16;
 STIPPLEFILTERSSAMPLING_EXPORT const DiffusionCoefficients* diffusionTable(DiffusionMethod method);
 }
 

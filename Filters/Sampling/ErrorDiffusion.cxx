@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorDiffusion.h"
 
+#include "SamplingConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,8 +18,7 @@ namespace stipple
 {
 namespace
 {
-/// A row is dense with more than one sample in so many pixels.
-constexpr int denseFrom = 10;
+using Constants = SamplingConstants;
 
 /// Noise in [0, 1) for the threshold: a linear congruential generator (Numerical Recipes), of which
 /// the upper bits count. The same in every run.
@@ -36,7 +37,7 @@ private:
 
 const DiffusionCoefficients& coefficients(const DiffusionCoefficients* table, float index)
 {
-  constexpr float last = diffusionTableScale;
+  constexpr float last = DiffusionTableScale;
   return table[static_cast<int>(std::min(index + 0.5f, last))];
 }
 
@@ -53,7 +54,7 @@ int* diffuseRow(const float* wanted, const float* current, float* next, int widt
   float carry = carryInOut;
   float pending = 0;
   int x = step > 0 ? 0 : width - 1;
-  const float toIndex = scale * diffusionTableScale;
+  const float toIndex = scale * DiffusionTableScale;
   for (int i = 0; i < width; ++i, x += step)
   {
     const float in = wanted[x];
@@ -90,7 +91,7 @@ int* diffuseDenseRow(const float* wanted, const float* current, float* next, int
   __m128 carry = _mm_set_ss(carryInOut);
   __m128 pending = _mm_setzero_ps();
   int x = step > 0 ? 0 : width - 1;
-  const float toIndex = scale * diffusionTableScale;
+  const float toIndex = scale * DiffusionTableScale;
   const __m128 one = _mm_set_ss(1.f);
   for (int i = 0; i < width; ++i, x += step)
   {
@@ -141,10 +142,10 @@ void diffuseErrors(const WantedRow& wanted, int width, int height,
   Noise noise;
   std::vector<int> hits(static_cast<std::size_t>(width) + 1);
   int* end = hits.data();
-  for (int y = 0; y < height; ++y)
+  for (int y = 0; y < height && !isAsked(options.stop); ++y)
   {
     const float* w = wanted(y);
-    const bool dense = (end - hits.data()) * denseFrom > width; // as the row before was
+    const bool dense = (end - hits.data()) * Constants::DenseFrom > width; // as the row before was
     const auto run = [&](auto row) {
       return row(w, current, next, width, scale, carry, table, noise, hits.data());
     };

@@ -5,6 +5,7 @@
 #define stipple_ErrorDiffusion_h
 
 #include "DiffusionCoefficients.h"
+#include "ReportingThread.h"
 #include "StippleFiltersSamplingModule.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct ErrorDiffusionOptions
 {
   double scale = 1.; ///< factor on every pixel's wanted samples, > 0
   DiffusionMethod method = DiffusionMethod::Ostromoukhov;
+  Stop stop; ///< the result is of no use once this is true
 };
 
 /// Samples that each pixel of row y wants; valid until the next call.

@@ -32,9 +32,9 @@ double halfDifference(double H, double K)
 
 // The table's places are floats whose last 15 mantissa bits are zero, from 2^-24 to 1: they are
 // finer the nearer to zero, and a float's own bits say between which two it lies.
-constexpr int tableShift = 15;
-constexpr std::uint32_t tableBegin = (127u - 24u) << 23;
-constexpr std::uint32_t tableEnd = 127u << 23;
+constexpr int TableShift = 15;
+constexpr std::uint32_t TableBegin = (127u - 24u) << 23;
+constexpr std::uint32_t TableEnd = 127u << 23;
 }
 
 double minimumCurvature(double H, double K)
@@ -101,7 +101,7 @@ double weightedQuantile(const std::vector<WeightedValues>& values, double fracti
 UnitFunctionTable::UnitFunctionTable(const std::function<double(double)>& f)
 {
   this->Value.push_back(static_cast<float>(f(0.)));
-  for (std::uint32_t bits = tableBegin; bits <= tableEnd; bits += 1u << tableShift)
+  for (std::uint32_t bits = TableBegin; bits <= TableEnd; bits += 1u << TableShift)
   {
     this->Value.push_back(static_cast<float>(f(floatOf(bits))));
   }
@@ -113,15 +113,15 @@ float UnitFunctionTable::operator()(float x) const
   {
     return x >= 1.f ? this->Value.back() : this->Value.front();
   }
-  const float least = floatOf(tableBegin);
+  const float least = floatOf(TableBegin);
   if (x < least)
   {
     const float t = x > 0 ? x / least : 0.f;
     return this->Value[0] + t * (this->Value[1] - this->Value[0]);
   }
-  const std::uint32_t offset = bitsOf(x) - tableBegin;
-  const std::uint32_t i = 1 + (offset >> tableShift);
-  const float t = static_cast<float>(offset & ((1u << tableShift) - 1)) / (1u << tableShift);
+  const std::uint32_t offset = bitsOf(x) - TableBegin;
+  const std::uint32_t i = 1 + (offset >> TableShift);
+  const float t = static_cast<float>(offset & ((1u << TableShift) - 1)) / (1u << TableShift);
   return this->Value[i] + t * (this->Value[i + 1] - this->Value[i]);
 }
 }

@@ -4,7 +4,6 @@
 
 #include "FloatValues.h"
 #include "Importance.h"
-#include "vtkControlMap.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -25,17 +24,17 @@ vtkDataArray* find(vtkImageData* map, const char* name)
 
 using CurvatureFormula = double (*)(double H, double K);
 
-CurvatureFormula formulaOf(int importance)
+CurvatureFormula formulaOf(ImportanceKind importance)
 {
   switch (importance)
   {
-    case vtkControlMap::MINIMUM:
+    case ImportanceKind::Minimum:
       return minimumCurvature;
-    case vtkControlMap::MAXIMUM:
+    case ImportanceKind::Maximum:
       return maximumCurvature;
-    case vtkControlMap::TOTAL:
+    case ImportanceKind::Total:
       return totalCurvature;
-    case vtkControlMap::L2:
+    case ImportanceKind::L2:
       return optimalL2Density;
     default:
       return nullptr;
@@ -80,7 +79,7 @@ std::string ImportanceSource::fillFromPicture(vtkImageData* map, float* magnitud
 {
   const int width = map->GetDimensions()[0];
   const int height = map->GetDimensions()[1];
-  if (this->projection == vtkControlMap::CHART)
+  if (this->projection == PictureProjection::Chart)
   {
     for (int y = 0; y < height; ++y)
     {
@@ -96,7 +95,7 @@ std::string ImportanceSource::fillFromPicture(vtkImageData* map, float* magnitud
   {
     return "Position";
   }
-  const int axis = this->projection - vtkControlMap::X_AXIS;
+  const int axis = static_cast<int>(this->projection) - static_cast<int>(PictureProjection::XAxis);
   const int across = axis == 0 ? 1 : 0;
   const int up = axis == 2 ? 1 : 2;
   const auto unit = [this](double x, int k) {
@@ -114,15 +113,16 @@ std::string ImportanceSource::fillFromPicture(vtkImageData* map, float* magnitud
 
 std::string ImportanceSource::fill(vtkImageData* map, float* magnitudes) const
 {
-  if (this->importance == vtkControlMap::IMAGE)
+  if (this->importance == ImportanceKind::Image)
   {
     return this->fillFromPicture(map, magnitudes);
   }
   const vtkIdType n = map->GetNumberOfPoints();
   static const char* const names[] = { nullptr, "MeanCurvature", "GaussianCurvature",
     "MinimumCurvature", "MaximumCurvature", "TotalCurvature", nullptr, nullptr };
-  const char* name =
-    this->importance == vtkControlMap::ARRAY ? this->arrayName : names[this->importance];
+  const char* name = this->importance == ImportanceKind::Array
+    ? this->arrayName
+    : names[static_cast<int>(this->importance)];
   if (vtkDataArray* direct = find(map, name))
   {
     const FloatValues values(direct);

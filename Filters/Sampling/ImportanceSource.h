@@ -4,6 +4,8 @@
 #ifndef stipple_ImportanceSource_h
 #define stipple_ImportanceSource_h
 
+#include "StippleFiltersSamplingModule.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -12,8 +14,32 @@ class vtkImageData;
 
 namespace stipple
 {
+/// Where samples matter: vtkControlMap::ImportanceType.
+enum class ImportanceKind
+{
+  Uniform,
+  Mean,
+  Gaussian,
+  Minimum,
+  Maximum,
+  Total,
+  L2,
+  Image,
+  Array
+};
+
+/// How a picture lies on the surface: over every chart's rectangle, or seen along an axis.
+/// vtkControlMap::ProjectionType.
+enum class PictureProjection
+{
+  Chart,
+  XAxis,
+  YAxis,
+  ZAxis
+};
+
 /// Brightness of a picture at (x, y) in [0, 1]^2, linear between its pixels.
-class PictureBrightness
+class STIPPLEFILTERSSAMPLING_EXPORT PictureBrightness
 {
 public:
   explicit PictureBrightness(vtkImageData* image);
@@ -25,13 +51,13 @@ private:
   std::vector<float> Value;
 };
 
-struct ImportanceSource
+struct STIPPLEFILTERSSAMPLING_EXPORT ImportanceSource
 {
-  int importance;                             ///< vtkControlMap::ImportanceType, not UNIFORM
-  const char* arrayName = nullptr;            ///< for ARRAY
-  const PictureBrightness* picture = nullptr; ///< for IMAGE
-  int projection = 0;                         ///< vtkControlMap::ProjectionType
-  std::array<double, 6> bounds = { { 0. } };  ///< that a projected picture spans
+  ImportanceKind importance = ImportanceKind::Mean; ///< not Uniform
+  const char* arrayName = nullptr;                  ///< for Array
+  const PictureBrightness* picture = nullptr;       ///< for Image
+  PictureProjection projection = PictureProjection::Chart;
+  std::array<double, 6> bounds = { { 0. } }; ///< that a projected picture spans
 
   /// The quantity at every pixel of a map, negative values counting as none; returns the name of a
   /// missing array, or nothing.

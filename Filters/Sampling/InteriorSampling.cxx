@@ -4,6 +4,7 @@
 
 #include "BackboneBand.h"
 #include "ErrorDiffusion.h"
+#include "SamplingConstants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,7 @@ namespace stipple
 {
 namespace
 {
-/// A segment touches the pixels whose middles are nearer to it, in pixels.
-constexpr double touching = 0.6;
+using Constants = SamplingConstants;
 
 struct Ranked
 {
@@ -81,23 +81,23 @@ double InteriorSampler::upsampling(const ControlImage& image, double scale, cons
   double aboveHalf = 0;
   double aboveOne = 0;
   int factor = most;
-  while (factor > 1 && aboveHalf + crowded[factor] <= crowdedShare * total &&
-    aboveOne + overfull[factor] <= overfullShare * total)
+  while (factor > 1 && aboveHalf + crowded[factor] <= Constants::CrowdedShare * total &&
+    aboveOne + overfull[factor] <= Constants::OverfullShare * total)
   {
     aboveHalf += crowded[factor];
     aboveOne += overfull[factor];
     --factor;
   }
   const double forAll = 0.25 * std::ceil(4. * std::sqrt(2. * mass.largest * toWanted));
-  return forAll <= largestForAll * factor && withinLimits(image, forAll)
+  return forAll <= Constants::LargestForAll * factor && withinLimits(image, forAll)
     ? forAll
     : static_cast<double>(factor);
 }
 
 bool InteriorSampler::withinLimits(const ControlImage& image, double factor)
 {
-  return factor <= largestUpsampling &&
-    image.numberOfPixels() * factor * factor <= largestRasterSize;
+  return factor <= Constants::LargestUpsampling &&
+    image.numberOfPixels() * factor * factor <= Constants::LargestRasterSize;
 }
 
 Vec2 InteriorSampler::centre(int pixel) const
@@ -114,8 +114,8 @@ double InteriorSampler::control(const Vec2& uv) const
   return c > 0 ? c : 0.;
 }
 
-void InteriorSampler::prepare(
-  double factor, const BandMask& bands, const std::vector<BackboneDensity>& densities)
+void InteriorSampler::prepare(double factor, const BandMask& bands,
+  const std::vector<BackboneDensity>& densities, const Stop& stop)
 {
   InteriorRaster& r = this->Raster;
   r.width = static_cast<int>(std::ceil(this->Image.width * factor));
@@ -127,12 +127,12 @@ void InteriorSampler::prepare(
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
-  bands.close(this->Image, densities, this->Scale, r);
+  bands.close(this->Image, densities, this->Scale, r, stop);
   for (const ChartGraph::Segment& s : this->Graph.segments)
   {
     this->maskSegment(this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv);
   }
-  this->sumLeft();
+  this->sumLeft(stop);
 }
 
 void InteriorSampler::release()
@@ -239,17 +239,17 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b)
       Vec2 middle;
       middle[major] = line + 0.5;
       middle[minor] = i + 0.5;
-      open = distanceToSegment(middle, begin, Vec2(begin + step)) < touching ? 0 : 1;
+      open = distanceToSegment(middle, begin, Vec2(begin + step)) < Constants::Touching ? 0 : 1;
     }
   }
 }
 
-void InteriorSampler::sumLeft()
+void InteriorSampler::sumLeft(const Stop& stop)
 {
   InteriorRaster& r = this->Raster;
   r.left = 0;
   std::vector<float> row(static_cast<std::size_t>(r.width));
-  for (int y = 0; y < r.height; ++y)
+  for (int y = 0; y < r.height && !isAsked(stop); ++y)
   {
     this->fillRow(y, row);
     std::array<float, 4> sum = { { 0, 0, 0, 0 } };
@@ -269,7 +269,7 @@ void InteriorSampler::sumLeft()
   }
 }
 
-std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
+std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, const Stop& stop)
 {
   std::vector<Vec2> places;
   if (count <= 0)
@@ -282,6 +282,7 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
     ErrorDiffusionOptions options;
     options.scale = count / this->Raster.left;
     options.method = method;
+    options.stop = stop;
     std::vector<int> trial;
     std::vector<float> row(static_cast<std::size_t>(this->Raster.width));
     const WantedRow wanted = [&](int y) {
@@ -291,6 +292,10 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method)
     for (int pass = 0; pass < 4; ++pass)
     {
       diffuseErrors(wanted, this->Raster.width, this->Raster.height, options, trial);
+      if (isAsked(stop))
+      {
+        return places;
+      }
       const int got = static_cast<int>(trial.size());
       if (pass == 0 || std::abs(got - count) < std::abs(static_cast<int>(pixels.size()) - count))
       {

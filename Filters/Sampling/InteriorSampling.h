@@ -8,24 +8,11 @@
 #include "ControlImage.h"
 #include "DiffusionCoefficients.h"
 #include "NeighbourGrid.h"
+#include "ReportingThread.h"
 #include "SamplingDomain.h"
 
 namespace stipple
 {
-/// Limits of upsampling a control image that is too coarse for its samples.
-constexpr int largestUpsampling = 16;                    ///< pixels a pixel, in each direction
-constexpr double largestRasterSize = 512. * 1024 * 1024; ///< pixels of one chart
-/// Rasters of all charts together beyond which they are drawn twice rather than kept.
-constexpr double mostKeptPixels = 128. * 1024 * 1024;
-/// No pixel wants more than half a sample, unless a few would cost more than this factor squared in
-/// pixels: a spike of the control. Then at most these shares of a chart's samples may fall to
-/// pixels that want more than half a sample, and more than a whole one. Up to one, halftoning is
-/// fine but for the pixels' lattice that begins to show; what a pixel cannot take, error diffusion
-/// hands to those beside it, and nothing is lost.
-constexpr double largestForAll = 2.;
-constexpr double crowdedShare = 0.05;
-constexpr double overfullShare = 0.005;
-
 class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
 public:
@@ -35,26 +22,29 @@ public:
     const ChartGraph& graph, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
-  /// (but for spikes, see largestForAll), in quarters; it may be beyond the limits.
+  /// (but for spikes, see SamplingConstants::LargestForAll), in quarters; it may be beyond the
+  /// limits.
   static double upsampling(const ControlImage& image, double scale, const ControlMass& mass);
   static bool withinLimits(const ControlImage& image, double factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every
   /// backbone (times its band's width): s sqrt(3)/2 is the height of a row of the hexagonal
   /// lattice, so that the band's mass is just what the samples on the backbone stand for.
-  void prepare(double factor, const BandMask& bands, const std::vector<BackboneDensity>& densities);
+  /// Once `stop` is true, it ends early, and so does sample(): of no use.
+  void prepare(double factor, const BandMask& bands, const std::vector<BackboneDensity>& densities,
+    const Stop& stop = {});
   double left() const { return this->Raster.left; }
   /// Gives the raster's memory back; sample() needs another prepare().
   void release();
 
   /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
   /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.
-  std::vector<Vec2> sample(int count, DiffusionMethod method);
+  std::vector<Vec2> sample(int count, DiffusionMethod method, const Stop& stop = {});
 
 private:
   void maskOutside();
   void maskSegment(const Vec2& a, const Vec2& b);
-  void sumLeft();
+  void sumLeft(const Stop& stop);
   /// What the pixels of a row want.
   void fillRow(int y, std::vector<float>& wanted);
   Vec2 centre(int pixel) const;

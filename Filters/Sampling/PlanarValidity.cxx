@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanarValidity.h"
 
+#include "SamplingConstants.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -12,9 +14,7 @@ namespace stipple
 {
 namespace
 {
-/// Angles below this are nothing. Unlike a distance, an angle does not vanish as segments get
-/// shorter.
-constexpr double leastAngle = 1e-10;
+using Constants = SamplingConstants;
 
 /// Sine of the angle by which p lies to the left of the segment (a, b), seen from its nearer end.
 double angleFrom(const Vec2& a, const Vec2& b, const Vec2& p)
@@ -191,7 +191,7 @@ private:
     const Vec2& b = this->uv(along ? s.second : s.first);
     for (const Vec2& p : this->Inner)
     {
-      if (angleFrom(a, b, p) <= leastAngle)
+      if (angleFrom(a, b, p) <= Constants::LeastAngle)
       {
         this->refine(s);
         return;
@@ -290,7 +290,7 @@ private:
     const Vec2& b = loop.back();
     // On the segment: within its length, and at no angle.
     if ((p - a).dot(b - a) >= 0 && (p - b).dot(a - b) >= 0 &&
-      std::abs(angleFrom(a, b, p)) <= leastAngle)
+      std::abs(angleFrom(a, b, p)) <= Constants::LeastAngle)
     {
       return true;
     }

@@ -190,14 +190,10 @@ std::vector<Sample> SamplingDomain::samples(const BackbonePlaces& places) const
   return result;
 }
 
-Status readSamplingDomain(
-  vtkPartitionedDataSetCollection* charts, vtkPolyData* lines, SamplingDomain& domain)
+Status readSamplingDomain(const Atlas::Pointer& atlas, SamplingDomain& domain)
 {
   domain = {};
-  if (Status status = Atlas::read(charts, lines, domain.atlas); !status.ok())
-  {
-    return status;
-  }
+  domain.atlas = atlas;
   const AtlasSurface& s = domain.surface();
   for (std::size_t b = 0; b < domain.traces().size(); ++b)
   {

@@ -10,9 +10,6 @@
 #include <array>
 #include <vector>
 
-class vtkPartitionedDataSetCollection;
-class vtkPolyData;
-
 namespace stipple
 {
 /// Arc lengths of the samples inside every backbone, ascending.
@@ -48,9 +45,9 @@ struct STIPPLEFILTERSSAMPLING_EXPORT SamplingDomain
   std::vector<Sample> samples(const BackbonePlaces& places) const;
 };
 
-/// Reads charts and feature graph; says what is wrong with them.
+/// Says what is wrong with charts and feature graph.
 STIPPLEFILTERSSAMPLING_EXPORT Status readSamplingDomain(
-  vtkPartitionedDataSetCollection* charts, vtkPolyData* lines, SamplingDomain& domain);
+  const Atlas::Pointer& atlas, SamplingDomain& domain);
 }
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceDiffusion.h"
 
+#include "SamplingConstants.h"
+
 #include "vtkSMPTools.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -17,10 +19,7 @@ namespace stipple
 {
 namespace
 {
-constexpr int numberOfSteps = 6; // six implicit steps make a kernel that is close to a Gaussian
-constexpr std::size_t keptSolvers = 2; // a band-pass needs two
-/// From so many points on, a factorization takes so long that it is not waited for after an abort.
-constexpr std::size_t manyPoints = 50000;
+using Constants = SamplingConstants;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Cholesky = Eigen::SimplicialLDLT<SparseMatrix>;
@@ -173,7 +172,7 @@ Status SurfaceDiffusion::Internals::waitForPending(const Progress& progress)
 
 const StepSolver* SurfaceDiffusion::Internals::keep(std::unique_ptr<StepSolver> solver)
 {
-  if (this->solvers.size() >= keptSolvers)
+  if (this->solvers.size() >= Constants::KeptSolvers)
   {
     this->solvers.pop_front();
   }
@@ -209,11 +208,11 @@ Status SurfaceDiffusion::Internals::findSolver(
   }
   auto solver = std::make_unique<StepSolver>();
   solver->sigma = sigma;
-  solver->matrix = (0.5 * sigma * sigma / numberOfSteps) * this->stiffness;
+  solver->matrix = (0.5 * sigma * sigma / Constants::HeatSteps) * this->stiffness;
   solver->matrix.diagonal() += this->mass;
   const double pointsInKernel =
     sigma * sigma * static_cast<double>(this->refined.points.size()) / this->mass.sum();
-  if (this->refined.points.size() < manyPoints)
+  if (this->refined.points.size() < Constants::ManyPoints)
   {
     found = solver->compute(pointsInKernel) ? this->keep(std::move(solver)) : nullptr;
     return Status::success();
@@ -342,9 +341,9 @@ Status SurfaceDiffusion::smooth(
   // in.
   const double low = u.minCoeff();
   const double high = u.maxCoeff();
-  for (int k = 0; k < numberOfSteps; ++k)
+  for (int k = 0; k < Constants::HeatSteps; ++k)
   {
-    if (!report(progress, 0.6 + 0.35 * k / numberOfSteps))
+    if (!report(progress, 0.6 + 0.35 * k / Constants::HeatSteps))
     {
       return Status::aborted();
     }

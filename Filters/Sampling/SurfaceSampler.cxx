@@ -4,9 +4,10 @@
 
 #include "BackboneSampling.h"
 #include "InteriorSampling.h"
+#include "MeshCreation.h"
+#include "ReportingThread.h"
 #include "SampleBudget.h"
-
-#include "vtkSMPTools.h"
+#include "SamplingConstants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,41 +17,7 @@ namespace stipple
 {
 namespace
 {
-template <typename F>
-void forEachChart(std::size_t charts, F f)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType c = begin; c < end; ++c)
-    {
-      f(static_cast<std::size_t>(c));
-    }
-  });
-}
-
-/// Charts in runs of some million pixels, so that an abort is seen soon between two runs.
-template <typename F>
-Status forEachChart(const std::vector<ControlImage>& images, const std::vector<double>& factor,
-  const Progress& progress, double from, double to, F f)
-{
-  const std::size_t n = images.size();
-  for (std::size_t begin = 0; begin < n;)
-  {
-    std::size_t end = begin;
-    double pixels = 0;
-    do
-    {
-      pixels += images[end].numberOfPixels() * factor[end] * factor[end];
-      ++end;
-    } while (end < n && pixels < 16e6);
-    forEachChart(end - begin, [&](std::size_t i) { f(begin + i); });
-    begin = end;
-    if (!report(progress, from + (to - from) * static_cast<double>(end) / static_cast<double>(n)))
-    {
-      return Status::aborted();
-    }
-  }
-  return Status::success();
-}
+using Constants = SamplingConstants;
 
 /// How many samples the surface would hold at a scale, before any is placed.
 struct Prediction
@@ -116,16 +83,18 @@ public:
   Status measure(std::vector<BandMask>& bands, const ValidPlaces& least);
   /// Places the samples on backbones, and masks their bands out of the charts.
   Status place(const std::vector<BandMask>& bands, const ValidPlaces& least);
-  /// Halftones what is left, and hands all samples over.
-  Status collect(
-    const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result);
+  /// Halftones what is left, and hands all samples over. Charts get so many samples inside at least
+  /// beyond those that they need.
+  Status collect(const std::vector<BandMask>& bands, DiffusionMethod method,
+    const std::vector<int>& moreInside, SurfaceSamples& result);
 
 private:
+  int numberOfCharts() const { return static_cast<int>(this->Images.size()); }
   Status readMasses();
   /// By what is known, that at which there are as many samples as asked for; 0 if there is none.
   double likelyScale() const;
-  void measureBackbones(double scale, const std::vector<BandMask>& bands);
-  void measureBands(double scale, const std::vector<BandMask>& bands);
+  Status measureBackbones(double scale, const std::vector<BandMask>& bands);
+  Status measureBands(double scale, const std::vector<BandMask>& bands);
   Status placeOnLines(const ValidPlaces& least, bool& fits);
   Status makeSamplers();
   Status maskBands(int round, const std::vector<BandMask>& bands);
@@ -159,8 +128,12 @@ private:
 
 Status Sampling::readMasses()
 {
-  forEachChart(
-    this->Images.size(), [&](std::size_t c) { this->Mass[c] = controlMass(this->Images[c]); });
+  if (Status status = reportingFor(this->numberOfCharts(), this->Report, 0., 0.01,
+        [&](int c, const Stop&) { this->Mass[c] = controlMass(this->Images[c]); });
+      !status.ok())
+  {
+    return status;
+  }
   for (std::size_t c = 0; c < this->Images.size(); ++c)
   {
     if (!std::isfinite(this->Mass[c].total))
@@ -177,23 +150,26 @@ Status Sampling::readMasses()
         "wanted, for instance by MinimumDensity.");
 }
 
-void Sampling::measureBands(double scale, const std::vector<BandMask>& bands)
+Status Sampling::measureBands(double scale, const std::vector<BandMask>& bands)
 {
   this->BandScale = scale;
   std::vector<double> inBands(this->Images.size());
-  forEachChart(this->Images.size(), [&](std::size_t c) {
-    inBands[c] = this->Mass[c].total * bands[c].share(this->Images[c], this->Densities, scale);
-  });
+  Status status =
+    reportingFor(this->numberOfCharts(), this->Report, 0.08, 0.1, [&](int c, const Stop&) {
+      inBands[c] = this->Mass[c].total * bands[c].share(this->Images[c], this->Densities, scale);
+    });
   this->Predicted.bandMass = std::sqrt(scale) * sum(inBands);
+  return status;
 }
 
-void Sampling::measureBackbones(double scale, const std::vector<BandMask>& bands)
+Status Sampling::measureBackbones(double scale, const std::vector<BandMask>& bands)
 {
   this->DensityScale = scale;
   const double area = this->Domain.surface().area();
-  this->Densities =
-    backboneDensities(this->Domain, this->Images, scale, area > 0 ? this->Total / area : 0.);
-  this->measureBands(scale, bands);
+  this->Densities = backboneDensities(this->Domain, this->Images, scale,
+    area > 0 ? this->Total / area : 0., [this] { return !report(this->Report, 0.06); });
+  const Status status = report(this->Report, 0.08) ? Status::success() : Status::aborted();
+  return status.ok() ? this->measureBands(scale, bands) : status;
 }
 
 Status Sampling::measure(std::vector<BandMask>& bands, const ValidPlaces& least)
@@ -203,28 +179,32 @@ Status Sampling::measure(std::vector<BandMask>& bands, const ValidPlaces& least)
     return status;
   }
   bands.resize(this->Images.size());
-  forEachChart(bands.size(), [&](std::size_t c) {
-    if (!bands[c].fits(this->Images[c]))
-    {
-      bands[c].build(this->Domain, static_cast<int>(c), this->Images[c]);
-    }
-  });
+  if (Status status = reportingFor(this->numberOfCharts(), this->Report, 0.01, 0.06,
+        [&](int c, const Stop& stop) {
+          if (!bands[c].fits(this->Images[c]))
+          {
+            bands[c].build(this->Domain, c, this->Images[c], stop);
+          }
+        });
+      !status.ok())
+  {
+    bands.clear();
+    return status;
+  }
   // What a backbone wants is not quite in proportion to the scale's root, as its band reaches
   // farther at a smaller one, and nor is what lies in bands. Both are found for a scale nearby.
   this->Predicted.mass = this->Total;
   this->Predicted.leastInterior = sum(least.leastInterior);
-  this->measureBackbones(std::max(1, this->Number) / this->Total, bands);
-  double near = this->likelyScale();
-  if (areFar(near, this->DensityScale, 0.1))
+  Status status = this->measureBackbones(std::max(1, this->Number) / this->Total, bands);
+  if (status.ok() && areFar(this->likelyScale(), this->DensityScale, 0.1))
   {
-    this->measureBackbones(near, bands);
-    near = this->likelyScale();
+    status = this->measureBackbones(this->likelyScale(), bands);
   }
-  if (areFar(near, this->BandScale, 0.01))
+  if (status.ok() && areFar(this->likelyScale(), this->BandScale, 0.01))
   {
-    this->measureBands(near, bands);
+    status = this->measureBands(this->likelyScale(), bands);
   }
-  return Status::success();
+  return status;
 }
 
 double Sampling::likelyScale() const
@@ -280,16 +260,16 @@ Status Sampling::makeSamplers()
     this->Factor[c] = factor;
     pixels += image.numberOfPixels() * factor * factor;
   }
-  this->Keep = pixels <= mostKeptPixels;
+  this->Keep = pixels <= Constants::MostKeptPixels;
   return Status::success();
 }
 
 Status Sampling::maskBands(int round, const std::vector<BandMask>& bands)
 {
   const double from = 0.1 + 0.2 * round;
-  return forEachChart(
-    this->Images, this->Factor, this->Report, from, from + 0.2, [&](std::size_t c) {
-      this->Samplers[c].prepare(this->Factor[c], bands[c], this->Densities);
+  return reportingFor(
+    this->numberOfCharts(), this->Report, from, from + 0.2, [&](int c, const Stop& stop) {
+      this->Samplers[c].prepare(this->Factor[c], bands[c], this->Densities, stop);
       this->Left[c] = this->Samplers[c].left();
       if (!this->Keep)
       {
@@ -303,8 +283,7 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
   // The scale is such that backbones and interiors, each at the same density, hold N samples
   // together. What the bands really leave is known once they are drawn; where it is another number,
   // two corrections bring the sum to N.
-  constexpr double MostOff = 0.02;
-  for (int round = 0; round < 3; ++round)
+  for (int round = 0; round < Constants::MostRounds; ++round)
   {
     this->Scale = this->likelyScale();
     bool fits = false;
@@ -321,7 +300,7 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
       return status;
     }
     const double left = sum(this->Left);
-    if (!fits || std::abs(left - this->Interior) <= MostOff * this->Interior + 1.)
+    if (!fits || std::abs(left - this->Interior) <= Constants::MostOff * this->Interior + 1.)
     {
       break;
     }
@@ -330,28 +309,34 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
   return Status::success();
 }
 
-Status Sampling::collect(
-  const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result)
+Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod method,
+  const std::vector<int>& moreInside, SurfaceSamples& result)
 {
   const AtlasSurface& surface = this->Domain.surface();
-  const std::vector<int> share = apportion(this->Interior, this->Left, this->Valid.leastInterior);
+  std::vector<int> least = this->Valid.leastInterior;
+  std::transform(least.begin(), least.end(), moreInside.begin(), least.begin(), std::plus<>());
+  if (sum(least) > this->Interior)
+  {
+    return Status::tooFewPoints("No sample can be spared.");
+  }
+  const std::vector<int> share = apportion(this->Interior, this->Left, least);
   result.interior.resize(this->Images.size());
   Status status =
-    forEachChart(this->Images, this->Factor, this->Report, 0.7, 1., [&](std::size_t c) {
+    reportingFor(this->numberOfCharts(), this->Report, 0.7, 1., [&](int c, const Stop& stop) {
       InteriorSampler& sampler = this->Samplers[c];
       if (!this->Keep)
       {
-        sampler.prepare(this->Factor[c], bands[c], this->Densities);
+        sampler.prepare(this->Factor[c], bands[c], this->Densities, stop);
       }
-      result.interior[c] = sampler.sample(share[c], method);
+      result.interior[c] = sampler.sample(share[c], method, stop);
       sampler.release();
       const ControlImage& image = this->Images[c];
       for (const Vec2& uv : result.interior[c])
       {
         Sample sample;
         const int start = image.faceIndex ? image.faceIndex[image.pixelAt(uv)] : 0;
-        locate(surface, static_cast<int>(c), uv, surface.chartBegin[c] + std::max(0, start),
-          sample.face, sample.bary);
+        locate(
+          surface, c, uv, surface.chartBegin[c] + std::max(0, start), sample.face, sample.bary);
         this->Inside[c].push_back(sample);
       }
     });
@@ -386,43 +371,119 @@ Status Sampling::collect(
 
 Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines)
 {
+  Atlas::Pointer atlas;
+  Status status = Atlas::read(charts, lines, atlas);
+  if (status.ok() && this->Minimum > 0 && atlas == this->Domain.atlas)
+  {
+    return status;
+  }
   this->Minimum = 0;
   this->Least = {};
   this->Bands.clear();
-  if (Status status = readSamplingDomain(charts, lines, this->Domain); !status.ok())
+  if (status.ok())
+  {
+    status = readSamplingDomain(atlas, this->Domain);
+  }
+  if (!status.ok())
   {
     return status;
   }
   const BackbonePlaces places =
     placeOnBackbones(this->Domain, uniformBackboneDensities(this->Domain), 0.);
-  if (Status status = makeValid(this->Domain, places, this->Least); !status.ok())
+  status = makeValid(this->Domain, places, this->Least);
+  this->Minimum = status.ok() ? count(this->Least) : 0;
+  return status;
+}
+
+bool SurfaceSampler::mayNotMesh(const SurfaceSamples& result) const
+{
+  // Charts whose samples are joined inside by edges to a sample of their own fit together by swaps.
+  if (static_cast<int>(result.samples.size()) <
+    Constants::TriedFactor * this->Minimum + Constants::TriedSurplus)
   {
-    return status;
+    return true;
   }
-  this->Minimum = count(this->Least);
-  return Status::success();
+  for (int c = 0; c < this->Domain.numberOfCharts(); ++c)
+  {
+    if (result.interior[c].empty() && this->Domain.chartConstraints[c].empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int numberOfSamples,
+  const Progress& progress, DiffusionMethod method, SurfaceSamples& result)
+{
+  if (numberOfSamples < this->Minimum)
+  {
+    return Status::tooFewPoints("There are fewer samples than charts need.");
+  }
+  std::vector<int> moreInside(images.size(), 0);
+  for (int attempt = 0;; ++attempt)
+  {
+    result = {};
+    Sampling sampling(this->Domain, images, numberOfSamples, progress);
+    if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = sampling.collect(this->Bands, method, moreInside, result); !status.ok())
+    {
+      return status;
+    }
+    if (!this->mayNotMesh(result))
+    {
+      return Status::success();
+    }
+    std::vector<Triangle> triangles;
+    Chart chart;
+    const Status status = createMesh(*this->Domain.atlas, result.samples, triangles, {}, &chart);
+    if (status.code() != StatusCode::TooFewPoints)
+    {
+      return Status::success();
+    }
+    if (!chart.valid() || attempt == Constants::MostMoves)
+    {
+      return status;
+    }
+    int& more = moreInside[static_cast<std::size_t>(chart.index())];
+    more = std::max(1, 2 * more);
+  }
 }
 
 Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
   const Progress& progress, SurfaceSamples& result, DiffusionMethod method)
 {
-  result = {};
-  if (numberOfSamples < this->Minimum)
-  {
-    return Status::error(std::to_string(numberOfSamples) +
-      (numberOfSamples == 1 ? " sample is" : " samples are") +
-      " too few for these features, constraints and charts: ask for at least " +
-      std::to_string(this->Minimum) + ".");
-  }
-  Sampling sampling(this->Domain, images, numberOfSamples, progress);
-  if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
+  const Status status = this->sampleToMesh(images, numberOfSamples, progress, method, result);
+  if (status.code() != StatusCode::TooFewPoints)
   {
     return status;
   }
-  if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
+  const std::string sentence = std::to_string(numberOfSamples) +
+    (numberOfSamples == 1 ? " sample is" : " samples are") +
+    " too few for these features, constraints and charts";
+  const Progress goOn = [&progress](double) { return report(progress, 1.); };
+  const int first = std::max(numberOfSamples + 1, this->Minimum);
+  for (int n = first; n <= Constants::TriedFactor * first + Constants::TriedSurplus;
+       n += 1 + (n - first) / 8)
   {
-    return status;
+    const StatusCode code = this->sampleToMesh(images, n, goOn, method, result).code();
+    result = {};
+    if (code == StatusCode::Aborted)
+    {
+      return Status::aborted();
+    }
+    if (code != StatusCode::TooFewPoints)
+    {
+      return Status::tooFewPoints(sentence + ": ask for at least " + std::to_string(n) + ".", n);
+    }
   }
-  return sampling.collect(this->Bands, method, result);
+  return Status::tooFewPoints(sentence + ": " + status.message());
 }
 }

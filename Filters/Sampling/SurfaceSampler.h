@@ -23,22 +23,29 @@ struct SurfaceSamples
 class STIPPLEFILTERSSAMPLING_EXPORT SurfaceSampler
 {
 public:
-  /// Takes charts and feature graph, and finds the least that a triangulation of them needs.
+  /// Takes charts and feature graph, and finds the least that a triangulation of them needs;
+  /// nothing if they are those that it has.
   Status setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines);
   const SamplingDomain& domain() const { return this->Domain; }
 
   /// The nodes, the constraints, the fewest samples on backbones that make every chart's graph
-  /// valid, and one inside each chart that only three samples bound. Every number from there on can
-  /// be had.
+  /// valid, and one inside each chart that only three samples bound.
   int minimumNumberOfSamples() const { return this->Minimum; }
 
-  /// Exactly numberOfSamples samples in proportion to the control images, one a chart. Sooner for
-  /// images that differ from the last ones in their control only.
+  /// Exactly numberOfSamples samples in proportion to the control images, one a chart, that can be
+  /// meshed: where charts of few samples have no triangulation together, some move inside the chart
+  /// at fault. Where these cannot be spared, or there are fewer samples than the minimum, they are
+  /// too few points, and the status has the next number that can be had. Sooner for images that
+  /// differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
     const Progress& progress, SurfaceSamples& result,
     DiffusionMethod method = DiffusionMethod::Ostromoukhov);
 
 private:
+  Status sampleToMesh(const std::vector<ControlImage>& images, int numberOfSamples,
+    const Progress& progress, DiffusionMethod method, SurfaceSamples& result);
+  bool mayNotMesh(const SurfaceSamples& result) const;
+
   SamplingDomain Domain;
   ValidPlaces Least;
   std::vector<BandMask> Bands; ///< by chart

@@ -3,6 +3,7 @@
 #include "vtkControlMap.h"
 
 #include "ControlMapBuilder.h"
+#include "FilterInputs.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -26,11 +27,27 @@ vtkCxxSetObjectMacro(vtkControlMap, TransferFunction, vtkPiecewiseFunction);
 
 namespace
 {
-constexpr int strokeComponents = 5;
+using stipple::ImportanceKind;
+using stipple::PictureProjection;
+static_assert(vtkControlMap::UNIFORM == static_cast<int>(ImportanceKind::Uniform) &&
+  vtkControlMap::MEAN == static_cast<int>(ImportanceKind::Mean) &&
+  vtkControlMap::GAUSSIAN == static_cast<int>(ImportanceKind::Gaussian) &&
+  vtkControlMap::MINIMUM == static_cast<int>(ImportanceKind::Minimum) &&
+  vtkControlMap::MAXIMUM == static_cast<int>(ImportanceKind::Maximum) &&
+  vtkControlMap::TOTAL == static_cast<int>(ImportanceKind::Total) &&
+  vtkControlMap::L2 == static_cast<int>(ImportanceKind::L2) &&
+  vtkControlMap::IMAGE == static_cast<int>(ImportanceKind::Image) &&
+  vtkControlMap::ARRAY == static_cast<int>(ImportanceKind::Array));
+static_assert(vtkControlMap::CHART == static_cast<int>(PictureProjection::Chart) &&
+  vtkControlMap::X_AXIS == static_cast<int>(PictureProjection::XAxis) &&
+  vtkControlMap::Y_AXIS == static_cast<int>(PictureProjection::YAxis) &&
+  vtkControlMap::Z_AXIS == static_cast<int>(PictureProjection::ZAxis));
+
+constexpr int StrokeComponents = 5;
 
 bool isStroke(const double* s)
 {
-  return std::all_of(s, s + strokeComponents, [](double x) { return std::isfinite(x); }) &&
+  return std::all_of(s, s + StrokeComponents, [](double x) { return std::isfinite(x); }) &&
     s[3] > 0. && s[4] >= -1.;
 }
 }
@@ -41,12 +58,31 @@ struct vtkControlMap::Internals
   stipple::ControlMapBuilder builder;
 };
 
+namespace
+{
+/// The input's images with their control.
+void addImages(vtkPartitionedDataSetCollection* input,
+  const std::vector<vtkSmartPointer<vtkFloatArray>>& control,
+  vtkPartitionedDataSetCollection* output)
+{
+  output->CopyStructure(input);
+  for (unsigned int c = 0; c < control.size(); ++c)
+  {
+    vtkNew<vtkImageData> image;
+    image->ShallowCopy(input->GetPartitionAsDataObject(c, 0));
+    image->GetPointData()->AddArray(control[c]); // SetScalars would drop those that are
+    image->GetPointData()->SetActiveScalars("Control");
+    output->SetPartition(c, 0, image);
+  }
+}
+}
+
 vtkControlMap::vtkControlMap()
   : Data(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(2);
   this->Data->strokes->SetName("Strokes");
-  this->Data->strokes->SetNumberOfComponents(strokeComponents);
+  this->Data->strokes->SetNumberOfComponents(StrokeComponents);
 }
 
 vtkControlMap::~vtkControlMap()
@@ -72,7 +108,7 @@ vtkMTimeType vtkControlMap::GetMTime()
 
 bool vtkControlMap::AddStroke(double x, double y, double z, double radius, double strength)
 {
-  const double stroke[strokeComponents] = { x, y, z, radius, strength };
+  const double stroke[StrokeComponents] = { x, y, z, radius, strength };
   if (!isStroke(stroke))
   {
     vtkErrorMacro("A stroke with radius " << radius << " and strength " << strength
@@ -118,8 +154,8 @@ void vtkControlMap::SetStrokes(vtkDoubleArray* strokes)
   const vtkIdType n = strokes ? strokes->GetNumberOfTuples() : 0;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    if (strokes->GetNumberOfComponents() != strokeComponents ||
-      !isStroke(strokes->GetPointer(strokeComponents * i)))
+    if (strokes->GetNumberOfComponents() != StrokeComponents ||
+      !isStroke(strokes->GetPointer(StrokeComponents * i)))
     {
       vtkErrorMacro(
         "Stroke " << i
@@ -130,13 +166,13 @@ void vtkControlMap::SetStrokes(vtkDoubleArray* strokes)
   }
   vtkDoubleArray* own = this->Data->strokes;
   if (n == own->GetNumberOfTuples() &&
-    std::equal(own->GetPointer(0), own->GetPointer(0) + strokeComponents * n,
+    std::equal(own->GetPointer(0), own->GetPointer(0) + StrokeComponents * n,
       n > 0 ? strokes->GetPointer(0) : own->GetPointer(0)))
   {
     return;
   }
   own->SetNumberOfTuples(n);
-  std::copy_n(n > 0 ? strokes->GetPointer(0) : nullptr, strokeComponents * n, own->GetPointer(0));
+  std::copy_n(n > 0 ? strokes->GetPointer(0) : nullptr, StrokeComponents * n, own->GetPointer(0));
   this->Modified();
 }
 
@@ -166,10 +202,10 @@ int vtkControlMap::RequestData(
     return 0;
   }
   stipple::ControlMapOptions options;
-  options.importance = this->Importance;
+  options.importance = static_cast<ImportanceKind>(this->Importance);
   options.arrayName = this->ImportanceArrayName ? this->ImportanceArrayName : "";
   options.image = this->ImportanceImage;
-  options.projection = this->ImageProjection;
+  options.projection = static_cast<PictureProjection>(this->ImageProjection);
   options.bandPass = { { this->BandPass[0], this->BandPass[1] } };
   options.transfer = this->TransferFunction;
   options.gamma = this->Gamma;
@@ -177,41 +213,26 @@ int vtkControlMap::RequestData(
   options.minimumDensity = this->MinimumDensity;
   for (vtkIdType i = 0; i < this->Data->strokes->GetNumberOfTuples(); ++i)
   {
-    const double* s = this->Data->strokes->GetPointer(strokeComponents * i);
+    const double* s = this->Data->strokes->GetPointer(StrokeComponents * i);
     options.strokes.push_back({ { s[0], s[1], s[2] }, s[3], s[4] });
   }
-  const stipple::Progress progress = [this](double fraction) {
-    this->UpdateProgress(fraction);
-    return this->GetAbortExecute() == 0;
-  };
   std::vector<vtkSmartPointer<vtkFloatArray>> control;
   std::string warning;
-  if (stipple::Status status =
+  const int result =
+    stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+      const stipple::Status status =
         this->Data->builder.build(input, charts, options, progress, control, warning);
-      !status.ok())
-  {
-    output->Initialize();
-    if (!status.isAbort())
-    {
-      vtkErrorMacro(<< status.message());
-    }
-    return 0;
-  }
+      if (status.ok())
+      {
+        addImages(input, control, output);
+      }
+      return status;
+    });
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning);
   }
-  output->CopyStructure(input);
-  for (unsigned int c = 0; c < control.size(); ++c)
-  {
-    vtkNew<vtkImageData> image;
-    image->ShallowCopy(input->GetPartitionAsDataObject(c, 0));
-    image->GetPointData()->AddArray(control[c]); // SetScalars would drop those that are
-    image->GetPointData()->SetActiveScalars("Control");
-    output->SetPartition(c, 0, image);
-  }
-  this->UpdateProgress(1.);
-  return 1;
+  return result;
 }
 
 void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)

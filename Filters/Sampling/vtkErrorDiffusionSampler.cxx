@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkErrorDiffusionSampler.h"
 
+#include "FilterInputs.h"
 #include "SurfaceSampler.h"
 
 #include "vtkDoubleArray.h"
@@ -27,20 +28,6 @@ vtkStandardNewMacro(vtkErrorDiffusionSampler);
 
 namespace
 {
-/// When a collection, or any chart in it, last changed.
-vtkMTimeType timeOf(vtkPartitionedDataSetCollection* charts)
-{
-  vtkMTimeType time = charts->GetMTime();
-  for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
-  {
-    if (vtkPolyData* chart = stipple::chartOf(charts, c))
-    {
-      time = std::max(time, chart->GetMTime());
-    }
-  }
-  return time;
-}
-
 /// Control images as the kernels read them; arrays of other types are converted and kept here.
 class ControlImages
 {
@@ -143,12 +130,31 @@ vtkSmartPointer<vtkUnsignedCharArray> halftone(const stipple::ControlImage& imag
 
 struct vtkErrorDiffusionSampler::Internals
 {
-  stipple::SurfaceSampler sampler;
-  // What the sampler was made from: as long as it stays, a new control map finds all this done.
-  vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
-  vtkSmartPointer<vtkPolyData> graph;
-  vtkMTimeType chartsTime = 0;
-  vtkMTimeType graphTime = 0;
+  stipple::SurfaceSampler sampler; // a new control map finds all done that the charts ask for
+
+  void write(const stipple::SurfaceSamples& result, const ControlImages& control,
+    vtkPartitionedDataSetCollection* images, vtkPolyData* output,
+    vtkPartitionedDataSetCollection* halftones) const
+  {
+    output->ShallowCopy(stipple::toPolyData(result.samples, this->sampler.domain().surface()));
+    vtkNew<vtkDoubleArray> density;
+    density->SetName("Density");
+    density->SetNumberOfValues(static_cast<vtkIdType>(result.density.size()));
+    std::copy(result.density.begin(), result.density.end(), density->GetPointer(0));
+    output->GetPointData()->AddArray(density);
+
+    halftones->CopyStructure(images);
+    for (std::size_t c = 0; c < control.views.size(); ++c)
+    {
+      const auto index = static_cast<unsigned int>(c);
+      vtkNew<vtkImageData> image;
+      image->ShallowCopy(images->GetPartitionAsDataObject(index, 0));
+      image->GetPointData()->AddArray(halftone(control.views[c], result.graphs[c],
+        result.interior[c], this->sampler.domain().chartConstraints[c]));
+      image->GetPointData()->SetActiveScalars("Halftone");
+      halftones->SetPartition(index, 0, image);
+    }
+  }
 };
 
 vtkErrorDiffusionSampler::vtkErrorDiffusionSampler()
@@ -187,83 +193,52 @@ int vtkErrorDiffusionSampler::RequestData(
   auto* graph = vtkPolyData::GetData(inputVector[2], 0);
   auto* output = vtkPolyData::GetData(outputVector, 0);
   auto* halftones = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
-  if (!images || !charts || !graph || !output || !halftones)
-  {
-    return 0;
-  }
-  const auto fail = [&](const stipple::Status& status) {
-    output->Initialize();
-    halftones->Initialize();
-    if (!status.isAbort())
+  this->MinimumNumberOfSamples = 0;
+  stipple::SurfaceSampler& sampler = this->Data->sampler;
+  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
+    if (charts->GetNumberOfPartitionedDataSets() == 0)
     {
-      vtkErrorMacro(<< status.message());
+      return stipple::Status::success();
     }
-    return 0;
-  };
-  if (charts->GetNumberOfPartitionedDataSets() == 0)
-  {
-    this->MinimumNumberOfSamples = 0;
-    return 1;
-  }
-  Internals& data = *this->Data;
-  if (data.charts != charts || data.graph != graph || data.chartsTime != timeOf(charts) ||
-    data.graphTime != graph->GetMTime())
-  {
-    data.charts = nullptr;
-    this->MinimumNumberOfSamples = 0;
-    if (stipple::Status status = data.sampler.setDomain(charts, graph); !status.ok())
+    ControlImages control;
+    stipple::Status status = sampler.setDomain(charts, graph);
+    this->MinimumNumberOfSamples = sampler.minimumNumberOfSamples();
+    if (status.ok())
     {
-      return fail(status);
+      status = control.read(images, sampler.domain().surface());
     }
-    data.charts = charts;
-    data.graph = graph;
-    data.chartsTime = timeOf(charts);
-    data.graphTime = graph->GetMTime();
-  }
-  this->MinimumNumberOfSamples = data.sampler.minimumNumberOfSamples();
-  ControlImages control;
-  if (stipple::Status status = control.read(images, data.sampler.domain().surface()); !status.ok())
-  {
-    return fail(status);
-  }
-  this->UpdateProgress(0.1);
-  const stipple::Progress progress = [this](double fraction) {
-    this->UpdateProgress(0.1 + 0.8 * fraction);
-    return this->GetAbortExecute() == 0;
-  };
-  stipple::SurfaceSamples result;
-  if (stipple::Status status = data.sampler.sample(control.views, this->NumberOfSamples, progress,
-        result, static_cast<stipple::DiffusionMethod>(this->DiffusionMethod));
-      !status.ok())
-  {
-    return fail(status);
-  }
-  output->ShallowCopy(stipple::toPolyData(result.samples, data.sampler.domain().surface()));
-  vtkNew<vtkDoubleArray> density;
-  density->SetName("Density");
-  density->SetNumberOfValues(static_cast<vtkIdType>(result.density.size()));
-  std::copy(result.density.begin(), result.density.end(), density->GetPointer(0));
-  output->GetPointData()->AddArray(density);
-
-  halftones->CopyStructure(images);
-  for (std::size_t c = 0; c < control.views.size(); ++c)
-  {
-    const auto index = static_cast<unsigned int>(c);
-    vtkNew<vtkImageData> image;
-    image->ShallowCopy(images->GetPartitionAsDataObject(index, 0));
-    image->GetPointData()->AddArray(halftone(control.views[c], result.graphs[c], result.interior[c],
-      data.sampler.domain().chartConstraints[c]));
-    image->GetPointData()->SetActiveScalars("Halftone");
-    halftones->SetPartition(index, 0, image);
-  }
-  this->UpdateProgress(1.);
-  return 1;
+    if (!status.ok())
+    {
+      return status;
+    }
+    stipple::SurfaceSamples result;
+    const auto sample = [&](int n) {
+      return sampler.sample(
+        control.views, n, [&](double fraction) { return progress(0.1 + 0.8 * fraction); }, result,
+        static_cast<stipple::DiffusionMethod>(this->DiffusionMethod));
+    };
+    status = sample(this->NumberOfSamples);
+    if (status.leastNumberOfPoints() > 0)
+    {
+      this->MinimumNumberOfSamples = status.leastNumberOfPoints();
+      if (this->RaiseNumberOfSamples)
+      {
+        status = sample(status.leastNumberOfPoints());
+      }
+    }
+    if (status.ok())
+    {
+      this->Data->write(result, control, images, output, halftones);
+    }
+    return status;
+  });
 }
 
 void vtkErrorDiffusionSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "RaiseNumberOfSamples: " << this->RaiseNumberOfSamples << "\n";
   os << indent << "DiffusionMethod: " << this->DiffusionMethod << "\n";
   os << indent << "MinimumNumberOfSamples: " << this->MinimumNumberOfSamples << "\n";
 }

@@ -18,7 +18,8 @@
  * diffusion in arc length, at the spacing of the lattice beside them, once for both charts of a
  * seam; where the straight segments between samples would cross, or leave a chart that cannot be
  * triangulated, they get some more. The rest is spread inside the charts by serpentine error
- * diffusion (paper 3.2). The result depends on no number of threads.
+ * diffusion (paper 3.2). Few samples are tried out: charts whose samples have no triangulation
+ * together get some more inside. The result depends on no number of threads.
  *
  * A constraint that lies on a backbone becomes a sample of that backbone (kind 1), one on a node is
  * that node.
@@ -54,6 +55,16 @@ public:
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether a NumberOfSamples that is too small stands for the next number that can be had, instead
+   * of being an error. The default is false.
+   */
+  vtkSetMacro(RaiseNumberOfSamples, bool);
+  vtkGetMacro(RaiseNumberOfSamples, bool);
+  vtkBooleanMacro(RaiseNumberOfSamples, bool);
+  ///@}
+
   enum DiffusionMethodType
   {
     OSTROMOUKHOV = 0,
@@ -75,9 +86,9 @@ public:
   ///@}
 
   /**
-   * The least NumberOfSamples that these charts, features and constraints allow; every greater
-   * number can be had. Valid after an update, also one that failed because NumberOfSamples was
-   * smaller.
+   * The least NumberOfSamples that these charts, features and constraints allow. Valid after an
+   * update; after one that failed with error code 40003 (vtkGeometryRemesher::TOO_FEW_POINTS) it is
+   * the next NumberOfSamples that can be had and be meshed.
    */
   vtkGetMacro(MinimumNumberOfSamples, int);
 
@@ -102,6 +113,7 @@ private:
   int NumberOfSamples = 5000;
   int DiffusionMethod = OSTROMOUKHOV;
   int MinimumNumberOfSamples = 0;
+  bool RaiseNumberOfSamples = false;
 
   struct Internals;
   std::unique_ptr<Internals> Data;
