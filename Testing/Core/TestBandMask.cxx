@@ -55,7 +55,9 @@ protected:
   {
     cube(this->Cube, 1, false);
     synthetic::Atlas& atlas = this->Cube.finish();
-    ASSERT_TRUE(readSamplingDomain(atlas.charts, atlas.graphData, this->domain).ok());
+    stipple::Atlas::Pointer read;
+    ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, read).ok());
+    ASSERT_TRUE(readSamplingDomain(read, this->domain).ok());
   }
 
   Builder Cube;
@@ -95,7 +97,7 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
       locate(domain.surface(), c, fine.centre(i), face, face, bary);
       const int coarse = raster.row[i / fine.width] * image.width + raster.column[i % fine.width];
       const double depth = squaredDistance(domain, domain.surface().position(face, bary)) *
-        image.density(coarse) * scale / bandLimit;
+        image.density(coarse) * scale / BandLimit;
       ++pixels;
       closed += depth < 1.;
       wrong += std::abs(depth - 1.) > 1e-3 && (depth < 1.) == (raster.open[i] != 0);

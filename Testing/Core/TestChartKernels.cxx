@@ -6,7 +6,6 @@
 #include "ConformalMap.h"
 #include "HarmonicSystem.h"
 #include "RectangleLayout.h"
-#include "ReportingThread.h"
 #include "Shapes.h"
 #include "ShortestPaths.h"
 #include "VoronoiDiagram.h"
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
 using namespace stipple;
 
@@ -389,37 +387,4 @@ TEST(ConformalMap, IsHarmonicInsideACurvedChart)
   {
     EXPECT_LT(chart.onBoundary[v] ? 0. : laplacian[v].norm(), 1e-9 * size[v]);
   }
-}
-
-TEST(ReportingThread, ReportsWhileItWorksAndStopsIt)
-{
-  const std::thread::id here = std::this_thread::get_id();
-  double last = 0;
-  bool elsewhere = false;
-  const int result = runReporting(
-    [&](double f) {
-      elsewhere = elsewhere || std::this_thread::get_id() != here;
-      last = f;
-      return true;
-    },
-    [&](const Progress& progress) {
-      EXPECT_NE(std::this_thread::get_id(), here);
-      progress(0.25);
-      std::this_thread::sleep_for(std::chrono::milliseconds(60));
-      return 7;
-    });
-  EXPECT_EQ(result, 7);
-  EXPECT_EQ(last, 0.25);
-  EXPECT_FALSE(elsewhere) << "the caller's thread reports";
-
-  int turns = 0;
-  const Status status = runReporting([](double f) { return f < 0.5; },
-    [&](const Progress& progress) {
-      while (progress(0.75))
-      {
-        ++turns;
-      }
-      return Status::aborted();
-    });
-  EXPECT_TRUE(status.isAbort());
 }

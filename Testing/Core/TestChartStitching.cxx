@@ -17,7 +17,8 @@ struct Ring
   FeatureGraph graph;
   std::vector<Sample> samples;
   std::vector<Triangle> triangles;
-  std::vector<char> hasEdge;
+  ElementArray<Label, char> hasEdge;
+  Chart chartAtFault;
 
   Ring(const std::vector<Vec3>& positions, BackboneType type)
   {
@@ -40,11 +41,11 @@ struct Ring
     ChartTriangulation mesh;
     mesh.complex.triangles = tri;
     mesh.complex.twin = halfedgeTwins(tri);
-    for (int h = 0; h < mesh.complex.numberOfHalfedges(); ++h)
+    for (Halfedge h : mesh.complex.halfedges())
     {
-      const int a = mesh.complex.tail(h);
-      const int b = mesh.complex.head(h);
-      mesh.complex.label.push_back((a + 1) % n == b ? b : (b + 1) % n == a ? a : -1);
+      const int a = mesh.complex.tail(h).index();
+      const int b = mesh.complex.head(h).index();
+      mesh.complex.label.push_back(Label((a + 1) % n == b ? b : (b + 1) % n == a ? a : -1));
     }
     for (int v = 0; v < n; ++v)
     {
@@ -61,7 +62,7 @@ struct Ring
       around.push_back(static_cast<int>(i));
     }
     return stitchCharts(this->surface, this->graph, BackboneIntervals(this->graph, { around }),
-      charts, this->samples, this->triangles, this->hasEdge);
+      charts, this->samples, this->triangles, this->hasEdge, this->chartAtFault);
   }
 };
 
@@ -100,9 +101,14 @@ TEST(ChartStitching, SaysSoWhenThereAreTooFewSamples)
   ChartTriangulation chart =
     ring.chart({ { 0, 1, 2 }, { 0, 2, 3 } }, { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
   chart.sample = { 0, 1, 0, 1 };
-  chart.complex.label = { 0, 1, -1, -1, 0, 1 };
+  const std::array<int, 6> labels = { { 0, 1, -1, -1, 0, 1 } };
+  for (Halfedge h : chart.complex.halfedges())
+  {
+    chart.complex.label[h] = Label(labels[h.index()]);
+  }
   const Status status = ring.stitch({ chart });
-  EXPECT_FALSE(status.ok());
+  EXPECT_EQ(status.code(), StatusCode::TooFewPoints);
+  EXPECT_EQ(ring.chartAtFault, Chart(0));
   EXPECT_NE(status.message().find("more points"), std::string::npos);
 }
 

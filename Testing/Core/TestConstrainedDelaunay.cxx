@@ -129,15 +129,15 @@ TEST(TriangleComplex, FourFlipsOfAnEdgeGiveItBack)
   TriangleComplex c;
   c.triangles = { { 0, 1, 2 }, { 1, 0, 3 }, { 1, 4, 2 }, { 0, 5, 3 } };
   c.twin = halfedgeTwins(c.triangles);
-  c.label.assign(c.twin.size(), -1);
+  c.label.assign(c.twin.size(), Label());
   const auto before = edges(c.triangles);
-  c.flip(0);
+  c.flip(Halfedge(0));
   EXPECT_EQ(edges(c.triangles).count({ 0, 1 }), 0u);
   EXPECT_EQ(edges(c.triangles).count({ 2, 3 }), 1u);
   EXPECT_EQ(c.twin, halfedgeTwins(c.triangles));
   for (int i = 0; i < 3; ++i)
   {
-    c.flip(0);
+    c.flip(Halfedge(0));
   }
   EXPECT_EQ(edges(c.triangles), before);
 }
@@ -151,39 +151,39 @@ TEST(TriangleComplex, TakesAVertexOutOfAChain)
     c.triangles.push_back({ 6, i, (i + 1) % 6 });
   }
   c.twin = halfedgeTwins(c.triangles);
-  c.label.assign(c.twin.size(), -1);
-  std::vector<int> outgoing(7);
-  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  c.label.assign(c.twin.size(), Label());
+  ElementArray<Vertex, Halfedge> outgoing(7);
+  for (Halfedge h : c.halfedges())
   {
-    const auto edge = ordered(c.tail(h), c.head(h));
+    const auto edge = ordered(c.tail(h).index(), c.head(h).index());
     if (edge.second == 6 && (edge.first == 0 || edge.first == 3))
     {
-      c.label[h] = 5;
+      c.label[h] = Label(5);
     }
-    else if (c.twin[h] < 0)
+    else if (c.isBoundary(h))
     {
-      c.label[h] = 100 + c.tail(h);
+      c.label[h] = Label(100 + c.tail(h).index());
     }
     outgoing[c.tail(h)] = h;
   }
-  std::vector<std::array<int, 2>> merged;
+  std::vector<std::array<Label, 2>> merged;
   ASSERT_TRUE(c.removeFromChain(
-    6, outgoing, [](int, int, int) { return 0.; }, merged));
+    Vertex(6), outgoing, [](Vertex, Vertex, Vertex) { return 0.; }, merged));
   EXPECT_TRUE(merged.empty());
   c.compact();
   EXPECT_EQ(c.triangles.size(), 4u);
   EXPECT_EQ(c.twin, halfedgeTwins(c.triangles));
   int chain = 0;
-  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  for (Halfedge h : c.halfedges())
   {
-    if (ordered(c.tail(h), c.head(h)) == ordered(0, 3))
+    if (ordered(c.tail(h).index(), c.head(h).index()) == ordered(0, 3))
     {
-      EXPECT_EQ(c.label[h], 5);
+      EXPECT_EQ(c.label[h], Label(5));
       ++chain;
     }
     else
     {
-      EXPECT_EQ(c.label[h] >= 100, c.twin[h] < 0);
+      EXPECT_EQ(c.label[h].index() >= 100, c.isBoundary(h));
     }
   }
   EXPECT_EQ(chain, 2);
@@ -192,7 +192,8 @@ TEST(TriangleComplex, TakesAVertexOutOfAChain)
 namespace
 {
 /// Vertex 6 amid 0 to 5, with a chain from 0 by 6 to 3 and two edges to vertex 1: between them lies
-/// vertex 7, which touches nothing else. Halfedge 3 i leaves 6 for the i-th vertex about it.
+/// vertex 7, which touches nothing else. Halfedge 0 of face i leaves 6 for the i-th vertex about
+/// it.
 TriangleComplex starWithTwoEdgesToOneVertex()
 {
   TriangleComplex c;
@@ -201,18 +202,19 @@ TriangleComplex starWithTwoEdgesToOneVertex()
   {
     c.triangles.push_back({ 6, ring[i], ring[(i + 1) % 8] });
   }
-  c.twin.assign(24, stipple::Halfedge());
-  c.label.assign(24, -1);
+  c.twin.assign(24, Halfedge());
+  c.label.assign(24, Label());
+  const auto edge = [](int face, int corner) { return halfedgeOf(Face(face), corner); };
   for (int i = 0; i < 8; ++i)
   {
-    c.glue(3 * i + 2, 3 * ((i + 1) % 8));
-    c.label[3 * i + 1] = 100 + i;
+    c.glue(edge(i, 2), edge((i + 1) % 8, 0));
+    c.label[edge(i, 1)] = Label(100 + i);
   }
-  c.glue(3 * 1 + 1, 3 * 2 + 1); // the edge from 1 to 7
-  c.label[3 * 1 + 1] = c.label[3 * 2 + 1] = -1;
+  c.glue(edge(1, 1), edge(2, 1)); // the edge from 1 to 7
+  c.label[edge(1, 1)] = c.label[edge(2, 1)] = Label();
   for (int i : { 0, 5 })
   {
-    c.label[3 * i] = c.label[c.twin[3 * i]] = 5;
+    c.label[edge(i, 0)] = c.label[c.twin[edge(i, 0)]] = Label(5);
   }
   return c;
 }
@@ -222,25 +224,27 @@ TEST(TriangleComplex, KeepsWhatTwoEdgesToOneVertexEnclose)
 {
   TriangleComplex c = starWithTwoEdgesToOneVertex();
   ASSERT_TRUE(c.isSound());
-  std::vector<int> outgoing(8);
-  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  ElementArray<Vertex, Halfedge> outgoing(8);
+  for (Halfedge h : c.halfedges())
   {
     outgoing[c.tail(h)] = h;
   }
-  std::vector<std::array<int, 2>> merged;
+  std::vector<std::array<Label, 2>> merged;
   ASSERT_TRUE(c.removeFromChain(
-    6, outgoing, [](int, int, int) { return 0.; }, merged));
+    Vertex(6), outgoing, [](Vertex, Vertex, Vertex) { return 0.; }, merged));
   c.compact();
   EXPECT_TRUE(c.isSound());
   EXPECT_EQ(c.triangles.size(), 6u); // 2 V - 2 - boundary, with V = 7
   std::set<int> used;
   int chain = 0;
   int boundary = 0;
-  for (int h = 0; h < c.numberOfHalfedges(); ++h)
+  for (Halfedge h : c.halfedges())
   {
-    used.insert(c.tail(h));
-    boundary += c.twin[h] < 0 ? 1 : 0;
-    chain += c.label[h] == 5 && ordered(c.tail(h), c.head(h)) == ordered(0, 3) ? 1 : 0;
+    used.insert(c.tail(h).index());
+    boundary += c.isBoundary(h) ? 1 : 0;
+    chain +=
+      c.label[h] == Label(5) && ordered(c.tail(h).index(), c.head(h).index()) == ordered(0, 3) ? 1
+                                                                                               : 0;
   }
   EXPECT_EQ(used, std::set<int>({ 0, 1, 2, 3, 4, 5, 7 }));
   EXPECT_EQ(boundary, 6);
@@ -250,19 +254,19 @@ TEST(TriangleComplex, KeepsWhatTwoEdgesToOneVertexEnclose)
 TEST(TriangleComplex, StarThatDoesNotCloseIsEmpty)
 {
   TriangleComplex c = starWithTwoEdgesToOneVertex();
-  EXPECT_EQ(c.star(0).size(), 8u);
+  EXPECT_EQ(c.star(Halfedge(0)).size(), 8u);
   // Turning left from the edge to 2 leads back to itself: a star that never comes round to the edge
   // to 0.
-  c.twin[3 * 4 + 2] = 3 * 4;
+  c.twin[halfedgeOf(Face(4), 2)] = halfedgeOf(Face(4), 0);
   EXPECT_FALSE(c.isSound());
-  EXPECT_TRUE(c.star(0).empty());
-  std::vector<int> outgoing(8, 0);
-  std::vector<std::array<int, 2>> merged;
+  EXPECT_TRUE(c.star(Halfedge(0)).empty());
+  ElementArray<Vertex, Halfedge> outgoing(8, Halfedge(0));
+  std::vector<std::array<Label, 2>> merged;
   EXPECT_FALSE(c.removeFromChain(
-    6, outgoing, [](int, int, int) { return 0.; }, merged));
+    Vertex(6), outgoing, [](Vertex, Vertex, Vertex) { return 0.; }, merged));
   // A twin at another vertex.
   c = starWithTwoEdgesToOneVertex();
-  c.twin[3 * 4 + 2] = 3 * 6 + 1;
+  c.twin[halfedgeOf(Face(4), 2)] = halfedgeOf(Face(6), 1);
   EXPECT_FALSE(c.isSound());
-  EXPECT_TRUE(c.star(0).empty());
+  EXPECT_TRUE(c.star(Halfedge(0)).empty());
 }

@@ -56,7 +56,10 @@ struct Square
   std::vector<BackboneInterval> invalid()
   {
     synthetic::Atlas& atlas = this->builder.finish();
-    const Status status = readSamplingDomain(atlas.charts, atlas.graphData, this->domain);
+    stipple::Atlas::Pointer read;
+    Status status = stipple::Atlas::read(atlas.charts, atlas.graphData, read);
+    EXPECT_TRUE(status.ok()) << status.message();
+    status = readSamplingDomain(read, this->domain);
     EXPECT_TRUE(status.ok()) << status.message();
     this->places.resize(this->domain.graph().backbones.size());
     const std::vector<Sample> samples = this->domain.samples(this->places);

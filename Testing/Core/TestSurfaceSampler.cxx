@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "SamplingConstants.h"
 #include "SyntheticControl.h"
 
 #include "BackboneSampling.h"
@@ -103,9 +104,17 @@ TEST(SurfaceSampler, ExactCountOnManyDraws)
       const ControlMaps maps(f.surface(), draw % 3 == 0 ? 20 : 90, [&](const Vec3& p) {
         return power == 4. && p.x() < 0.4 ? 0. : std::exp(-power * 2. * (p - dense).norm());
       });
-      const int n =
+      const int wanted =
         draw < 6 ? least + draw : least + static_cast<int>(std::pow(3000., (engine() % 100) / 99.));
-      const SurfaceSamples result = f.sample(maps, n);
+      int n = wanted;
+      SurfaceSamples result;
+      if (f.sampler.sample(maps.images, n, nullptr, result).code() == StatusCode::TooFewPoints)
+      {
+        n = f.sampler.sample(maps.images, n, nullptr, result).leastNumberOfPoints();
+        EXPECT_GT(n, wanted);
+        EXPECT_TRUE(shape == 4 && n <= 12) << "only a torus has no mesh of so few: it needs 7";
+        result = f.sample(maps, n);
+      }
       expectSound(result, f, n);
       ASSERT_FALSE(::testing::Test::HasFatalFailure())
         << "shape " << shape << " draw " << draw << " n " << n;
@@ -505,7 +514,8 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
       }
       EXPECT_GE(factor, 1.);
       EXPECT_TRUE(spike > 0 || InteriorSampler::withinLimits(image, factor));
-      EXPECT_LE(crowded, (spike > 0 ? crowdedShare : 0.) * samples) << samples << " of " << spike;
+      EXPECT_LE(crowded, (spike > 0 ? SamplingConstants::CrowdedShare : 0.) * samples)
+        << samples << " of " << spike;
       const double least = std::sqrt(2. * mass.largest * scale * image.pixelArea());
       EXPECT_LT(factor, least + (spike > 0 ? 1. : 0.25)) << "no more pixels than that takes";
       if (samples < 1000. && InteriorSampler::withinLimits(image, factor))

@@ -107,18 +107,20 @@ private:
 };
 
 /// What is wrong with the mesh of n points, or nothing. A number that charts cannot have is not
-/// wrong, if the error names a greater one that works.
+/// wrong, if the error says so and names a greater one that works.
 std::string remeshOrNamed(Remesher& r, int n)
 {
   const std::string wrong = r.remesh(n);
-  const std::string words = "use more points, for instance ";
-  const auto named = wrong.find(words);
-  if (named == std::string::npos)
+  if (r.Filter->GetErrorCode() != vtkGeometryRemesher::TOO_FEW_POINTS)
   {
     return wrong;
   }
   ++refused;
-  const int other = std::stoi(wrong.substr(named + words.size()));
+  const int other = r.Filter->GetLeastNumberOfPoints();
+  if (wrong.find("at least " + std::to_string(other)) == std::string::npos)
+  {
+    return "the sentence names another number than " + std::to_string(other) + ": " + wrong;
+  }
   const std::string still = other > n ? r.remesh(other) : "not more";
   return still.empty() ? still
                        : wrong + "; but with " + std::to_string(other) + " points: " + still;
@@ -192,7 +194,7 @@ void testRandomDraws(int draws)
     filter->SetImportance(kinds[engine() % 3]);
     filter->SetNumberOfIterations(engine() % 2 == 0 ? 0 : 5);
     r.remesh(1);
-    const int least = filter->GetSampler()->GetMinimumNumberOfSamples();
+    const int least = filter->GetLeastNumberOfPoints();
     const int n = least +
       (draw % 2 == 0 ? static_cast<int>(engine() % 24)
                      : static_cast<int>(std::pow(10., 1. + 2. * random())));
@@ -231,7 +233,7 @@ void testSmallNumbers(const std::string& folder, const std::vector<std::string>&
       {
         r.Filter->SetImportance(importance);
         const std::string refused = r.remesh(1);
-        const int least = r.Filter->GetSampler()->GetMinimumNumberOfSamples();
+        const int least = r.Filter->GetLeastNumberOfPoints();
         check(refused.find("at least " + std::to_string(least)) != std::string::npos,
           model + ": the error names the least number: " + refused);
         for (int n = least; n <= least + span; ++n)

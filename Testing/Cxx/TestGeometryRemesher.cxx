@@ -18,11 +18,13 @@
 #include "vtkExecutive.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPlatonicSolidSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -31,6 +33,7 @@
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
@@ -278,12 +281,76 @@ void testErrors()
     check(output->GetNumberOfElements(vtkDataObject::POINT) == 0,
       "output " + std::to_string(port) + " is empty");
   }
+  check(remesher->GetErrorCode() == vtkGeometryRemesher::TOO_FEW_POINTS, "the error has a code");
+  check(
+    remesher->GetLeastNumberOfPoints() == std::atoi(least.c_str()), "and the number that works");
   messages.texts.clear();
-  remesher->SetNumberOfPoints(remesher->GetSampler()->GetMinimumNumberOfSamples());
+  remesher->SetNumberOfPoints(remesher->GetLeastNumberOfPoints());
   remesher->Update();
   check(messages.texts.empty(), "the least number works");
+  check(remesher->GetErrorCode() == 0, "and leaves no error code");
   check(remesher->GetOutput()->GetNumberOfPoints() == std::atoi(least.c_str()),
     "the least number is exact");
+  vtkNew<vtkIdTypeArray> noEdge;
+  noEdge->SetNumberOfComponents(2);
+  noEdge->InsertNextTuple2(0, 1000);
+  remesher->GetAtlas()->SetFeatureEdges(noEdge);
+  remesher->Update();
+  check(remesher->GetErrorCode() == vtkGeometryRemesher::BAD_INPUT, "bad input has another code");
+}
+
+/// As many points as the input has are too few for some inputs: then it is the least that works.
+void testAsManyAsTheInput()
+{
+  vtkNew<vtkPolyData> triangle;
+  vtkNew<vtkPoints> corners;
+  corners->InsertNextPoint(0, 0, 0);
+  corners->InsertNextPoint(1, 0, 0);
+  corners->InsertNextPoint(0, 1, 0);
+  triangle->SetPoints(corners);
+  vtkNew<vtkCellArray> face;
+  face->InsertNextCell({ 0, 1, 2 });
+  triangle->SetPolys(face);
+  vtkNew<vtkPlatonicSolidSource> tetrahedron;
+  tetrahedron->SetSolidTypeToTetrahedron();
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkTriangleFilter> cubeOfTriangles;
+  cubeOfTriangles->SetInputConnection(cube->GetOutputPort());
+  for (vtkAlgorithm* source : { static_cast<vtkAlgorithm*>(nullptr),
+         static_cast<vtkAlgorithm*>(tetrahedron), static_cast<vtkAlgorithm*>(cubeOfTriangles) })
+  {
+    vtkNew<vtkGeometryRemesher> remesher;
+    remesher->GetMapRenderer()->SetBackendToCPU();
+    if (source)
+    {
+      remesher->SetInputConnection(source->GetOutputPort());
+    }
+    else
+    {
+      remesher->SetInputData(triangle);
+    }
+    Messages messages;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&messages);
+    command->SetCallback(&Messages::add);
+    remesher->AddObserver(vtkCommand::ErrorEvent, command);
+    remesher->AddObserver(vtkCommand::WarningEvent, command);
+    remesher->Update();
+    const vtkIdType points = remesher->GetOutput()->GetNumberOfPoints();
+    check(messages.texts.empty(),
+      "as many points as a small input has: " +
+        (messages.texts.empty() ? "" : messages.texts.front()));
+    check(points >= 3 && points >= remesher->GetAtlas()->GetNumberOfSurfacePoints() &&
+        points ==
+          std::max<vtkIdType>(
+            remesher->GetAtlas()->GetNumberOfSurfacePoints(), remesher->GetLeastNumberOfPoints()),
+      std::to_string(points) + " points, the least is " +
+        std::to_string(remesher->GetLeastNumberOfPoints()));
+    remesher->SetNumberOfPoints(static_cast<int>(points));
+    remesher->Update();
+    check(messages.texts.empty() && remesher->GetOutput()->GetNumberOfPoints() == points,
+      "a number that was told works when asked for");
+  }
 }
 
 /// What the stages' events say, in their order: the stage at its begin, and its complement at its
@@ -328,6 +395,7 @@ void testStageEvents()
   remesher->SetNumberOfPoints(120);
   remesher->Update();
   check(watcher.seen == std::vector<int>({ 0, ~0, 1, ~1, 2 }), "stopped once the maps are done");
+  check(remesher->GetErrorCode() == vtkGeometryRemesher::ABORTED, "a stop has a code");
   watcher.seen.clear();
   watcher.stopAtEndOf = -1;
   remesher->SetNumberOfPoints(5);
@@ -435,6 +503,7 @@ int TestGeometryRemesher(int, char*[])
   testArrayImportance();
   testSelectedMaps();
   testErrors();
+  testAsManyAsTheInput();
   testStageEvents();
   testEmptyInput();
   testProgressAndAbort();

@@ -69,6 +69,19 @@ class Result(unittest.TestCase):
         mesh = shapes.sphere(20)
         self.assertEqual(stipple.remesh(mesh).GetNumberOfPoints(), mesh.GetNumberOfPoints())
 
+    def test_default_number_of_few_points_is_the_least(self):
+        corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+        tetrahedron = (corners, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]))
+        triangle = (corners[:3], np.array([[0, 1, 2]]))
+        for mesh in (tetrahedron, triangle):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                points, triangles = stipple.remesh(mesh)
+            self.assertGreaterEqual(len(points), len(mesh[0]))
+            with self.assertRaisesRegex(stipple.StippleError, f"at least {len(points)}"):
+                stipple.remesh(mesh, points=len(mesh[0]) - 1)
+            self.assertEqual(len(stipple.remesh(mesh, points=len(points))[0]), len(points))
+
     def test_orientation_and_position(self):
         points, triangles = stipple.remesh(shapes.arrays(shapes.sphere(60)), points=2000)
         self.assertAlmostEqual(shapes.volume(points, triangles), np.pi / 6, delta=0.01 * np.pi / 6)

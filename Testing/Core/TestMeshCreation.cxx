@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// One chart triangulated, all of them welded, and the input's attributes on the mesh.
+#include "../Cxx/SyntheticAtlas.h"
+#include "AttributeTransfer.h"
+#include "ChartTriangulation.h"
+#include "MeshCreation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace synthetic;
+
+namespace
+{
+struct Meshing
+{
+  Builder builder;
+  stipple::Atlas::Pointer read;
+  std::vector<Sample> samples;
+  std::vector<Triangle> triangles;
+
+  void take(int numberOfSamples)
+  {
+    synthetic::Atlas& atlas = this->builder.finish();
+    ASSERT_TRUE(this->builder.ok());
+    ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, this->read).ok());
+    this->samples = sample(atlas, numberOfSamples);
+  }
+  Status create() { return createMesh(*this->read, this->samples, this->triangles, {}); }
+  std::vector<SurfacePlace> places() const
+  {
+    std::vector<SurfacePlace> result;
+    for (const Sample& s : this->samples)
+    {
+      result.push_back({ s.face, s.bary });
+    }
+    return result;
+  }
+};
+}
+
+TEST(ChartTriangulation, UsesEverySampleAndKeepsBackbones)
+{
+  Meshing m;
+  bumpyGrid(m.builder, 2, 12, true);
+  m.take(300);
+  const AtlasSurface& surface = m.read->surface();
+  const FeatureGraph& graph = m.read->graph();
+  const auto graphs = buildChartGraphs(surface, graph, m.read->traces(), m.samples);
+  const BackboneIntervals intervals(graph, samplesByBackbone(graph, m.samples));
+  for (int c = 0; c < surface.numberOfCharts(); ++c)
+  {
+    std::vector<int> interior;
+    for (std::size_t i = 0; i < m.samples.size(); ++i)
+    {
+      if (m.samples[i].kind == SampleKind::Interior && surface.faceChart[m.samples[i].face] == c)
+      {
+        interior.push_back(static_cast<int>(i));
+      }
+    }
+    ChartTriangulation mesh;
+    ASSERT_TRUE(triangulateChart(
+      surface, c, graphs[c], m.read->traces(), graph, intervals, m.samples, interior, mesh)
+                  .ok());
+    EXPECT_TRUE(mesh.complex.isSound());
+    std::set<int> used;
+    double area = 0;
+    for (const Triangle& t : mesh.complex.triangles)
+    {
+      const double twice =
+        orient2(mesh.parameter[t[0]], mesh.parameter[t[1]], mesh.parameter[t[2]]);
+      EXPECT_GT(twice, 0.) << "chart " << c;
+      area += 0.5 * twice;
+      for (int v : t)
+      {
+        used.insert(mesh.sample[v]);
+      }
+    }
+    EXPECT_LT(area, surface.extent[c].prod() + 1e-12);
+    EXPECT_GT(area, 0.9 * surface.extent[c].prod());
+    EXPECT_TRUE(std::includes(used.begin(), used.end(), interior.begin(), interior.end()));
+    std::set<Label> labels;
+    std::set<Label> expected;
+    for (Label l : mesh.complex.label)
+    {
+      if (l.valid())
+      {
+        labels.insert(l);
+      }
+    }
+    for (const ChartGraph::Segment& s : graphs[c].segments)
+    {
+      expected.insert(intervals.label(s.backbone, s.interval));
+      EXPECT_EQ(intervals.backbone(intervals.label(s.backbone, s.interval)), s.backbone);
+    }
+    EXPECT_EQ(labels, expected) << "every interval of a backbone is an edge";
+  }
+}
+
+TEST(MeshCreation, WeldsChartsToTheSurfacesTopology)
+{
+  for (const int n : { 40, 400 })
+  {
+    Meshing m;
+    cube(m.builder, 8, true);
+    m.take(n);
+    ASSERT_TRUE(m.create().ok());
+    TriangleSurface mesh;
+    for (const Sample& s : m.samples)
+    {
+      mesh.points.push_back(m.read->surface().position(s.face, s.bary));
+    }
+    mesh.triangles = m.triangles;
+    mesh.connect();
+    EXPECT_EQ(static_cast<int>(m.triangles.size()), 2 * n - 4) << "Euler's formula";
+    EXPECT_TRUE(mesh.topology() == m.read->topology());
+    const auto chains = backboneChains(m.read->graph(), m.samples);
+    ASSERT_EQ(chains.size(), 12u);
+    const auto output = meshToPolyData(*m.read, m.samples, m.triangles);
+    EXPECT_EQ(output->GetNumberOfPoints(), n);
+    EXPECT_EQ(featureLines(m.read->graph(), chains, output, false)->GetNumberOfLines(), 0)
+      << "all are seams";
+    EXPECT_GT(featureLines(m.read->graph(), chains, output, true)->GetNumberOfLines(), 0);
+  }
+}
+
+TEST(MeshCreation, SaysWhatSamplesLack)
+{
+  Meshing m;
+  cube(m.builder, 8, false);
+  m.take(8);
+  ASSERT_TRUE(m.create().ok()) << "a cube's corners triangulate it";
+  EXPECT_EQ(m.triangles.size(), 12u);
+  m.samples.erase(m.samples.begin());
+  Chart fault(0);
+  const Status status = createMesh(*m.read, m.samples, m.triangles, {}, &fault);
+  EXPECT_EQ(status.code(), StatusCode::TooFewPoints);
+  EXPECT_FALSE(fault.valid()) << "no sample inside would make up for a lacking corner";
+  m.samples.back().backbone = 99;
+  m.samples.back().kind = SampleKind::Backbone;
+  EXPECT_EQ(m.create().code(), StatusCode::BadInput) << "no such backbone";
+}
+
+TEST(MeshCreation, StopsWhenAsked)
+{
+  Meshing m;
+  cube(m.builder, 8, true);
+  m.take(100);
+  const Status status =
+    createMesh(*m.read, m.samples, m.triangles, [](double f) { return f < 0.5; });
+  EXPECT_TRUE(status.isAbort());
+}
+
+TEST(AttributeTransfer, InterpolatesAndTakesTheNearest)
+{
+  Meshing m;
+  bumpyGrid(m.builder, 2, 12);
+  m.take(250);
+  ASSERT_TRUE(m.create().ok());
+  const AtlasSurface& surface = m.read->surface();
+  vtkNew<vtkPolyData> mesh;
+  transferAttributes(surface, m.read->walk(), m.places(), m.triangles, mesh);
+  vtkDataArray* height = mesh->GetPointData()->GetArray("Height");
+  vtkDataArray* label = mesh->GetPointData()->GetArray("Label");
+  vtkDataArray* material = mesh->GetCellData()->GetArray("Material");
+  ASSERT_TRUE(height && label && material);
+  EXPECT_FALSE(mesh->GetPointData()->GetArray("SurfacePointId")) << "the charts' own";
+  ASSERT_EQ(height->GetNumberOfTuples(), 250);
+  for (int i = 0; i < 250; ++i)
+  {
+    const Sample& s = m.samples[i];
+    const Vec3 p = surface.position(s.face, s.bary);
+    EXPECT_NEAR(height->GetTuple1(i), p.x() + 2. * p.y() + 3. * p.z(), 1e-9);
+    int nearest = 0;
+    s.bary.maxCoeff(&nearest);
+    EXPECT_EQ(label->GetTuple1(i), surface.point(s.face, nearest).x() > 0.5 ? 7 : 3);
+  }
+  const std::vector<int> under =
+    facesUnderTriangles(surface, m.read->walk(), m.places(), m.triangles);
+  ASSERT_EQ(under.size(), m.triangles.size());
+  for (std::size_t t = 0; t < under.size(); ++t)
+  {
+    EXPECT_EQ(material->GetTuple1(static_cast<vtkIdType>(t)), surface.faceChart[under[t]]);
+    Vec3 centroid = Vec3::Zero();
+    for (int v : m.triangles[t])
+    {
+      centroid += surface.position(m.samples[v].face, m.samples[v].bary) / 3.;
+    }
+    Vec3 face = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      face += surface.point(under[t], k) / 3.;
+    }
+    EXPECT_LT((face - centroid).head<2>().norm(), 2. / 24.) << "the face is below the triangle";
+  }
+}
