@@ -76,6 +76,7 @@ public:
     , Left(images.size(), 0.)
     , Factor(images.size(), 1.)
     , Inside(images.size())
+    , Drawn(images.size(), -1)
   {
   }
 
@@ -123,7 +124,8 @@ private:
   std::vector<double> Left; // of what is wanted, outside of bands
   std::vector<double> Factor;
   std::vector<std::vector<Sample>> Inside;
-  bool Keep = true; // masks, from one step to the next
+  std::vector<int> Drawn; // samples inside, -1 if none were drawn yet
+  bool Keep = true;       // masks, from one step to the next
 };
 
 Status Sampling::readMasses()
@@ -323,6 +325,11 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
   result.interior.resize(this->Images.size());
   Status status =
     reportingFor(this->numberOfCharts(), this->Report, 0.7, 1., [&](int c, const Stop& stop) {
+      if (share[c] == this->Drawn[c])
+      {
+        return;
+      }
+      this->Drawn[c] = share[c];
       InteriorSampler& sampler = this->Samplers[c];
       if (!this->Keep)
       {
@@ -331,6 +338,7 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
       result.interior[c] = sampler.sample(share[c], method, stop);
       sampler.release();
       const ControlImage& image = this->Images[c];
+      this->Inside[c].clear();
       for (const Vec2& uv : result.interior[c])
       {
         Sample sample;
@@ -344,7 +352,9 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
   {
     return status;
   }
-  result.samples = std::move(this->Valid.samples);
+  this->Keep = false; // masks are released
+  result.samples = this->Valid.samples;
+  result.density.clear();
   for (const Sample& s : result.samples)
   {
     result.density.push_back(s.kind == SampleKind::Backbone
@@ -359,7 +369,7 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
       result.density.push_back(this->densityAt(c, result.interior[c][i]));
     }
   }
-  result.graphs = std::move(this->Valid.graphs);
+  result.graphs = this->Valid.graphs;
   return static_cast<int>(result.samples.size()) == this->Number
     ? Status::success()
     : Status::error("Only " + std::to_string(result.samples.size()) + " of " +
@@ -420,19 +430,19 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
   {
     return Status::tooFewPoints("There are fewer samples than charts need.");
   }
+  result = {};
+  Sampling sampling(this->Domain, images, numberOfSamples, progress);
+  if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
+  {
+    return status;
+  }
+  if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
+  {
+    return status;
+  }
   std::vector<int> moreInside(images.size(), 0);
   for (int attempt = 0;; ++attempt)
   {
-    result = {};
-    Sampling sampling(this->Domain, images, numberOfSamples, progress);
-    if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
-    {
-      return status;
-    }
-    if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
-    {
-      return status;
-    }
     if (Status status = sampling.collect(this->Bands, method, moreInside, result); !status.ok())
     {
       return status;
@@ -471,7 +481,7 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   const Progress goOn = [&progress](double) { return report(progress, 1.); };
   const int first = std::max(numberOfSamples + 1, this->Minimum);
   for (int n = first; n <= Constants::TriedFactor * first + Constants::TriedSurplus;
-       n += 1 + (n - first) / 8)
+       n += 1 + (n - first) / 2)
   {
     const StatusCode code = this->sampleToMesh(images, n, goOn, method, result).code();
     result = {};
