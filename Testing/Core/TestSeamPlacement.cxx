@@ -3,6 +3,7 @@
 // Seams between charts: balanced areas, smooth lines, and the surface kept.
 #include "ChartPartition.h"
 #include "FeatureGraphBuilder.h"
+#include "SeamPlacement.h"
 #include "SeamTurns.h"
 #include "Shapes.h"
 
@@ -70,6 +71,159 @@ double meanEdge(const TriangleSurface& surface)
   }
   return sum / static_cast<double>(surface.twin.size());
 }
+}
+
+namespace
+{
+/// The rectangle of width 2 and height 1 as two regions, whose seam zigzags about a line of its
+/// length: 2 n x n squares, each cut in two.
+struct Halves
+{
+  CutSurface surface;
+  explicit Halves(int n, double line)
+  {
+    TriangleSurface s;
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int i = 0; i <= 2 * n; ++i)
+      {
+        s.points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n, 0);
+      }
+    }
+    for (int j = 0; j < n; ++j)
+    {
+      for (int i = 0; i < 2 * n; ++i)
+      {
+        const int a = j * (2 * n + 1) + i;
+        const int b = a + 2 * n + 1;
+        s.triangles.push_back({ a, a + 1, b + 1 });
+        s.triangles.push_back({ a, b + 1, b });
+      }
+    }
+    s.connect();
+    this->surface = shapes::cutSurface(s);
+    const auto isLeft = [&](int face) {
+      const int square = face / 2;
+      return square % (2 * n) < line * n + square / (2 * n) % 2;
+    };
+    for (int h = 0; h < this->surface.numberOfHalfedges(); ++h)
+    {
+      const int g = this->surface.twin[h];
+      if (g >= 0 && isLeft(h / 3) != isLeft(g / 3))
+      {
+        this->surface.setCut(h, true);
+      }
+    }
+  }
+};
+
+/// Smallest and largest x, and the length.
+std::array<double, 3> extentOf(const CutSurface& s, const SeamArc& arc)
+{
+  std::array<double, 3> result = { { 1e300, -1e300, 0 } };
+  for (const int h : arc.halfedges)
+  {
+    for (const int p : { s.tail(h), s.head(h) })
+    {
+      result[0] = std::min(result[0], s.points[p].x());
+      result[1] = std::max(result[1], s.points[p].x());
+    }
+    result[2] += s.edgeLength(Halfedge(h));
+  }
+  return result;
+}
+}
+
+TEST(PlaceSeam, GivesTheFirstRegionItsShareBehindAStraightLine)
+{
+  for (const double share : { 0.35, 0.5, 0.6 })
+  {
+    Halves halves(20, 0.8);
+    ChartRegions regions(halves.surface);
+    ASSERT_EQ(regions.size(), 2);
+    std::vector<SeamArc> arcs = regions.arcs(0, 1);
+    ASSERT_EQ(arcs.size(), 1U);
+    EXPECT_NEAR(extentOf(halves.surface, arcs[0])[2], 1 + 19 * 0.05, 1e-12) << "it zigzags";
+    ASSERT_TRUE(placeSeam(regions, 0, 1, arcs[0], { share, true }));
+    EXPECT_NEAR(regions.area(0), 2 * share, 0.002);
+    EXPECT_NEAR(regions.area(0) + regions.area(1), 2., 1e-12);
+    EXPECT_TRUE(regions.mesh(0).isDisk() && regions.mesh(1).isDisk());
+    arcs = regions.arcs(0, 1);
+    ASSERT_EQ(arcs.size(), 1U);
+    const auto [low, high, length] = extentOf(halves.surface, arcs[0]);
+    EXPECT_NEAR(low, 2 * share, 0.05) << share;
+    EXPECT_NEAR(high, 2 * share, 0.05) << share;
+    EXPECT_NEAR(length, 1., 0.01);
+  }
+}
+
+TEST(PlaceSeam, GoesAlongEdgesWhereItMayNotCut)
+{
+  Halves halves(20, 0.6);
+  ChartRegions regions(halves.surface);
+  const int faces = halves.surface.numberOfFaces();
+  ASSERT_TRUE(placeSeam(regions, 0, 1, regions.arcs(0, 1).front(), { 0.5, false }));
+  EXPECT_EQ(halves.surface.numberOfFaces(), faces);
+  EXPECT_NEAR(regions.area(0), 1., 0.05) << "a column of triangles has 0.05";
+}
+
+TEST(PlaceSeam, IsHalfwayWithoutAShare)
+{
+  // Far sides lie at the ends whatever the seam is, so that halfway is the middle.
+  Halves halves(20, 1.3);
+  ChartRegions regions(halves.surface);
+  ASSERT_TRUE(placeSeam(regions, 0, 1, regions.arcs(0, 1).front(), { std::nullopt, true }));
+  const auto [low, high, length] = extentOf(halves.surface, regions.arcs(0, 1).front());
+  EXPECT_NEAR(low, 1., 0.08);
+  EXPECT_NEAR(high, 1., 0.08);
+  EXPECT_LT(length, 1.02);
+}
+
+TEST(PlaceSeam, LeavesTheSeamWhereItCannotBePlaced)
+{
+  const auto expectRefused = [](CutSurface& surface) {
+    ChartRegions regions(surface);
+    ASSERT_EQ(regions.size(), 2);
+    const std::vector<char> cut = surface.cut;
+    std::array<std::vector<int>, 2> faces = { { regions.faces(0), regions.faces(1) } };
+    EXPECT_FALSE(placeSeam(regions, 0, 1, regions.arcs(0, 1).front(), {}));
+    EXPECT_EQ(surface.cut, cut);
+    for (const int r : { 0, 1 })
+    {
+      std::vector<int> now = regions.faces(r);
+      std::sort(now.begin(), now.end());
+      std::sort(faces[r].begin(), faces[r].end());
+      EXPECT_EQ(now, faces[r]);
+    }
+  };
+  Halves few(11, 0.8); // 484 triangles
+  expectRefused(few.surface);
+  // A disk within an annulus: what would be mapped is a disk that ends at no seam.
+  Halves hole(20, 5);
+  for (int h = 0; h < hole.surface.numberOfHalfedges(); ++h)
+  {
+    const auto inside = [&](int f) {
+      return (hole.surface.position(f, Vec3::Constant(1. / 3)) - Vec3(1, 0.5, 0))
+               .lpNorm<Eigen::Infinity>() < 0.3;
+    };
+    if (hole.surface.twin[h] >= 0 && inside(h / 3) != inside(hole.surface.twin[h] / 3))
+    {
+      hole.surface.setCut(h, true);
+    }
+  }
+  expectRefused(hole.surface);
+}
+
+TEST(PlaceSeams, VoronoiSeamsStay)
+{
+  Halves halves(20, 0.6);
+  ChartRegions regions(halves.surface);
+  const std::vector<char> cut = halves.surface.cut;
+  EXPECT_TRUE(placeSeams(regions, BoundaryPlacement::Voronoi, {}).ok());
+  smoothSeams(regions, 0, 1, BoundaryPlacement::Voronoi);
+  EXPECT_EQ(halves.surface.cut, cut);
+  EXPECT_TRUE(placeSeams(regions, BoundaryPlacement::AreaMedian, {}).ok());
+  EXPECT_NE(halves.surface.cut, cut);
 }
 
 class Seams : public testing::TestWithParam<int>
