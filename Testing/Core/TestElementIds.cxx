@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Typed ids, and the halfedges that a triangle surface numbers with them.
+#include "ElementIds.h"
 #include "TriangleSurface.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +51,38 @@ TEST(ElementIds, RangesAndArrays)
   }
   EXPECT_EQ(sum, 3);
   EXPECT_EQ(ElementRange<Face>(4, 9).size(), 5);
+}
+
+TEST(ElementIds, ArraysGrowAndCompareLikeVectors)
+{
+  ElementArray<Vertex, int> a;
+  EXPECT_TRUE(a.empty());
+  EXPECT_EQ(a.ids().size(), 0);
+  a.push_back(4);
+  a.resize(3, 7);
+  EXPECT_EQ(a[Vertex(0)], 4);
+  EXPECT_EQ(a[Vertex(2)], 7);
+  ElementArray<Vertex, int> b(3, 7);
+  EXPECT_FALSE(a == b);
+  b[Vertex(0)] = 4;
+  EXPECT_TRUE(a == b);
+  a.assign(2, 1);
+  EXPECT_EQ(std::vector<int>(a.begin(), a.end()), (std::vector<int>{ 1, 1 }));
+  a.clear();
+  EXPECT_EQ(a.size(), 0U);
+}
+
+TEST(ElementIds, WhoCountsWithIntsReadsAndWritesIdsAsInts)
+{
+  ElementArray<Halfedge, Halfedge> twin(2);
+  static_assert(std::is_same_v<decltype(twin[std::size_t(0)]), int&>);
+  EXPECT_EQ(twin[1], -1) << "none";
+  twin[1] = 5;
+  EXPECT_EQ(twin[Halfedge(1)], Halfedge(5));
+  EXPECT_EQ(twin[Halfedge(0)], Halfedge());
+  ElementArray<Face, double> area(2, 0.25);
+  area[1] = 3;
+  EXPECT_EQ(area[Face(1)], 3);
 }
 
 TEST(ElementIds, HalfedgesOfATriangleSurface)
