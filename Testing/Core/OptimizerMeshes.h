@@ -64,26 +64,24 @@ struct TestMesh
   }
 };
 
-/// m x m squares, each cut in two along its diagonal from low (x, y), on the surface z = height
-/// over the unit square, which has 4 m x 4 m squares. Vertex (i, j) is j (m + 1) + i.
-inline std::unique_ptr<TestMesh> patch(
-  int m, const std::function<double(double, double)>& height = [](double, double) { return 0.; })
+/// m x m squares, each cut in two along its diagonal from low (u, v), on the surface position(u, v)
+/// over the unit square, which has 4 m x 4 m squares. Vertex (i, j) is j (m + 1) + i; the sides are
+/// backbones, counterclockwise from v = 0.
+inline std::unique_ptr<TestMesh> patchOf(int m, const std::function<Vec3(double, double)>& position)
 {
   auto t = std::make_unique<TestMesh>();
   const int n = 4 * m;
-  const auto position = [=](int i, int j) {
-    const double x = static_cast<double>(i) / n;
-    const double y = static_cast<double>(j) / n;
-    return Vec3(x, y, height(x, y));
+  const auto at = [=](int i, int j) {
+    return position(static_cast<double>(i) / n, static_cast<double>(j) / n);
   };
-  t->builder.addGrid(n, n, position);
+  t->builder.addGrid(n, n, at);
   const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
     { { 0, n } }, { { 0, 0 } } } };
   for (int side = 0; side < 4; ++side)
   {
     t->builder.addBackbone(BackboneType::Boundary,
       synthetic::run(
-        position, corner[side][0], corner[side][1], corner[side + 1][0], corner[side + 1][1]));
+        at, corner[side][0], corner[side][1], corner[side + 1][0], corner[side + 1][1]));
   }
   t->read();
   for (int j = 0; j <= m; ++j)
@@ -107,11 +105,11 @@ inline std::unique_ptr<TestMesh> patch(
       {
         s.kind = SampleKind::Backbone;
         s.backbone = j == 0 ? 0 : i == m ? 1 : j == m ? 2 : 3;
-        const double along = s.backbone == 0 ? i
-          : s.backbone == 1                  ? j
-          : s.backbone == 2                  ? m - i
-                                             : m - j;
-        s.arcLength = t->atlas->traces()[s.backbone].length() * along / m;
+        const int along = s.backbone == 0 ? i
+          : s.backbone == 1               ? j
+          : s.backbone == 2               ? m - i
+                                          : m - j;
+        s.arcLength = t->atlas->traces()[s.backbone].arcLength[4 * along];
       }
       t->samples.push_back(s);
       if (i > 0 && j > 0)
@@ -124,6 +122,13 @@ inline std::unique_ptr<TestMesh> patch(
   }
   t->build();
   return t;
+}
+
+/// The same over the flat unit square, or at a height above it.
+inline std::unique_ptr<TestMesh> patch(
+  int m, const std::function<double(double, double)>& height = [](double, double) { return 0.; })
+{
+  return patchOf(m, [=](double x, double y) { return Vec3(x, y, height(x, y)); });
 }
 
 /// n points on the unit sphere, or the cube [-1, 1]^3, triangulated but not optimised.

@@ -1,69 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh under optimisation and its one way to be changed: what is not kept is taken back to the
-// bit, what would fold is refused.
-#include "MeshRegion.h"
+// The one way to change a mesh under optimisation: what is not kept is taken back to the bit, what
+// would fold is refused.
 #include "OptimizerMeshes.h"
 
 using namespace stipple;
 using meshes::Snapshot;
-
-TEST(OptimizedMesh, KnowsItsNeighbourhoods)
-{
-  const auto t = meshes::patch(4);
-  const OptimizedMesh& mesh = t->mesh;
-  EXPECT_EQ(mesh.vertices().size(), 25);
-  EXPECT_EQ(mesh.faces().size(), 32);
-  EXPECT_EQ(mesh.edges().size(), 56); // Euler: 25 - 56 + 32 = 1
-  EXPECT_EQ(mesh.valence(Vertex(12)), 6);
-  EXPECT_EQ(mesh.freedom(Vertex(12)), Freedom::Surface);
-  EXPECT_EQ(mesh.freedom(Vertex(2)), Freedom::Backbone);
-  EXPECT_EQ(mesh.freedom(Vertex(0)), Freedom::None);
-  EXPECT_EQ(facesAbout(mesh, { Vertex(12) }).size(), 6U);
-  EXPECT_EQ(withRings(mesh, { Vertex(12) }, 1).size(), 7U);
-  EXPECT_EQ(withRings(mesh, { Vertex(12) }, 2).size(), 19U);
-  EXPECT_EQ(cornersOf(mesh, facesAbout(mesh, { Vertex(12) })), withRings(mesh, { Vertex(12) }, 1));
-  EXPECT_EQ(edgesAbout(mesh, { Vertex(12) }).size(), 6U);
-  const auto free = withRings(mesh, { Vertex(6) }, 9, [&](Vertex v) { return mesh.isFree(v); });
-  EXPECT_EQ(free.size(), 9U) << "rings go on from wanted vertices only";
-  // The triangles of an edge are (a, b, c) and (b, a, d).
-  const auto wing = mesh.wingVertices(t->edgeBetween(12, 18));
-  EXPECT_EQ(std::minmax(wing[0], wing[1]), std::minmax(Vertex(12), Vertex(18)));
-  EXPECT_EQ(std::minmax(wing[2], wing[3]), std::minmax(Vertex(13), Vertex(17)));
-  double area = 0;
-  for (const Face f : mesh.faces())
-  {
-    area += mesh.faceArea(f);
-    EXPECT_LT((mesh.faceNormal(f) - Vec3(0, 0, 1)).norm(), 1e-15);
-    EXPECT_TRUE(mesh.isSound(f));
-  }
-  EXPECT_NEAR(area, 1., 1e-14);
-  std::vector<Triangle> sorted = mesh.triangles();
-  EXPECT_EQ(sorted, t->triangles) << "what was read is written";
-}
-
-TEST(OptimizedMesh, RefusesWhatIsNoMeshOfTheAtlas)
-{
-  const auto t = meshes::patch(2);
-  OptimizedMesh other;
-  std::vector<Triangle> lacking = t->triangles;
-  lacking.pop_back(); // a corner is in no triangle then, and a boundary edge is missing
-  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, lacking).ok());
-  std::vector<Triangle> turned = t->triangles;
-  std::swap(turned[3][0], turned[3][1]);
-  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, turned).ok());
-  std::vector<Sample> unknown = t->samples;
-  unknown[1].backbone = 99;
-  EXPECT_FALSE(other.build(*t->atlas, t->density, unknown, t->triangles).ok());
-}
-
-TEST(OptimizedMesh, FoldsAreNotSound)
-{
-  const auto t = meshes::patch(4);
-  EXPECT_TRUE(t->mesh.isSound(Vertex(12), Vertex(13), Vertex(18)));
-  EXPECT_FALSE(t->mesh.isSound(Vertex(12), Vertex(18), Vertex(13))) << "it faces away";
-  EXPECT_FALSE(t->mesh.isSound(Vertex(11), Vertex(12), Vertex(13))) << "it has no height";
-}
 
 TEST(MeshEdit, WhatFailsIsTakenBackToTheBit)
 {
