@@ -3,6 +3,7 @@
 #include "QuadPattern.h"
 
 #include "MeshCreation.h"
+#include "SurfaceViews.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,23 +161,33 @@ public:
       }
     }
     double nearest = 1e300;
-    for (const Halfedge h : halfedgesOf(Face(place.face)))
+    // At a point of the outline, the place's face may have no edge of it.
+    for (const SurfacePlace& view : viewsOf(this->Surface, place, OnPoint))
     {
-      const auto found = this->PieceOf.find(h.index());
-      const double away = place.bary[cornerOf(previousHalfedge(h))];
-      if (found == this->PieceOf.end() || away >= nearest)
+      for (const Halfedge h : halfedgesOf(Face(view.face)))
       {
-        continue;
+        const auto found = this->PieceOf.find(h.index());
+        const double away = view.bary[cornerOf(previousHalfedge(h))];
+        if (found == this->PieceOf.end() || away >= nearest)
+        {
+          continue;
+        }
+        nearest = away;
+        const auto& [b, segment, side] = found->second;
+        const std::vector<double>& arc = this->Atlas.traces()[b].arcLength;
+        const double head = view.bary[cornerOf(nextHalfedge(h))];
+        const double t = head / std::max(1e-300, head + view.bary[cornerOf(h)]);
+        sample.kind = SampleKind::Backbone;
+        sample.face = view.face;
+        sample.bary = view.bary;
+        sample.backbone = b;
+        sample.arcLength =
+          arc[segment] + (side == 0 ? t : 1. - t) * (arc[segment + 1] - arc[segment]);
       }
-      nearest = away;
-      const auto& [b, segment, side] = found->second;
-      const std::vector<double>& arc = this->Atlas.traces()[b].arcLength;
-      const double head = place.bary[cornerOf(nextHalfedge(h))];
-      const double t = head / std::max(1e-300, head + place.bary[cornerOf(h)]);
-      sample.kind = SampleKind::Backbone;
-      sample.backbone = b;
-      sample.arcLength =
-        arc[segment] + (side == 0 ? t : 1. - t) * (arc[segment + 1] - arc[segment]);
+      if (nearest <= OnPoint)
+      {
+        break;
+      }
     }
     return sample;
   }
