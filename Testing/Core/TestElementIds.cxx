@@ -33,6 +33,7 @@ TEST(ElementIds, AreNotEachOther)
   EXPECT_TRUE(Face(0).valid());
   EXPECT_EQ(Face(7).index(), 7);
   EXPECT_LT(Face(3), Face(4));
+  EXPECT_FALSE(Face(3) < Face(3));
   EXPECT_NE(Face(3), Face(4));
   const std::unordered_set<Face> set = { Face(3), Face(4), Face(3) };
   EXPECT_EQ(set.size(), 2U);
@@ -80,6 +81,8 @@ TEST(ElementIds, WhoCountsWithIntsReadsAndWritesIdsAsInts)
   twin[1] = 5;
   EXPECT_EQ(twin[Halfedge(1)], Halfedge(5));
   EXPECT_EQ(twin[Halfedge(0)], Halfedge());
+  const auto& read = twin;
+  EXPECT_EQ(read[1], 5);
   ElementArray<Face, double> area(2, 0.25);
   area[1] = 3;
   EXPECT_EQ(area[Face(1)], 3);

@@ -49,15 +49,25 @@ TEST(OptimizedMesh, RefusesWhatIsNoMeshOfTheAtlas)
 {
   const auto t = meshes::patch(2);
   OptimizedMesh other;
+  const auto complaint = [&](const std::vector<Sample>& samples,
+                           const std::vector<Triangle>& triangles) {
+    return other.build(*t->atlas, t->density, samples, triangles).message();
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
   std::vector<Triangle> lacking = t->triangles;
-  lacking.pop_back(); // a corner is in no triangle then, and a boundary edge is missing
-  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, lacking).ok());
+  lacking.erase(lacking.begin()); // the point 1 keeps others
+  EXPECT_TRUE(has(complaint(t->samples, lacking), "no edge between the points 0 and 1"));
+  lacking.erase(lacking.begin()); // the point 0 has none left
+  EXPECT_TRUE(has(complaint(t->samples, lacking), "Point 0 of the mesh is in no triangle"));
   std::vector<Triangle> turned = t->triangles;
   std::swap(turned[3][0], turned[3][1]);
-  EXPECT_FALSE(other.build(*t->atlas, t->density, t->samples, turned).ok());
+  EXPECT_TRUE(has(complaint(t->samples, turned), "not manifold"));
   std::vector<Sample> unknown = t->samples;
   unknown[1].backbone = 99;
-  EXPECT_FALSE(other.build(*t->atlas, t->density, unknown, t->triangles).ok());
+  EXPECT_TRUE(has(complaint(unknown, t->triangles), "Point 1 lies on backbone 99"));
+  EXPECT_EQ(complaint(t->samples, t->triangles), "");
 }
 
 TEST(OptimizedMesh, FoldsAreNotSound)
