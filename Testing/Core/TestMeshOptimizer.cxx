@@ -3,6 +3,7 @@
 // The schedule of the optimisation, and what goes before and after it: spacing in acute corners,
 // and vertices off the surface.
 #include "AcuteCorners.h"
+#include "EdgeSwaps.h"
 #include "LeastSquaresPlacement.h"
 #include "MeshOptimizer.h"
 #include "OptimizerMeshes.h"
@@ -120,22 +121,41 @@ TEST(MeshOptimizer, DoesOnlyWhatItIsTold)
     optimize(*swapped, options(swaps, Moves::None));
     EXPECT_NE(Snapshot(swapped->mesh).triangles, before.triangles);
     EXPECT_EQ(Snapshot(swapped->mesh).vertices, before.vertices);
+    if (swaps == Swaps::Aspect)
+    {
+      EXPECT_LT(aspectSwaps(swapped->edit, 1), 15) << "hardly any edge is left to swap";
+      EXPECT_GT(aspectSwaps(meshes::cube(300, true)->edit, 1), 40);
+    }
   }
 }
 
-TEST(MeshOptimizer, LaplacianMovesEvenAreasOut)
+TEST(MeshOptimizer, LaplacianMovesEvenOutAreasOrDensities)
 {
-  // Without a density both do the same.
-  const auto lloyd = meshes::cube(300, true);
-  const double before = variationOfAreas(lloyd->mesh);
-  const auto area = meshes::cube(300, true);
-  const auto density = meshes::cube(300, true);
-  optimize(*area, options(Swaps::Regularity, Moves::Area));
-  optimize(*density, options(Swaps::Regularity, Moves::Density));
-  EXPECT_LT(variationOfAreas(area->mesh), 0.5 * before);
-  EXPECT_TRUE(Snapshot(area->mesh) == Snapshot(density->mesh));
-  optimize(*lloyd, options(Swaps::Regularity, Moves::Lloyd));
-  EXPECT_FALSE(Snapshot(area->mesh) == Snapshot(lloyd->mesh));
+  // About the point at the top, vertices are wanted at twice the spacing.
+  const auto meanAreas = [](Moves moves) {
+    const auto t = meshes::cube(600, true);
+    const Vec3 top(0, 0, 1);
+    Vertex highest(0);
+    for (const Vertex v : t->mesh.vertices())
+    {
+      highest = t->mesh.position(v).z() > t->mesh.position(highest).z() ? v : highest;
+    }
+    CoarseRegions regions;
+    regions.add(t->atlas->surface(), Face(t->mesh.place(highest).face), { top, 0.2, 3. });
+    t->mesh.coarsen(regions);
+    optimize(*t, options(Swaps::Regularity, moves));
+    std::array<double, 2> sum = { { 0, 0 } };
+    std::array<int, 2> count = { { 0, 0 } };
+    for (const Face f : t->mesh.faces())
+    {
+      const bool isNear = (t->mesh.position(t->mesh.corners(f)[0]) - top).norm() < 0.35;
+      sum[isNear] += t->mesh.faceArea(f);
+      ++count[isNear];
+    }
+    return sum[1] / count[1] / (sum[0] / count[0]);
+  };
+  EXPECT_NEAR(meanAreas(Moves::Area), 1., 0.15);
+  EXPECT_GT(meanAreas(Moves::Density), 1.5);
 }
 
 TEST(MeshOptimizer, IsTheSameForAnyNumberOfThreads)
@@ -324,10 +344,19 @@ TEST(LeastSquares, LeavesWhatFitsAndWhatMustStay)
 
 TEST(LeastSquares, TurnsNoTriangle)
 {
-  // A spike between vertices: planes fit it best where triangles stand on edge.
-  const auto t = meshes::patch(6, [](double x, double y) {
-    return std::max(0., 1.5 - 20. * (std::abs(x - 0.54) + std::abs(y - 0.46)));
-  });
+  // Waves as long as edges, and thin triangles: what rises by a third of an edge turns them.
+  const auto t = meshes::patch(
+    6, [](double x, double y) { return 0.4 * std::sin(31. * x) * std::cos(29. * y); });
+  std::mt19937 engine(5);
+  for (const Vertex v : t->mesh.vertices())
+  {
+    if (t->mesh.isFree(v))
+    {
+      const Vec3 p = t->mesh.position(v);
+      const double dx = 0.07 * (engine() / 2147483648. - 1.);
+      t->edit.put(v, t->pointAt(p.x() + dx, p.y() + 0.07 * (engine() / 2147483648. - 1.)));
+    }
+  }
   const std::vector<Vec3> placed = leastSquaresPositions(t->mesh);
   double farthest = 0;
   for (const Face f : t->mesh.faces())
