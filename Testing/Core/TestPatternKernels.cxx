@@ -73,7 +73,7 @@ TEST(QuadPattern, OneOpenChartIsAGrid)
       const Vec3 p(0.25 * i, 0.25 * j, 0);
       EXPECT_LT((positionOf(*t->atlas, s) - p).norm(), 1e-12);
       const int sides = (i % 4 == 0) + (j % 4 == 0);
-      EXPECT_EQ(s.kind,
+      ASSERT_EQ(s.kind,
         sides == 2     ? SampleKind::Corner
           : sides == 1 ? SampleKind::Backbone
                        : SampleKind::Interior);
@@ -92,6 +92,11 @@ TEST(QuadPattern, OneOpenChartIsAGrid)
 
 TEST(QuadPattern, CellsAreAsSquareAsTheChartAllows)
 {
+  const auto square = rectangle(Vec2(1, 1));
+  square->read();
+  QuadMesh all;
+  ASSERT_TRUE(meshWithQuads(*square->atlas, std::vector<Sample>(24), all, {}).ok());
+  EXPECT_EQ(all.samples.size(), 24U) << "4 by 6, not 4 by 5: few points are left out";
   const auto wide = rectangle(Vec2(1, 0.25));
   wide->read();
   QuadMesh mesh;
@@ -113,12 +118,27 @@ TEST(QuadPattern, CellsAreAsSquareAsTheChartAllows)
   EXPECT_EQ(mesh.polygons.size(), 1U);
 }
 
-TEST(QuadPattern, ChartsAreFilledWithLatticesAndTheFarthestSamples)
+/// So many samples; and whether those inside have another one beside them.
+class QuadLattices : public testing::TestWithParam<std::pair<int, bool>>
+{
+};
+
+TEST_P(QuadLattices, FillChartsWithTheFarthestSamples)
 {
   meshes::TestMesh t;
   synthetic::bumpyGrid(t.builder, 2, 12);
   t.read();
-  t.samples = synthetic::sample(t.atlas->surface(), t.atlas->graph(), t.atlas->traces(), 500);
+  t.samples =
+    synthetic::sample(t.atlas->surface(), t.atlas->graph(), t.atlas->traces(), GetParam().first);
+  for (std::size_t i = 0, n = t.samples.size(); i < n; ++i)
+  {
+    if (GetParam().second && t.samples[i].kind == SampleKind::Interior)
+    {
+      Sample twin = t.samples[i];
+      twin.bary = 0.99 * twin.bary + Vec3::Constant(0.01 / 3);
+      t.samples.push_back(twin);
+    }
+  }
   const AtlasSurface& surface = t.atlas->surface();
   const auto constraint = std::find_if(t.samples.begin(), t.samples.end(), [&](const Sample& s) {
     const Vec2 p = surface.parameter(s.face, s.bary);
@@ -219,6 +239,9 @@ TEST(QuadPattern, ChartsAreFilledWithLatticesAndTheFarthestSamples)
   EXPECT_TRUE(meshWithQuads(*t.atlas, t.samples, mesh, [](double) { return false; }).isAbort());
 }
 
+INSTANTIATE_TEST_SUITE_P(
+  Samples, QuadLattices, testing::Values(std::pair(500, false), std::pair(350, true)));
+
 TEST(SemiRegular, TrianglesAreSplitInFourAtTheMiddles)
 {
   const auto t = meshes::patch(3);
@@ -260,6 +283,7 @@ TEST(SemiRegular, TrianglesAreSplitInFourAtTheMiddles)
     const Vec3 twice = (positionOf(*t->atlas, mesh.samples[b]) - p)
                          .cross(positionOf(*t->atlas, mesh.samples[c]) - p);
     EXPECT_NEAR(twice.z(), 1. / 144, 1e-12) << "oriented like its parent";
+    ASSERT_LT(mesh.baseTriangle[f], static_cast<int>(area.size()));
     area[mesh.baseTriangle[f]] += 0.5 * twice.z();
   }
   for (const double a : area)
