@@ -171,6 +171,8 @@ TEST(OptionTable, RowsOfNumbersAreChecked)
   };
   EXPECT_EQ(wrong("band_pass", { 1, 5 }), "");
   EXPECT_EQ(wrong("band_pass", { 5, 1 }), "FINE,COARSE with 0 <= FINE < COARSE <= 100");
+  EXPECT_EQ(wrong("band_pass", { 0, 0 }), "") << "all of it";
+  EXPECT_NE(wrong("band_pass", { 5, 5 }), "");
   EXPECT_EQ(wrong("band_pass", { 1 }), "2 numbers: FINE, COARSE");
   EXPECT_EQ(wrong("band_pass", { 1, 5, 1, 5 }), "2 numbers: FINE, COARSE") << "one row only";
   EXPECT_EQ(wrong("band_pass", { 1, 101 }), "a finite number for COARSE from 0 to 100, not 101");
