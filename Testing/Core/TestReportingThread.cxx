@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an algorithm says of its end, and work that reports and stops.
 #include "FilterInputs.h"
+#include "ReportingThread.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
