@@ -25,6 +25,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 vtkStandardNewMacro(vtkConformalAtlas);
@@ -215,7 +216,8 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
 
   stipple::ChartPartitionOptions options;
   options.numberOfCharts = this->Self->NumberOfCharts;
-  options.maximumDensityRatio = this->Self->MaximumDensityRatio;
+  options.maximumDensityRatio =
+    std::max(2., this->Self->MaximumDensityRatio * std::pow(0.1, this->Self->RefinementLevel));
   options.square = this->Self->DomainShape == SQUARE;
   options.placement = static_cast<stipple::BoundaryPlacement>(this->Self->BoundaryPlacement);
   std::vector<stipple::FlatChart> flat;
@@ -324,6 +326,7 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Constraints: " << this->Constraints << "\n";
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "MaximumDensityRatio: " << this->MaximumDensityRatio << "\n";
+  os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";
   os << indent << "BoundaryPlacement: " << this->BoundaryPlacement << "\n";
   os << indent << "DomainShape: " << (this->DomainShape == SQUARE ? "SQUARE" : "RECTANGLE") << "\n";
   os << indent << "NumberOfWeldedPoints: " << this->NumberOfWeldedPoints << "\n";

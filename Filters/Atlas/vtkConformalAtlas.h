@@ -156,6 +156,16 @@ public:
   vtkGetMacro(MaximumDensityRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * Charts are made for a MaximumDensityRatio ten times smaller at each level, though not below 2:
+   * of use where samples do not reach all of a surface. 0 to 2, 0 by default. vtkGeometryRemesher
+   * sets it.
+   */
+  vtkSetClampMacro(RefinementLevel, int, 0, 2);
+  vtkGetMacro(RefinementLevel, int);
+  ///@}
+
   /// Where the seam between two charts runs, in the conformal map of both to one rectangle.
   enum BoundaryPlacementType
   {
@@ -249,6 +259,7 @@ private:
   vtkDoubleArray* ChartConstraints = nullptr;
   int NumberOfCharts = 1;
   double MaximumDensityRatio = 100;
+  int RefinementLevel = 0;
   int BoundaryPlacement = AREA_MEDIAN;
   int DomainShape = RECTANGLE;
 

@@ -233,35 +233,10 @@ std::vector<int> usedPoints(const TriangleSurface& mesh)
   return points;
 }
 
-/// Points spread by area (one in each of equal shares, so that the mean hardly depends on chance),
-/// and all vertices that triangles use.
-std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples)
+/// And all vertices that triangles use.
+std::vector<Vec3> samplesAndPoints(const TriangleSurface& mesh, int numberOfSamples)
 {
-  std::vector<Vec3> samples;
-  samples.reserve(numberOfSamples + mesh.points.size());
-  std::mt19937_64 engine(1);
-  const auto random = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-  const double total = mesh.area();
-  double before = 0;
-  int face = 0;
-  double area = mesh.faceArea(0);
-  for (int i = 0; i < numberOfSamples; ++i)
-  {
-    const double target = (i + random()) / numberOfSamples * total;
-    while (before + area <= target && face + 1 < mesh.numberOfFaces())
-    {
-      before += area;
-      area = mesh.faceArea(++face);
-    }
-    double u = random();
-    double v = random();
-    if (u + v > 1.)
-    {
-      u = 1. - u;
-      v = 1. - v;
-    }
-    samples.push_back(mesh.position(face, { 1. - u - v, u, v }));
-  }
+  std::vector<Vec3> samples = sampleSurface(mesh, numberOfSamples);
   for (const int p : usedPoints(mesh))
   {
     samples.push_back(mesh.points[p]);
@@ -269,37 +244,17 @@ std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples
   return samples;
 }
 
-/// Squared, of each sample.
 Status distancesTo(const std::vector<Vec3>& samples, const TriangleSurface& target,
   const Progress& progress, std::vector<double>& squared)
 {
-  vtkSmartPointer<vtkPolyData> data = toPolyData(target.points, target.triangles);
-  data->BuildCells();
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
-  squared.resize(samples.size());
-  vtkSMPThreadLocalObject<vtkGenericCell> cells;
-  const auto size = static_cast<vtkIdType>(samples.size());
-  constexpr vtkIdType Portion = 5000; // a few hundredths of a second
-  for (vtkIdType first = 0; first < size; first += Portion)
+  std::vector<NearestPlace> nearest;
+  const Status status = nearestPlaces(samples, target, progress, nearest);
+  squared.clear();
+  for (const NearestPlace& place : nearest)
   {
-    vtkSMPTools::For(first, std::min(first + Portion, size), [&](vtkIdType begin, vtkIdType end) {
-      vtkGenericCell* cell = cells.Local();
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        double closest[3];
-        vtkIdType cellId;
-        int subId;
-        locator->FindClosestPoint(samples[i].data(), closest, cell, cellId, subId, squared[i]);
-      }
-    });
-    if (!report(progress, static_cast<double>(first) / static_cast<double>(size)))
-    {
-      return Status::aborted();
-    }
+    squared.push_back(place.squaredDistance);
   }
-  return Status::success();
+  return status;
 }
 
 OneSidedDistance summaryOf(const std::vector<double>& squared, double percent)
@@ -358,6 +313,70 @@ MeshQuality measureQuality(const TriangleSurface& mesh)
   return q;
 }
 
+std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples)
+{
+  std::vector<Vec3> samples;
+  samples.reserve(numberOfSamples);
+  std::mt19937_64 engine(1);
+  const auto random = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const double total = mesh.area();
+  double before = 0;
+  int face = 0;
+  double area = mesh.faceArea(0);
+  for (int i = 0; i < numberOfSamples; ++i)
+  {
+    const double target = (i + random()) / numberOfSamples * total;
+    while (before + area <= target && face + 1 < mesh.numberOfFaces())
+    {
+      before += area;
+      area = mesh.faceArea(++face);
+    }
+    double u = random();
+    double v = random();
+    if (u + v > 1.)
+    {
+      u = 1. - u;
+      v = 1. - v;
+    }
+    samples.push_back(mesh.position(face, { 1. - u - v, u, v }));
+  }
+  return samples;
+}
+
+Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& target,
+  const Progress& progress, std::vector<NearestPlace>& nearest)
+{
+  vtkSmartPointer<vtkPolyData> data = toPolyData(target.points, target.triangles);
+  data->BuildCells();
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  nearest.resize(samples.size());
+  vtkSMPThreadLocalObject<vtkGenericCell> cells;
+  const auto size = static_cast<vtkIdType>(samples.size());
+  constexpr vtkIdType Portion = 5000; // a few hundredths of a second
+  for (vtkIdType first = 0; first < size; first += Portion)
+  {
+    vtkSMPTools::For(first, std::min(first + Portion, size), [&](vtkIdType begin, vtkIdType end) {
+      vtkGenericCell* cell = cells.Local();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double closest[3];
+        vtkIdType cellId;
+        int subId;
+        locator->FindClosestPoint(
+          samples[i].data(), closest, cell, cellId, subId, nearest[i].squaredDistance);
+        nearest[i].face = static_cast<int>(cellId);
+      }
+    });
+    if (!report(progress, static_cast<double>(first) / static_cast<double>(size)))
+    {
+      return Status::aborted();
+    }
+  }
+  return Status::success();
+}
+
 Status measureDistance(const TriangleSurface& mesh, const TriangleSurface& reference,
   int numberOfSamples, const Progress& progress, MeshDistance& result)
 {
@@ -372,7 +391,8 @@ Status measureDistance(const TriangleSurface& mesh, const TriangleSurface& refer
   };
   const double percent = 100. / reference.boundingBoxDiagonal();
   std::vector<double> squared;
-  Status status = distancesTo(sampleSurface(mesh, numberOfSamples), reference, half(0.), squared);
+  Status status =
+    distancesTo(samplesAndPoints(mesh, numberOfSamples), reference, half(0.), squared);
   if (!status.ok())
   {
     return status;
@@ -383,7 +403,7 @@ Status measureDistance(const TriangleSurface& mesh, const TriangleSurface& refer
   {
     result.ofPoint[p] = std::sqrt(squared[i++]);
   }
-  status = distancesTo(sampleSurface(reference, numberOfSamples), mesh, half(0.5), squared);
+  status = distancesTo(samplesAndPoints(reference, numberOfSamples), mesh, half(0.5), squared);
   if (!status.ok())
   {
     return status;

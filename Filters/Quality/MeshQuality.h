@@ -89,6 +89,21 @@ struct QualityFigure
   const TriangleSurface& mesh, Face face);
 [[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT MeshQuality measureQuality(const TriangleSurface& mesh);
 
+/// Places spread by area, one in each of equal shares, so that a mean hardly depends on chance. The
+/// surface must have a triangle.
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT std::vector<Vec3> sampleSurface(
+  const TriangleSurface& mesh, int numberOfSamples);
+
+struct NearestPlace
+{
+  int face = -1;
+  double squaredDistance = 0;
+};
+
+/// The triangle of the target next to each sample.
+STIPPLEFILTERSQUALITY_EXPORT Status nearestPlaces(const std::vector<Vec3>& samples,
+  const TriangleSurface& target, const Progress& progress, std::vector<NearestPlace>& nearest);
+
 /// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and
 /// measures to the other; the same for any number of threads. All 0 if one of them is empty.
 STIPPLEFILTERSQUALITY_EXPORT Status measureDistance(const TriangleSurface& mesh,

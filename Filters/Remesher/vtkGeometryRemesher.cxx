@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeometryRemesher.h"
 
+#include "FilterInputs.h"
+#include "MeshCheck.h"
 #include "MessageText.h"
 #include "OptionTable.h"
+#include "PolyDataConversion.h"
 #include "Progress.h"
 
 #include "vtkCDTRemesh.h"
@@ -161,12 +164,25 @@ struct vtkGeometryRemesher::Internals
     {
       const double begin = ProgressBegin[stageOf(self->Current)];
       const double end = ProgressBegin[stageOf(self->Current) + 1];
-      self->Self->UpdateProgress(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
+      self->Self->UpdateProgress(std::max(self->Self->GetProgress(), // it may try again
+        begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.)));
       if (self->Self->GetAbortExecute())
       {
         stage->SetAbortExecute(1);
       }
     }
+  }
+
+  /// Whether the optimised mesh may be handed to a user.
+  stipple::Status check()
+  {
+    stipple::TriangleSurface mesh = stipple::fromPolyData(this->Optimizer->GetOutput());
+    mesh.connect();
+    const stipple::SurfaceTopology topology = { this->Atlas->GetNumberOfComponents(),
+      this->Atlas->GetNumberOfBoundaryLoops(), this->Atlas->GetEulerCharacteristic(), true };
+    return stipple::checkMesh(mesh,
+      stipple::fromPolyData(vtkPolyData::SafeDownCast(this->Atlas->GetInputDataObject(0, 0))),
+      topology, [this](double) { return this->Self->GetAbortExecute() == 0; });
   }
 
   /// Hands the input to the atlas if it is not the one of before.
@@ -323,7 +339,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
                         " failed without saying why."));
     return false;
   }
-  this->UpdateProgress(ProgressBegin[stage + 1]);
+  this->UpdateProgress(std::max(this->GetProgress(), ProgressBegin[stage + 1]));
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
 }
@@ -356,8 +372,34 @@ bool vtkGeometryRemesher::RunStages()
   {
     return this->RunStage(QuadMeshing);
   }
-  return this->RunStage(MESHING) && this->RunStage(OPTIMISATION) &&
-    (this->Pattern != SEMIREGULAR || this->RunStage(Subdivision));
+  return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
+}
+
+bool vtkGeometryRemesher::RunStagesAndCheck()
+{
+  Internals& s = *this->Stages;
+  for (int level = 0;; ++level)
+  {
+    s.Atlas->SetRefinementLevel(level);
+    if (!this->RunStages())
+    {
+      return false;
+    }
+    if (this->Pattern == QUADS)
+    {
+      return true;
+    }
+    const stipple::Status status = s.check();
+    if (status.ok())
+    {
+      return this->Pattern != SEMIREGULAR || this->RunStage(Subdivision);
+    }
+    if (status.isAbort() || level == s.Atlas->GetRefinementLevelMaxValue())
+    {
+      stipple::endAfter(status, this, this->ErrorCode);
+      return false;
+    }
+  }
 }
 
 int vtkGeometryRemesher::RequestData(
@@ -373,7 +415,7 @@ int vtkGeometryRemesher::RequestData(
     return 1;
   }
   s.takeInput(input);
-  const bool done = this->RunStages();
+  const bool done = this->RunStagesAndCheck();
   if (done)
   {
     vtkAlgorithm* last = s.InOrder[this->Pattern == QUADS ? QuadMeshing

@@ -239,6 +239,7 @@ private:
 
   bool RunStage(int algorithm);
   bool RunStages();
+  bool RunStagesAndCheck();
 
   int NumberOfPoints = 0;
   int Pattern = TRIANGLES;
