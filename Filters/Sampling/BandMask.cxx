@@ -135,6 +135,7 @@ void BandMask::build(
 void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
   this->Lines.clear();
+  this->Queue.clear();
   for (std::size_t b = 0; b < domain.traces().size(); ++b)
   {
     const BackboneTrace& trace = domain.traces()[b];
@@ -188,23 +189,27 @@ void BandMask::offer(int pixel, int line)
 void BandMask::spread(const Stop& stop)
 {
   const int width = this->Image.width;
-  constexpr std::size_t Look = 4095; // for a stop, every 4096 pixels
-  for (std::size_t k = 0; k < this->Queue.size() && ((k & Look) != 0 || !isAsked(stop));
-       ++k) // it grows
+  // A pixel is offered lines often: only those that wait are kept, not all that ever did.
+  std::vector<int> front;
+  while (!this->Queue.empty() && !isAsked(stop))
   {
-    const int pixel = this->Queue[k];
-    const int line = this->Nearest[pixel];
-    const int x = pixel % width;
-    const auto handTo = [&](bool exists, int neighbour) {
-      if (exists && this->Nearest[neighbour] != line)
-      {
-        this->offer(neighbour, line);
-      }
-    };
-    handTo(x > 0, pixel - 1);
-    handTo(x + 1 < width, pixel + 1);
-    handTo(pixel >= width, pixel - width);
-    handTo(pixel + width < this->Image.numberOfPixels(), pixel + width);
+    front.swap(this->Queue);
+    this->Queue.clear();
+    for (const int pixel : front)
+    {
+      const int line = this->Nearest[pixel];
+      const int x = pixel % width;
+      const auto handTo = [&](bool exists, int neighbour) {
+        if (exists && this->Nearest[neighbour] != line)
+        {
+          this->offer(neighbour, line);
+        }
+      };
+      handTo(x > 0, pixel - 1);
+      handTo(x + 1 < width, pixel + 1);
+      handTo(pixel >= width, pixel - width);
+      handTo(pixel + width < this->Image.numberOfPixels(), pixel + width);
+    }
   }
 }
 
