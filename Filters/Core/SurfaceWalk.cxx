@@ -4,29 +4,17 @@
 
 namespace stipple
 {
-SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, std::vector<char> wall)
-  : Surface(surface)
-  , Wall(std::move(wall))
-  , Normal(surface.triangles.size())
-  , Gradient(surface.triangles.size())
+SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, const std::vector<char>& wall)
+  : Faces(surface.triangles.size())
 {
-  this->Wall.resize(3 * surface.triangles.size(), 0);
   for (int f = 0; f < surface.numberOfFaces(); ++f)
   {
-    const Vec3& a = surface.point(f, 0);
-    const Vec3& b = surface.point(f, 1);
-    const Vec3& c = surface.point(f, 2);
-    const Vec3 n = (b - a).cross(c - a);
-    const double square = n.squaredNorm();
-    if (square > 0)
+    this->Faces[f].normal = surface.faceNormal(f);
+    for (int k = 0; k < 3; ++k)
     {
-      this->Gradient[f] = { { n.cross(c - b) / square, n.cross(a - c) / square } };
-      this->Normal[f] = n / std::sqrt(square);
-    }
-    else
-    {
-      this->Gradient[f] = { { Vec3::Zero(), Vec3::Zero() } };
-      this->Normal[f] = Vec3::Zero();
+      this->Faces[f].point[k] = surface.point(f, k);
+      this->Faces[f].twin[k] = surface.twin[3 * f + k];
+      this->Faces[f].wall[k] = wall.empty() ? 0 : wall[3 * f + k];
     }
   }
 }
@@ -41,10 +29,16 @@ SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, boo
   int cameThrough = -1;
   for (int crossing = 0; crossing < MaximumNumberOfCrossings; ++crossing)
   {
-    const auto& gradient = this->Gradient[place.face];
-    Vec3 step;
-    step[0] = gradient[0].dot(left);
-    step[1] = gradient[1].dot(left);
+    const FaceData& face = this->Faces[place.face];
+    const auto& p = face.point;
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double scale = normal.squaredNorm();
+    Vec3 step = Vec3::Zero(); // in barycentric coordinates
+    if (scale > 0)
+    {
+      step[0] = (normal.cross(p[2] - p[1]) / scale).eval().dot(left);
+      step[1] = (normal.cross(p[0] - p[2]) / scale).eval().dot(left);
+    }
     step[2] = -step[0] - step[1];
     double t = 1.;
     int exit = -1;
@@ -70,27 +64,26 @@ SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, boo
     {
       break;
     }
-    const int h = 3 * place.face + (exit + 1) % 3; // the edge opposite to corner `exit`
-    const int g = this->Surface.twin[h];
-    if (g < 0 || (this->Wall[h] && !passWalls))
+    const int side = nextCorner(exit); // the edge opposite to it
+    const int g = face.twin[side];
+    if (g < 0 || (face.wall[side] && !passWalls))
     {
       break;
     }
     left *= 1. - t;
-    const Vec3 edge =
-      this->Surface.points[this->Surface.head(h)] - this->Surface.points[this->Surface.tail(h)];
+    const Vec3 edge = p[nextCorner(side)] - p[side];
     const double square = edge.squaredNorm();
     if (square <= 0)
     {
       break;
     }
     // Unfold: the part along the edge stays, the part across turns into the next face.
-    const Vec3 outward = edge.cross(this->Normal[h / 3]);
-    const Vec3 onward = edge.cross(this->Normal[g / 3]);
+    const Vec3 outward = edge.cross(face.normal);
+    const Vec3 onward = edge.cross(this->normal(g / 3));
     left = (left.dot(edge) * edge + left.dot(outward) * onward) / square;
     Vec3 bary = Vec3::Zero();
-    bary[g % 3] = place.bary[nextHalfedge(h) % 3];
-    bary[nextHalfedge(g) % 3] = place.bary[h % 3];
+    bary[g % 3] = place.bary[nextCorner(side)];
+    bary[nextHalfedge(g) % 3] = place.bary[side];
     place.face = g / 3;
     place.bary = bary;
     cameThrough = previousHalfedge(g) % 3;

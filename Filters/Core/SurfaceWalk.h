@@ -20,9 +20,8 @@ struct SurfacePlace
 class STIPPLEFILTERSCORE_EXPORT SurfaceWalk
 {
 public:
-  /// Keeps a reference to the surface. wall, if not empty, marks halfedges (both of an edge) that
-  /// no walk crosses.
-  explicit SurfaceWalk(const TriangleSurface& surface, std::vector<char> wall = {});
+  /// wall, if not empty, marks halfedges (both of an edge) that no walk crosses.
+  explicit SurfaceWalk(const TriangleSurface& surface, const std::vector<char>& wall = {});
 
   /// Goes from a place along a vector of space: the vector is projected on the face and unfolded at
   /// every edge that is crossed. Ends early at the surface's boundary and, unless told to pass, at
@@ -30,13 +29,33 @@ public:
   SurfacePlace walk(const SurfacePlace& from, const Vec3& vector, bool passWalls = false) const;
 
   /// Unit normal of a face; zero if it is degenerate.
-  const Vec3& normal(int face) const { return this->Normal[face]; }
+  const Vec3& normal(int face) const { return this->Faces[face].normal; }
+  /// TriangleSurface::position()
+  Vec3 position(const SurfacePlace& place) const
+  {
+    const auto& p = this->Faces[place.face].point;
+    return place.bary[0] * p[0] + place.bary[1] * p[1] + place.bary[2] * p[2];
+  }
+  /// Has a face fetched from memory that will soon be walked on.
+  void prefetch(int face) const
+  {
+    const char* data = reinterpret_cast<const char*>(&this->Faces[face]);
+    __builtin_prefetch(data);
+    __builtin_prefetch(data + 64);
+    __builtin_prefetch(data + sizeof(FaceData) - 1);
+  }
 
 private:
-  const TriangleSurface& Surface;
-  std::vector<char> Wall;
-  std::vector<Vec3> Normal;
-  std::vector<std::array<Vec3, 2>> Gradient; // of the barycentric coordinates 0 and 1
+  /// All that a walk asks of a triangle: it reads those that it meets from one place each, which
+  /// takes most of its time.
+  struct FaceData
+  {
+    std::array<Vec3, 3> point;
+    Vec3 normal;
+    std::array<int, 3> twin;
+    std::array<char, 3> wall;
+  };
+  std::vector<FaceData> Faces;
 };
 }
 

@@ -111,10 +111,11 @@ void MeshEdit::moveAll(
   ElementArray<Vertex, Vec3>& step, const ElementArray<Vertex, double>& arcLength)
 {
   OptimizedMesh& mesh = this->Edited;
+  const SurfaceWalk& surface = mesh.atlas().walk();
   this->Before = mesh.State;
   ElementArray<Vertex, double> share(mesh.State.size(), 1.);
   std::vector<Vertex> drawnBack;
-  const auto moveVertex = [&](Vertex v) {
+  const auto walk = [&](Vertex v) {
     const VertexState& before = this->Before[v];
     if (mesh.freedom(v) == Freedom::Backbone)
     {
@@ -122,12 +123,36 @@ void MeshEdit::moveAll(
     }
     else if (mesh.isFree(v))
     {
-      mesh.put(v,
-        share[v] > 0 ? mesh.walk(before.place, share[v] * step[v])
-                     : static_cast<const SurfacePoint&>(before));
+      mesh.State[v].place =
+        share[v] > 0 ? surface.walk(before.place, share[v] * step[v]) : before.place;
     }
   };
-  parallelFor(mesh.vertices(), moveVertex);
+  const auto arrive = [&](Vertex v) {
+    if (mesh.isFree(v))
+    {
+      mesh.put(v, mesh.pointAt(mesh.place(v)));
+    }
+  };
+  const auto moveVertex = [&](Vertex v) {
+    walk(v);
+    arrive(v);
+  };
+  // Most of the time is spent waiting for memory. So faces are fetched ahead, and what is asked for
+  // where vertices arrive, one independent of the other, is asked for in a loop of its own.
+  constexpr int Ahead = 4;
+  const Vertex last(mesh.vertices().size() - 1);
+  parallelForBlocks(mesh.vertices(), [&](const ElementRange<Vertex>& block) {
+    for (const Vertex v : block)
+    {
+      surface.prefetch(this->Before[std::min(Vertex(v.index() + Ahead), last)].place.face);
+      walk(v);
+      const Face there(mesh.place(v).face);
+      __builtin_prefetch(&mesh.atlas().smoothNormal(there));
+      __builtin_prefetch(&mesh.atlas().surface().uv[halfedgeOf(there, 0)]);
+      __builtin_prefetch(&mesh.atlas().surface().faceChart[there]);
+    }
+    std::for_each(block.begin(), block.end(), arrive);
+  });
   // Triangles that are unsound now, and were not, draw their vertices back: to a half, a quarter,
   // at last all the way.
   ElementArray<Face, char> isSoundNow(static_cast<std::size_t>(mesh.faces().size()));

@@ -214,8 +214,7 @@ Status OptimizedMesh::markCreases()
 
 SurfacePoint OptimizedMesh::pointAt(const SurfacePlace& place) const
 {
-  return { place, this->Atlas->surface().position(place.face, place.bary),
-    this->Atlas->smoothNormal(place.face) };
+  return { place, this->Atlas->walk().position(place), this->Atlas->smoothNormal(place.face) };
 }
 
 SurfacePoint OptimizedMesh::walk(const SurfacePlace& from, const Vec3& step) const
