@@ -55,10 +55,12 @@ bool improveByMove(MeshEdit& edit, Vertex v)
   reach /= count;
   const auto attempt = [&](const Vec3& step) {
     const SurfacePoint there = mesh.walk(mesh.place(v), step);
-    if (isBetter(there))
+    const bool moves = isBetter(there);
+    if (moves)
     {
       edit.put(v, there);
     }
+    return moves;
   };
   const auto attemptNear = [&](const Vec3& step) {
     // Walks take most of the time: where the tangent plane promises far less, there is none.
@@ -83,10 +85,13 @@ bool improveByMove(MeshEdit& edit, Vertex v)
     return best > start;
   }
   // Where relaxation would go and to the middle of the ring; then a pattern search about the place.
+  Vec3 lloyd;
+  bool moved = true;
   for (const double share : { 1., 0.5 })
   {
-    attempt(share * (centre - mesh.position(v)));
-    attempt(share * lloydStep(mesh, v));
+    moved = attempt(share * (centre - mesh.position(v))) || moved;
+    lloyd = moved ? lloydStep(mesh, v) : lloyd;
+    moved = attempt(share * lloyd);
   }
   // A vertex that has slipped far out of its ring comes back by the way from its neighbours.
   for (const Vertex u : ring)

@@ -112,7 +112,7 @@ void MeshEdit::moveAll(
 {
   OptimizedMesh& mesh = this->Edited;
   const SurfaceWalk& surface = mesh.atlas().walk();
-  this->Before = mesh.State;
+  this->Before.resize(mesh.State.size());
   ElementArray<Vertex, double> share(mesh.State.size(), 1.);
   std::vector<Vertex> drawnBack;
   const auto walk = [&](Vertex v) {
@@ -140,11 +140,12 @@ void MeshEdit::moveAll(
   // Most of the time is spent waiting for memory. So faces are fetched ahead, and what is asked for
   // where vertices arrive, one independent of the other, is asked for in a loop of its own.
   constexpr int Ahead = 4;
-  const Vertex last(mesh.vertices().size() - 1);
   parallelForBlocks(mesh.vertices(), [&](const ElementRange<Vertex>& block) {
+    const Vertex last((*block.end()).index() - 1);
     for (const Vertex v : block)
     {
-      surface.prefetch(this->Before[std::min(Vertex(v.index() + Ahead), last)].place.face);
+      surface.prefetch(mesh.place(std::min(Vertex(v.index() + Ahead), last)).face);
+      this->Before[v] = mesh.State[v];
       walk(v);
       const Face there(mesh.place(v).face);
       __builtin_prefetch(&mesh.atlas().smoothNormal(there));

@@ -343,21 +343,13 @@ bool OptimizedMesh::isSound(Vertex a, Vertex b, Vertex c) const
   }
   const bool isOnCreases = !this->isFree(a) && !this->isFree(b) && !this->isFree(c);
   return (isOnCreases ? this->normalAgreementOnCreases(a, b, c, n)
-                      : this->normalAgreement(a, b, c, n)) >= Tuning::LeastAgreement;
+                      : this->normalAgreement(a, b, c, n, area)) >= Tuning::LeastAgreement;
 }
 
 bool OptimizedMesh::isSound(Face f) const
 {
   const auto [a, b, c] = this->corners(f);
   return this->isSound(a, b, c);
-}
-
-namespace
-{
-double meanCosine(double sum, int count, double length)
-{
-  return count > 0 && length > 0 ? sum / (count * length) : 1.;
-}
 }
 
 double OptimizedMesh::normalAgreementOnCreases(
@@ -373,21 +365,7 @@ double OptimizedMesh::normalAgreementOnCreases(
       ++count;
     }
   }
-  return meanCosine(sum, count, normal.norm());
-}
-
-double OptimizedMesh::normalAgreement(Vertex a, Vertex b, Vertex c, const Vec3& normal) const
-{
-  double sum = 0;
-  int count = 0;
-  for (const Vertex v : { a, b, c })
-  {
-    if (this->isFree(v)) // on a crease the surface has no one normal
-    {
-      sum += normal.dot(this->normal(v));
-      ++count;
-    }
-  }
-  return meanCosine(sum, count, normal.norm());
+  const double length = normal.norm();
+  return count > 0 && length > 0 ? sum / (count * length) : 1.;
 }
 }

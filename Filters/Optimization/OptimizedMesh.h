@@ -171,7 +171,25 @@ public:
 
   /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
   /// at its vertices; 1 if they all lie on creases.
-  double normalAgreement(Vertex a, Vertex b, Vertex c, const Vec3& normal) const;
+  double normalAgreement(
+    Vertex a, Vertex b, Vertex c, const Vec3& normal, double lengthOfNormal) const
+  {
+    double sum = 0;
+    int count = 0;
+    for (const Vertex v : { a, b, c })
+    {
+      if (this->isFree(v)) // on a crease the surface has no one normal
+      {
+        sum += normal.dot(this->normal(v));
+        ++count;
+      }
+    }
+    return count > 0 && lengthOfNormal > 0 ? sum / (count * lengthOfNormal) : 1.;
+  }
+  double normalAgreement(Vertex a, Vertex b, Vertex c, const Vec3& normal) const
+  {
+    return this->normalAgreement(a, b, c, normal, normal.norm());
+  }
   /// The same for a triangle whose vertices all lie on creases, where the surface has a normal on
   /// each side: with the sides that agree most. 1 if they are all corners.
   double normalAgreementOnCreases(Vertex a, Vertex b, Vertex c, const Vec3& normal) const;

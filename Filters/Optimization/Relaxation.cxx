@@ -62,9 +62,9 @@ inline Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& n
 
 /// Area of the surface under a triangle over the triangle's own, estimated from the normals at its
 /// vertices.
-double areaOfSurface(const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c, const Vec3& normal)
+double areaOfSurface(double normalAgreement)
 {
-  return 1. / std::clamp(mesh.normalAgreement(a, b, c, normal), 1. / Tuning::MostHiddenArea, 1.);
+  return 1. / std::clamp(normalAgreement, 1. / Tuning::MostHiddenArea, 1.);
 }
 
 /// A triangle (v, q, r) about v.
@@ -131,7 +131,7 @@ FaceMeasure measureFace(const OptimizedMesh& mesh, Face f)
     result.normal = cross / flatArea;
     // The area of the surface under the triangle, not of the triangle: else tips and ridges that a
     // triangle cuts off would have no weight, and vertices would slide off them.
-    result.twiceArea = flatArea * areaOfSurface(mesh, a, b, c, cross);
+    result.twiceArea = flatArea * areaOfSurface(mesh.normalAgreement(a, b, c, cross, flatArea));
   }
   return result;
 }
@@ -253,10 +253,11 @@ Vec3 towardsRidges(const OptimizedMesh& mesh, Vertex v, const Vec3& step)
   forEachTriangle(mesh, v, [&](Halfedge h) {
     const Vertex q = mesh.to(h);
     const Vec3& n = mesh.normal(q);
-    const double w = std::min((Ridge - n.dot(normal)) / Ridge, 1.);
-    if (w > 0 && mesh.isFree(q))
+    const double bend = Ridge - n.dot(normal);
+    if (bend > 0 && mesh.isFree(q))
     {
       onRidge = true;
+      const double w = std::min(bend / Ridge, 1.);
       matrix += w * n * n.transpose();
       right += w * n * n.dot(mesh.position(q) - x);
     }

@@ -124,17 +124,28 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
 
 SurfaceError::Measure SurfaceError::at(Vertex v) const
 {
+  return this->atUpTo(v, 0., { 1e300, 1e300, -1 });
+}
+
+SurfaceError::Measure SurfaceError::atUpTo(Vertex v, double sumOfOthers, const Measure& bound) const
+{
   Measure result;
   const OptimizedMesh& mesh = this->Mesh;
-  for (int k = this->Begin[v.index()]; k < this->Begin[v.index() + 1]; ++k)
+  std::vector<std::array<const Vec3*, 2>> edges; // of the triangles, opposite to v
+  edges.reserve(8);
+  mesh.forEachCorner(v, [&](Halfedge h) {
+    edges.push_back({ { &mesh.position(mesh.to(h)), &mesh.position(mesh.apex(h)) } });
+  });
+  for (int k = this->Begin[v.index()]; k < this->Begin[v.index() + 1] &&
+       sumOfOthers + result.sum < bound.sum && result.largest <= bound.largest;
+       ++k)
   {
     const Vec3& p = mesh.atlas().surface().points[this->Point[k]];
     double least = 1e300;
-    mesh.forEachCorner(v, [&](Halfedge h) {
-      least = std::min(least,
-        squaredDistance(
-          p, mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.apex(h))));
-    });
+    for (const auto& [q, r] : edges)
+    {
+      least = std::min(least, squaredDistance(p, mesh.position(v), *q, *r));
+    }
     result.sum += least;
     if (least > result.largest)
     {
@@ -152,12 +163,12 @@ SurfaceError::Measure SurfaceError::about(Vertex v) const
 
 SurfaceError::Measure SurfaceError::aboutUpTo(Vertex v, const Measure& bound) const
 {
-  Measure result = this->at(v);
+  Measure result = this->atUpTo(v, 0., bound);
   const Halfedge first = this->Mesh.halfedge(v);
   Halfedge h = first;
   do
   {
-    const Measure m = this->at(this->Mesh.to(h));
+    const Measure m = this->atUpTo(this->Mesh.to(h), result.sum, bound);
     result.sum += m.sum;
     if (m.largest > result.largest)
     {

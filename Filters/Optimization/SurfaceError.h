@@ -38,6 +38,10 @@ public:
   }
 
 private:
+  /// at(), but looks no further once the sum, with what others had, reaches the bound's, or the
+  /// largest exceeds it.
+  Measure atUpTo(Vertex v, double sumOfOthers, const Measure& bound) const;
+
   const OptimizedMesh& Mesh;
   std::vector<int> Begin; // of the points of every vertex in Point
   std::vector<int> Point;

@@ -158,8 +158,12 @@ bool VertexStar::exceeds(const SurfacePoint& there, double bound) const
     return this->quality(there) > bound;
   }
   const Vec3 normal = this->HasNormal ? there.normal : Vec3(Vec3::Zero());
-  const double sine = std::sin(bound);
-  const double cosine = std::cos(bound);
+  if (bound != this->Bound)
+  {
+    this->Bound = bound;
+    this->SineOfBound = std::sin(bound);
+    this->CosineOfBound = std::cos(bound);
+  }
   const std::size_t n = this->Triangles.size();
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -167,7 +171,7 @@ bool VertexStar::exceeds(const SurfacePoint& there, double bound) const
     const Triangle& t = this->Triangles[k];
     const Quality q = qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
       t.normals + this->HasNormal, this->normalAgreementOnCreases(t, there));
-    if (q.folded < 0 || q.sine * cosine <= q.cosine * sine)
+    if (q.folded < 0 || q.sine * this->CosineOfBound <= q.cosine * this->SineOfBound)
     {
       this->First = k;
       return false;

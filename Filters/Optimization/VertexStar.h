@@ -52,6 +52,10 @@ private:
   std::vector<Triangle> Triangles; // (v, q, r)
   bool HasNormal = false;          // v is not on a crease
   mutable std::size_t First = 0;   // the triangle that failed last is likely to fail again
+  // The last bound, for many places are held against one.
+  mutable double Bound = 0;
+  mutable double SineOfBound = 0;
+  mutable double CosineOfBound = 1;
 };
 }
 
