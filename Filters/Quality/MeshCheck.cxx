@@ -12,7 +12,9 @@ namespace stipple
 {
 namespace
 {
-constexpr int PlacesForPoint = 3;
+// Edge lengths that mesh and surface may be apart: more is the middle of a gap of four, which has
+// room for some twenty samples.
+constexpr double LargestGap = 2.;
 
 double longestEdge(const TriangleSurface& mesh, int face)
 {
@@ -50,42 +52,75 @@ Status faultOf(const TriangleSurface& mesh, const SurfaceTopology& wanted)
   return q.degenerate == 0 ? Status::success()
                            : fault(std::to_string(q.degenerate) + " triangles without an area");
 }
+
+/// Where mesh and surface are farthest apart, of the places that are too far from the other.
+struct Gap
+{
+  double distance = 0;
+  Vec3 place = Vec3::Zero();
+
+  /// tooFar by place.
+  template <typename F>
+  Status look(const std::vector<Vec3>& places, const TriangleSurface& other,
+    const Progress& progress, const F& tooFar)
+  {
+    std::vector<NearestPlace> nearest;
+    const Status status = nearestPlaces(places, other, progress, nearest);
+    for (std::size_t i = 0; i < nearest.size() && status.ok(); ++i)
+    {
+      const double d = std::sqrt(nearest[i].squaredDistance);
+      if (d > this->distance && d > tooFar(nearest[i].face))
+      {
+        this->distance = d;
+        this->place = places[i];
+      }
+    }
+    return status;
+  }
+};
+
+/// Centroids of the triangles that may leave the surface by more than so much: no place of a
+/// triangle is farther from its nearest corner, which lies on the surface, than its longest edge
+/// over the root of 3.
+std::vector<Vec3> centroidsOfLong(const TriangleSurface& mesh, double tooFar)
+{
+  std::vector<Vec3> centroids;
+  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  {
+    if (longestEdge(mesh, f) > std::sqrt(3.) * tooFar)
+    {
+      centroids.push_back(mesh.position(f, Vec3::Constant(1. / 3.)));
+    }
+  }
+  return centroids;
+}
 }
 
 Status checkMesh(const TriangleSurface& mesh, const TriangleSurface& surface,
   const SurfaceTopology& topology, const Progress& progress)
 {
-  if (Status status = faultOf(mesh, topology); !status.ok())
+  Status status = faultOf(mesh, topology);
+  if (!status.ok())
   {
     return status;
   }
-  const std::vector<Vec3> places =
-    sampleSurface(surface, PlacesForPoint * static_cast<int>(mesh.points.size()));
-  std::vector<NearestPlace> nearest;
-  if (Status status = nearestPlaces(places, mesh, progress, nearest); !status.ok())
+  const double edge = std::sqrt(4. / std::sqrt(3.) * surface.area() / mesh.numberOfFaces());
+  Gap gap;
+  status = gap.look(sampleSurface(surface, static_cast<int>(mesh.points.size())), mesh, progress,
+    [&](int face) { return LargestGap * std::max(edge, longestEdge(mesh, face)); });
+  const std::vector<Vec3> centroids = centroidsOfLong(mesh, LargestGap * edge);
+  if (status.ok() && !centroids.empty())
+  {
+    status = gap.look(centroids, surface, progress, [&](int) { return LargestGap * edge; });
+  }
+  if (!status.ok() || gap.distance == 0)
   {
     return status;
-  }
-  const double mean = std::sqrt(4. / std::sqrt(3.) * surface.area() / mesh.numberOfFaces());
-  double most = 0;
-  std::size_t farthest = places.size();
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const double distance = std::sqrt(nearest[i].squaredDistance);
-    if (distance > most && distance > mean && distance > longestEdge(mesh, nearest[i].face))
-    {
-      most = distance;
-      farthest = i;
-    }
-  }
-  if (farthest == places.size())
-  {
-    return Status::success();
   }
   std::ostringstream sentence;
-  sentence << "The surface at (" << places[farthest].x() << ", " << places[farthest].y() << ", "
-           << places[farthest].z() << ") would be " << most
-           << " away from the mesh, farther than triangles are long there: ask for more points.";
+  sentence << "Mesh and surface would be " << gap.distance << " apart at (" << gap.place.x() << ", "
+           << gap.place.y() << ", " << gap.place.z()
+           << "), over twice the length of edges there: ask for more points.";
   return Status::tooFewPoints(sentence.str());
 }
 }

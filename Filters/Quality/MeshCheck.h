@@ -11,12 +11,12 @@
 namespace stipple
 {
 /// Success for a mesh without isolated points whose triangles form a manifold of this topology, all
-/// of them oriented alike and none degenerate (see TriangleShape), and that is nowhere farther from
-/// the surface than it is coarse; otherwise too few points, and the sentence says what is wrong and
-/// where. A place of the surface is too far if its distance to the nearest triangle exceeds both
-/// that triangle's longest edge and the edge length that equal triangles would have: samples on the
-/// surface with gaps no wider than their spacing leave no such place. Looks at three random places
-/// for each of the mesh's points.
+/// of them oriented alike and none degenerate (see TriangleShape), that leaves no gap: a place of
+/// the surface whose distance to the nearest triangle exceeds twice that triangle's longest edge,
+/// and twice the edge length e that equal triangles would have, or a triangle whose centroid is
+/// more than 2 e off the surface. Otherwise too few points, and the sentence says what is wrong.
+/// Looks at as many places of the surface as the mesh has points. Call connect() of the mesh
+/// before.
 STIPPLEFILTERSQUALITY_EXPORT Status checkMesh(const TriangleSurface& mesh,
   const TriangleSurface& surface, const SurfaceTopology& topology, const Progress& progress);
 }

@@ -103,6 +103,11 @@ void testCharts()
   }
   check(largest <= 30 && largest > 1, "the ratios keep the bound");
   check(largest == atlas->GetDensityRatio(), "the atlas tells the largest");
+  atlas->SetRefinementLevel(1);
+  atlas->Update();
+  check(atlas->GetDensityRatio() <= 3 && atlas->GetDensityRatio() > 1, "a tenth at the next level");
+  atlas->SetRefinementLevel(0);
+  atlas->Update();
   stipple::AtlasSurface surface;
   check(stipple::readAtlas(atlas->GetOutput(), surface).ok(), "the charts can be read");
   check(
