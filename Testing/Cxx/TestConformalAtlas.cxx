@@ -103,15 +103,27 @@ void testCharts()
   }
   check(largest <= 30 && largest > 1, "the ratios keep the bound");
   check(largest == atlas->GetDensityRatio(), "the atlas tells the largest");
-  atlas->SetRefinementLevel(1);
-  atlas->Update();
-  check(atlas->GetDensityRatio() <= 3 && atlas->GetDensityRatio() > 1, "a tenth at the next level");
-  atlas->SetRefinementLevel(0);
-  atlas->Update();
   stipple::AtlasSurface surface;
   check(stipple::readAtlas(atlas->GetOutput(), surface).ok(), "the charts can be read");
   check(
     surface.topology().euler == 2 && surface.topology().manifold, "the charts weld to a sphere");
+}
+
+void testRefinementLevel()
+{
+  vtkNew<vtkConformalAtlas> atlas;
+  atlas->SetInputData(shapes::toPolyData(shapes::hornedSphere(4)));
+  atlas->SetMaximumDensityRatio(30);
+  atlas->Update();
+  const int charts = numberOfCharts(atlas);
+  const double ratio = atlas->GetDensityRatio();
+  atlas->SetMaximumDensityRatio(300);
+  atlas->Update();
+  check(atlas->GetDensityRatio() > ratio, "a larger bound is used");
+  atlas->SetRefinementLevel(1);
+  atlas->Update();
+  check(numberOfCharts(atlas) == charts && atlas->GetDensityRatio() == ratio,
+    "the next level keeps a tenth of the bound");
 }
 
 void testFeatureCurves()
@@ -410,6 +422,7 @@ void testPicture(int argc, char* argv[])
 int TestConformalAtlas(int argc, char* argv[])
 {
   testCharts();
+  testRefinementLevel();
   testFeatureCurves();
   testConstraints();
   testMalformedOptions();
