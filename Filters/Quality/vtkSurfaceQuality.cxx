@@ -29,20 +29,20 @@ namespace
 {
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
+/// Names the first point of a triangle that is not finite.
 stipple::Status checkPoints(const stipple::TriangleSurface& surface, const char* name)
 {
+  int bad = -1;
   for (const stipple::Triangle& t : surface.triangles)
   {
     for (const int p : t)
     {
-      if (!surface.points[p].allFinite())
-      {
-        return stipple::Status::error(
-          "point " + std::to_string(p) + " of the " + name + " is not finite");
-      }
+      bad = !surface.points[p].allFinite() && (bad < 0 || p < bad) ? p : bad;
     }
   }
-  return stipple::Status::success();
+  return bad < 0
+    ? stipple::Status::success()
+    : stipple::Status::error("point " + std::to_string(bad) + " of the " + name + " is not finite");
 }
 
 void addColumn(vtkTable* table, vtkDataArray* column, const stipple::QualityFigure& figure)

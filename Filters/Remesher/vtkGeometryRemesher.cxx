@@ -176,13 +176,18 @@ struct vtkGeometryRemesher::Internals
   /// Whether the optimised mesh may be handed to a user.
   stipple::Status check()
   {
+    stipple::Atlas::Pointer atlas; // the one that the stages share
+    const stipple::Status status = stipple::Atlas::read(
+      vtkPartitionedDataSetCollection::SafeDownCast(this->Atlas->GetOutputDataObject(0)),
+      vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1)), atlas);
+    if (!status.ok())
+    {
+      return status;
+    }
     stipple::TriangleSurface mesh = stipple::fromPolyData(this->Optimizer->GetOutput());
     mesh.connect();
-    const stipple::SurfaceTopology topology = { this->Atlas->GetNumberOfComponents(),
-      this->Atlas->GetNumberOfBoundaryLoops(), this->Atlas->GetEulerCharacteristic(), true };
-    return stipple::checkMesh(mesh,
-      stipple::fromPolyData(vtkPolyData::SafeDownCast(this->Atlas->GetInputDataObject(0, 0))),
-      topology, [this](double) { return this->Self->GetAbortExecute() == 0; });
+    return stipple::checkMesh(mesh, atlas->surface(), atlas->topology(),
+      [this](double) { return this->Self->GetAbortExecute() == 0; });
   }
 
   /// Hands the input to the atlas if it is not the one of before.
