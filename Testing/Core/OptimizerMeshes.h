@@ -7,9 +7,11 @@
 #include "../Cxx/SyntheticAtlas.h"
 #include "MeshCreation.h"
 #include "MeshEdit.h"
+#include "VertexStar.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace meshes
@@ -168,6 +170,17 @@ struct Snapshot
     return this->triangles == o.triangles && this->vertices == o.vertices;
   }
 };
+
+/// The quality of the worst triangle.
+inline double worstOf(const OptimizedMesh& mesh)
+{
+  double worst = 10;
+  for (const Face f : mesh.faces())
+  {
+    worst = std::min(worst, faceQuality(mesh, f));
+  }
+  return worst;
+}
 }
 
 #endif

@@ -14,21 +14,12 @@
 
 using namespace stipple;
 using meshes::Snapshot;
+using meshes::worstOf;
 using Swaps = OptimizerOptions::Swaps;
 using Moves = OptimizerOptions::Moves;
 
 namespace
 {
-double worstOf(const OptimizedMesh& mesh)
-{
-  double worst = 10;
-  for (const Face f : mesh.faces())
-  {
-    worst = std::min(worst, faceQuality(mesh, f));
-  }
-  return worst;
-}
-
 /// The standard deviation of the triangles' areas over their mean.
 double variationOfAreas(const OptimizedMesh& mesh)
 {

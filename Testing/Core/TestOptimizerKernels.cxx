@@ -14,19 +14,10 @@
 #include "VertexStar.h"
 
 using namespace stipple;
+using meshes::worstOf;
 
 namespace
 {
-double worstOf(const OptimizedMesh& mesh)
-{
-  double worst = 10;
-  for (const Face f : mesh.faces())
-  {
-    worst = std::min(worst, faceQuality(mesh, f));
-  }
-  return worst;
-}
-
 /// The inner vertices of a patch, moved at random by up to `most` of an edge.
 void jitter(meshes::TestMesh& t, int m, double most)
 {
