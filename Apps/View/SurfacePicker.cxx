@@ -2,20 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePicker.h"
 
+#include "vtkCamera.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <unordered_map>
 
 namespace stipple
 {
+namespace
+{
+/// Direction of the ray of a perspective camera through a pixel, of length 1. It follows from the
+/// camera's own frame. vtkRenderer::DisplayToWorld would take it from the clipping planes, which
+/// follow whatever is drawn at the time: the last digits of a place would hang on how far a mesh
+/// is.
+Vec3 rayThrough(vtkRenderer* renderer, double x, double y)
+{
+  renderer->SetDisplayPoint(x, y, 0);
+  renderer->DisplayToView();
+  const double* view = renderer->GetViewPoint();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Vec3 ahead = (Vec3(camera->GetFocalPoint()) - Vec3(camera->GetPosition())).normalized();
+  const Vec3 right = ahead.cross(Vec3(camera->GetViewUp())).normalized();
+  const Vec3 up = right.cross(ahead);
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  return (ahead + half * (view[0] * renderer->GetTiledAspectRatio() * right + view[1] * up))
+    .normalized();
+}
+}
+
 SurfacePicker::SurfacePicker(vtkPolyData* input)
   : Input(vtkSmartPointer<vtkPolyData>::New())
 {
@@ -31,17 +55,11 @@ SurfacePicker::~SurfacePicker() = default;
 
 bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace& place) const
 {
-  double ends[2][4];
-  for (int end = 0; end < 2; ++end)
-  {
-    renderer->SetDisplayPoint(x, y, end);
-    renderer->DisplayToWorld();
-    renderer->GetWorldPoint(ends[end]);
-    for (int k = 0; k < 3; ++k)
-    {
-      ends[end][k] /= ends[end][3];
-    }
-  }
+  const Vec3 eye(renderer->GetActiveCamera()->GetPosition());
+  // Beyond the surface wherever it is hit.
+  const Vec3 center(this->Input->GetCenter());
+  const Vec3 end =
+    eye + ((center - eye).norm() + this->Input->GetLength()) * rayThrough(renderer, x, y);
   double t;
   double position[3];
   double parameter[3];
@@ -49,7 +67,7 @@ bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace&
   vtkIdType cell = -1;
   vtkNew<vtkGenericCell> face;
   if (!this->Locator->IntersectWithLine(
-        ends[0], ends[1], 0., t, position, parameter, part, cell, face) ||
+        eye.data(), end.data(), 0., t, position, parameter, part, cell, face) ||
     cell < 0)
   {
     return false;
