@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartPartition.h"
 
+#include "CreasePatches.h"
 #include "VoronoiDiagram.h"
 
 #include "vtkSMPTools.h"
@@ -91,8 +92,44 @@ void bisectToDisk(ChartRegions& regions, int region)
   }
 }
 
-/// Bisects regions until all are disks: single triangles at the latest.
-Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
+/// Cuts a face of a machined part that has holes (a plate, a tube) open from hole to hole: such a
+/// face is one that creases bound, or that can be unrolled. Not if the map would break the bound.
+void openToDisk(ChartRegions& regions, int region, const ChartPartitionOptions& options)
+{
+  const CutSurface& surface = regions.surface();
+  const ChartMesh mesh = regions.mesh(region);
+  const std::vector<int>& faces = regions.faces(region);
+  const auto isAtCrease = [&](int f) {
+    return (surface.sharp[3 * f] && surface.cut[3 * f]) ||
+      (surface.sharp[3 * f + 1] && surface.cut[3 * f + 1]) ||
+      (surface.sharp[3 * f + 2] && surface.cut[3 * f + 2]);
+  };
+  const bool unrolls = isNearlyDevelopable(surface, mesh);
+  if (mesh.boundaryLoops < 2 || !(unrolls || std::any_of(faces.begin(), faces.end(), isAtCrease)))
+  {
+    return;
+  }
+  const std::vector<int> opened = joinLoops(regions, region);
+  if (regions.mesh(region).isDisk())
+  {
+    if (unrolls)
+    {
+      return;
+    }
+    regions.splitChords(region);
+    const ConformalMap map =
+      mapToRectangle(surface, regions.mesh(region), { options.square }, regions.stop());
+    if (map.valid && map.densityRatio <= options.maximumDensityRatio)
+    {
+      return;
+    }
+  }
+  regions.closeCuts(region, opened);
+}
+
+/// Cuts regions open, or bisects them until all are disks: single triangles at the latest.
+Status splitIntoDisks(
+  ChartRegions& regions, const ChartPartitionOptions& options, const Progress& progress)
 {
   for (int r = 0; r < regions.size(); ++r)
   {
@@ -100,6 +137,7 @@ Status splitIntoDisks(ChartRegions& regions, const Progress& progress)
     {
       return Status::aborted();
     }
+    openToDisk(regions, r, options);
     bisectToDisk(regions, r);
   }
   return Status::success();
@@ -116,13 +154,29 @@ std::optional<SeamArc> onlySeam(const ChartRegions& regions, int a, int b)
   return std::move(arcs.front());
 }
 
+/// The longest seam between two regions that is not the whole boundary of both.
+std::optional<SeamArc> longestOpenSeam(const ChartRegions& regions, int a, int b)
+{
+  std::vector<SeamArc> arcs = regions.arcs(a, b);
+  const auto longest =
+    std::max_element(arcs.begin(), arcs.end(), [&](const SeamArc& x, const SeamArc& y) {
+      return x.length(regions.surface()) < y.length(regions.surface());
+    });
+  if (longest == arcs.end() || longest->closed)
+  {
+    return {};
+  }
+  return std::move(*longest);
+}
+
 /// Merges neighbours, the pair of least area first, down to a number of regions or as far as
 /// allowed.
 class GreedyMerge
 {
 public:
-  /// Asked once for every pair; and told after a merger, when the last region has taken b's number.
-  using Allowed = std::function<bool(int a, int b)>;
+  /// Asked once for every pair for the seam to close, if any; and told after a merger, when the
+  /// last region has taken b's number.
+  using Allowed = std::function<std::optional<SeamArc>(int a, int b)>;
   using Merged = std::function<void(int a, int b)>;
 
   explicit GreedyMerge(ChartRegions& regions)
@@ -155,13 +209,14 @@ public:
       this->Pairs.pop();
       const int a = std::min(this->Place[pair.first], this->Place[pair.second]);
       const int b = std::max(this->Place[pair.first], this->Place[pair.second]);
-      if (a < 0 || !allowed(a, b))
+      const std::optional<SeamArc> seam = a < 0 ? std::nullopt : allowed(a, b);
+      if (!seam)
       {
         continue;
       }
       this->Place[pair.first] = -1;
       this->Place[pair.second] = -1;
-      this->Regions.merge(a, b);
+      this->Regions.merge(a, b, *seam);
       const int last = this->Regions.size();
       this->Area[a] += this->Area[b];
       this->Area[b] = this->Area[last];
@@ -479,18 +534,20 @@ private:
     return parts;
   }
 
-  /// Flattens two regions as one; whether that keeps the bound. Large ones are not worth the time.
-  bool tryToMerge(int a, int b)
+  /// Flattens two regions as one; the seam to close if that keeps the bound. Large ones are not
+  /// worth the time.
+  std::optional<SeamArc> tryToMerge(int a, int b)
   {
     constexpr std::size_t large = 60000; // triangles
     if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > large)
     {
-      return false;
+      return {};
     }
-    const std::optional<SeamArc> seam = onlySeam(this->Regions, a, b);
+    // Glued along one seam two disks are a disk; what others they have stay cut.
+    std::optional<SeamArc> seam = longestOpenSeam(this->Regions, a, b);
     if (!seam)
     {
-      return false;
+      return {};
     }
     CutSurface& surface = this->Regions.surface();
     for (int h : seam->halfedges)
@@ -506,8 +563,34 @@ private:
     {
       surface.setCut(h, true);
     }
-    return this->Merged.map.valid &&
-      this->Merged.map.densityRatio <= this->Options.maximumDensityRatio;
+    if (!this->isWorthMerging(*seam, a, b))
+    {
+      seam.reset();
+    }
+    return seam;
+  }
+
+  /// Whether the merged chart keeps the bound. A seam on creases is a good one: it goes only if
+  /// next to nothing becomes dense, or no denser than it is. Faces that meet at right angles have
+  /// corners that no rectangle has, and a map is infinitely dense at these: seen over 1e-3 of the
+  /// area many a corner is missed, and the few samples of its surroundings are missing. Of nine
+  /// parts at four numbers of points each, 4 meshes have angles below 15 degrees with 0.15 to 0.5
+  /// of the bound over 1e-4 of the area, 6 with the whole of it, 8 with 0.05; 18 did without
+  /// seams on creases.
+  bool isWorthMerging(const SeamArc& seam, int a, int b) const
+  {
+    const ConformalMap& map = this->Merged.map;
+    const CutSurface& surface = this->Regions.surface();
+    const double bound = this->Options.maximumDensityRatio;
+    if (!map.valid || map.densityRatio > bound || !seam.isSharp(surface))
+    {
+      return map.valid && map.densityRatio <= bound;
+    }
+    const auto quantile = [&](const FlatChart& chart) {
+      return densityQuantile(surface, chart.mesh, chart.map, 0.1 * NegligibleArea);
+    };
+    return quantile(this->Merged) <=
+      std::max({ 0.3 * bound, quantile(this->Charts[a]), quantile(this->Charts[b]) });
   }
 
   ChartRegions& Regions;
@@ -536,13 +619,17 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   const auto part = [&](double from, double to) -> Progress {
     return [&, from, to](double f) { return report(all, from + (to - from) * f); };
   };
+  cutAlongCreases(surface);
   cutIntoVoronoiCells(surface, options.numberOfCharts, stop);
   ChartRegions regions(surface, stop);
-  if (const Status status = splitIntoDisks(regions, part(0., .1)); !status.ok())
+  if (const Status status = splitIntoDisks(regions, options, part(0., .1)); !status.ok())
   {
     return status;
   }
-  const auto canBeGlued = [&](int a, int b) { return onlySeam(regions, a, b).has_value(); };
+  const auto canBeGlued = [&](int a, int b) {
+    std::optional<SeamArc> seam = onlySeam(regions, a, b);
+    return seam && !seam->isSharp(surface) ? seam : std::nullopt;
+  };
   if (const Status status =
         GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, part(.1, .15));
       !status.ok())

@@ -3,10 +3,23 @@
 #include "ChartRegions.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace stipple
 {
+double SeamArc::length(const TriangleSurface& surface) const
+{
+  return std::accumulate(this->halfedges.begin(), this->halfedges.end(), 0.,
+    [&](double sum, int h) { return sum + surface.edgeLength(Halfedge(h)); });
+}
+
+bool SeamArc::isSharp(const CutSurface& surface) const
+{
+  return std::all_of(
+    this->halfedges.begin(), this->halfedges.end(), [&](int h) { return surface.sharp[h]; });
+}
+
 ChartRegions::ChartRegions(CutSurface& surface, Stop stop)
   : Surface(surface)
   , WantsStop(std::move(stop))
@@ -63,6 +76,37 @@ void ChartRegions::cutOpen(int h)
 {
   this->Surface.setCut(h, true);
   this->Reshaped[this->Owner[h / 3]] = 1;
+}
+
+std::vector<int> ChartRegions::cutAlong(const ChartMesh& mesh, const std::vector<int>& path)
+{
+  std::vector<int> opened;
+  std::vector<int> after(mesh.vertices.size(), -1); // on the path
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    after[path[i]] = path[i + 1];
+  }
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (after[mesh.triangles[i][k]] == mesh.triangles[i][nextCorner(k)])
+      {
+        opened.push_back(3 * mesh.faces[i] + k);
+        this->cutOpen(opened.back());
+      }
+    }
+  }
+  return opened;
+}
+
+void ChartRegions::closeCuts(int region, const std::vector<int>& halfedges)
+{
+  for (const int h : halfedges)
+  {
+    this->Surface.setCut(h, false);
+  }
+  this->Reshaped[region] = 1;
 }
 
 void ChartRegions::closeSlits(int region)
@@ -187,7 +231,7 @@ std::vector<int> ChartRegions::shareOut(int a, int b, const std::vector<char>& s
   return opened;
 }
 
-void ChartRegions::merge(int a, int b)
+void ChartRegions::merge(int a, int b, const SeamArc& seam)
 {
   const auto give = [this](int from, int to) {
     for (int f : this->Faces[from])
@@ -198,15 +242,9 @@ void ChartRegions::merge(int a, int b)
       this->Faces[to].end(), this->Faces[from].begin(), this->Faces[from].end());
     this->Faces[from].clear();
   };
-  for (int f : this->Faces[b])
+  for (int h : seam.halfedges)
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (this->Surface.cut[h] && this->ownerAcross(h) == a)
-      {
-        this->Surface.setCut(h, false);
-      }
-    }
+    this->Surface.setCut(h, false);
   }
   give(b, a);
   this->Reshaped[a] = 1;

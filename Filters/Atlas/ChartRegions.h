@@ -10,10 +10,14 @@
 namespace stipple
 {
 /// A seam between two regions: halfedges of the first, in order, each with the second across it.
-struct SeamArc
+struct STIPPLEFILTERSATLAS_EXPORT SeamArc
 {
   std::vector<int> halfedges;
   bool closed = false; ///< it is the whole boundary of both regions
+
+  double length(const TriangleSurface& surface) const;
+  /// Whether all of it runs along creases.
+  bool isSharp(const CutSurface& surface) const;
 };
 
 /// Keeps the triangles of every region while edges are split and triangles change hands.
@@ -64,6 +68,11 @@ public:
   int splitEdge(int h, double t);
   /// Cuts an edge inside a region.
   void cutOpen(int h);
+  /// Cuts a region open along a path of edges, given by the vertices of the region's mesh. Returns
+  /// a halfedge of each.
+  std::vector<int> cutAlong(const ChartMesh& mesh, const std::vector<int>& path);
+  /// Takes cuts inside a region back.
+  void closeCuts(int region, const std::vector<int>& halfedges);
   /// Removes the cuts into the region that end inside it: they do not make it a disk.
   void closeSlits(int region);
   /// Splits every edge inside the region that joins two of its boundary's vertices: on a convex
@@ -77,9 +86,9 @@ public:
   /// side 0 becomes a. Cuts the edges between them that are not; returns a halfedge of each.
   std::vector<int> shareOut(int a, int b, const std::vector<char>& side);
 
-  /// Gives the triangles of b to a, closes the cuts between them, and the last region takes b's
-  /// number.
-  void merge(int a, int b);
+  /// Gives the triangles of b to a, closes a seam between them, and the last region takes b's
+  /// number. Other seams between the two stay cut.
+  void merge(int a, int b, const SeamArc& seam);
 
   /// The halfedge after h on the boundary of h's region.
   int nextOnBoundary(int h) const;

@@ -94,24 +94,34 @@ void measureMap(const TriangleSurface& surface, const ChartMesh& chart, Conforma
     total += area[i];
     plane += a;
   }
-  std::vector<int> order(n);
-  std::iota(order.begin(), order.end(), 0);
   for (double& d : map.density)
   {
     d *= plane / total;
   }
+  map.densityRatio = densityQuantile(surface, chart, map, NegligibleArea);
+}
+
+double densityQuantile(
+  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMap& map, double share)
+{
+  const std::vector<double> area = areas(surface, chart);
+  const double total = std::accumulate(area.begin(), area.end(), 0.);
+  std::vector<int> order(area.size());
+  std::iota(order.begin(), order.end(), 0);
   std::sort(
     order.begin(), order.end(), [&](int a, int b) { return map.density[a] > map.density[b]; });
   double above = 0;
+  double quantile = 0;
   for (int i : order)
   {
-    map.densityRatio = map.density[i];
+    quantile = map.density[i];
     above += area[i];
-    if (above > 1e-3 * total)
+    if (above > share * total)
     {
       break;
     }
   }
+  return quantile;
 }
 
 ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& chart,

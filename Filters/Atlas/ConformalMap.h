@@ -9,6 +9,9 @@
 
 namespace stipple
 {
+/// Share of an area that is too small to matter: what is denser in a map is not counted.
+constexpr double NegligibleArea = 1e-3;
+
 struct ConformalMapOptions
 {
   bool square = false; ///< map to the unit square, not to the rectangle that suits the chart best
@@ -30,6 +33,10 @@ struct ConformalMap
 /// boundary needs four vertices or more. A map that is stopped is not valid.
 STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(const TriangleSurface& surface,
   const ChartMesh& chart, const ConformalMapOptions& options, const Stop& stop = {});
+
+/// The density that no more than a share of the chart's area exceeds, over the mean.
+STIPPLEFILTERSATLAS_EXPORT double densityQuantile(
+  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMap& map, double share);
 
 /// Measures the map anew: valid, density and densityRatio from uv.
 STIPPLEFILTERSATLAS_EXPORT void measureMap(

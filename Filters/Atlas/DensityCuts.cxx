@@ -352,22 +352,7 @@ bool cutDeepSleeve(ChartRegions& regions, const FlatChart& chart)
   {
     return false;
   }
-  std::vector<int> after(mesh.vertices.size(), -1); // on the path
-  const std::vector<int> path = toBoundary.path(deepest);
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-  {
-    after[path[i]] = path[i + 1];
-  }
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (after[mesh.triangles[i][k]] == mesh.triangles[i][(k + 1) % 3])
-      {
-        regions.cutOpen(3 * mesh.faces[i] + k);
-      }
-    }
-  }
+  regions.cutAlong(mesh, toBoundary.path(deepest));
   return true;
 }
 }

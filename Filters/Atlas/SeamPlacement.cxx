@@ -22,16 +22,6 @@ struct SeamUnion
   double seamLength = 0;
 };
 
-double length(const TriangleSurface& surface, const SeamArc& arc)
-{
-  double sum = 0;
-  for (int h : arc.halfedges)
-  {
-    sum += (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
-  }
-  return sum;
-}
-
 /// The ends of the conformal map: where its coordinate across the seam is given, 0 in the first
 /// region and 1 in the second.
 class FarSides
@@ -344,7 +334,7 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
 {
   CutSurface& surface = regions.surface();
   SeamUnion both;
-  both.seamLength = length(surface, arc);
+  both.seamLength = arc.length(surface);
   for (int h : arc.halfedges)
   {
     surface.setCut(h, false);
@@ -415,7 +405,8 @@ bool placeSeam(
 {
   // Few triangles have no smooth line to offer, and cutting them again and again would never end.
   constexpr int fewest = 500;
-  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) < fewest)
+  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) < fewest ||
+    arc.isSharp(regions.surface())) // a seam on a crease is where it should be
   {
     return false;
   }
@@ -507,7 +498,7 @@ void placeSeamsOfPair(
 const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
 {
   return *std::max_element(arcs.begin(), arcs.end(),
-    [&](const SeamArc& a, const SeamArc& b) { return length(surface, a) < length(surface, b); });
+    [&](const SeamArc& a, const SeamArc& b) { return a.length(surface) < b.length(surface); });
 }
 
 /// Calls visit(a, b) for all pairs of neighbours, a < b, as they are when it is a's turn.

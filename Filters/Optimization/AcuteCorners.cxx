@@ -48,14 +48,19 @@ std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, Vertex corner, Verte
   return std::nullopt;
 }
 
+/// How far from a corner, in spacings, the first points on two creases may lie.
+double farthest(const Crease& a, const Crease& b, double spacing)
+{
+  return std::min(Tuning::FarthestOpening,
+    std::min(a.length(), b.length()) / spacing - Tuning::LeastBeyondOpening);
+}
+
 /// At what distance from the corner, in spacings, two creases have opened to an angle; 1 if they
 /// have where their first points would be anyway, or nowhere near.
 double distanceWhereOpen(
   const Vec3& corner, const Crease& a, const Crease& b, double spacing, double angle)
 {
-  const double room = std::min(a.length(), b.length()) / spacing - Tuning::LeastBeyondOpening;
-  for (double distance = 1.; distance <= std::min(Tuning::FarthestOpening, room);
-       distance += Tuning::StepOfOpening)
+  for (double distance = 1.; distance <= farthest(a, b, spacing); distance += Tuning::StepOfOpening)
   {
     const double s = distance * spacing;
     if (cotangent(corner, a.at(s), b.at(s)) <= 1. / std::tan(angle))
@@ -77,39 +82,81 @@ double spacingAtUnitDensity(const OptimizedMesh& mesh)
   }
   return std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
 }
-}
 
-CoarseRegions findAcuteCorners(const OptimizedMesh& mesh, double angle)
+/// Calls function(a, b, angle) with every two creases that leave a vertex side by side, and the
+/// angle there between their first points.
+template <typename Function>
+void forEachPairOfCreases(const OptimizedMesh& mesh, Vertex v, const Function& function)
 {
-  CoarseRegions regions;
-  const double unit = spacingAtUnitDensity(mesh);
-  for (const Vertex v : mesh.vertices())
-  {
-    if (mesh.freedom(v) != Freedom::None)
+  mesh.forEachCorner(v, [&](Halfedge h) {
+    const Halfedge g = mesh.previous(h);
+    if (mesh.isCrease(mesh.edge(h)) && mesh.isCrease(mesh.edge(g)))
     {
-      continue;
-    }
-    const double spacing = unit / std::sqrt(mesh.density(v));
-    double distance = 1;
-    mesh.forEachCorner(v, [&](Halfedge h) {
-      const Halfedge g = mesh.previous(h);
-      if (!mesh.isCrease(mesh.edge(h)) || !mesh.isCrease(mesh.edge(g)))
-      {
-        return;
-      }
       const auto a = creaseFrom(mesh, v, mesh.to(h));
       const auto b = creaseFrom(mesh, v, mesh.from(g));
       if (a && b)
       {
-        distance = std::max(distance, distanceWhereOpen(mesh.position(v), *a, *b, spacing, angle));
+        const double cot =
+          cotangent(mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.from(g)));
+        function(*a, *b, std::atan2(1., cot));
+      }
+    }
+  });
+}
+}
+
+AcuteCorners::AcuteCorners(const OptimizedMesh& mesh, double angle)
+  : Angle(angle)
+{
+  const double unit = spacingAtUnitDensity(mesh);
+  for (const Vertex v : mesh.vertices())
+  {
+    if (mesh.freedom(v) == Freedom::None)
+    {
+      bool found = false;
+      forEachPairOfCreases(mesh, v, [&](const Crease&, const Crease&, double) { found = true; });
+      if (found)
+      {
+        this->Corners.push_back({ v, unit / std::sqrt(mesh.density(v)), angle });
+      }
+    }
+  }
+}
+
+CoarseRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
+{
+  CoarseRegions regions;
+  for (const Corner& corner : this->Corners)
+  {
+    const Vec3& p = mesh.position(corner.vertex);
+    double distance = 1;
+    forEachPairOfCreases(mesh, corner.vertex, [&](const Crease& a, const Crease& b, double) {
+      if (const double d = distanceWhereOpen(p, a, b, corner.spacing, this->Angle); d > 1.)
+      {
+        // If they open to what was asked for, but not to what would make good what is lacking, as
+        // far as they may.
+        const double more = distanceWhereOpen(p, a, b, corner.spacing, corner.asked);
+        distance = std::max(distance, more > 1. ? more : farthest(a, b, corner.spacing));
       }
     });
     if (distance > 1.)
     {
-      regions.add(mesh.atlas().surface(), Face(mesh.place(v).face),
-        { mesh.position(v), spacing, 1. + Tuning::ShareOfOpening * (distance - 1.) });
+      regions.add(mesh.atlas().surface(), Face(mesh.place(corner.vertex).face),
+        { p, corner.spacing, 1. + Tuning::ShareOfOpening * (distance - 1.) });
     }
   }
   return regions;
+}
+
+void AcuteCorners::correct(const OptimizedMesh& mesh)
+{
+  for (Corner& corner : this->Corners)
+  {
+    double lack = 0;
+    forEachPairOfCreases(mesh, corner.vertex, [&](const Crease&, const Crease&, double angle) {
+      lack = std::max(lack, this->Angle - angle);
+    });
+    corner.asked += lack;
+  }
 }
 }

@@ -8,13 +8,38 @@
 #include "OptimizedMesh.h"
 #include "StippleFiltersOptimizationModule.h"
 
+#include <vector>
+
+#include <unordered_map>
+
 namespace stipple
 {
-/// The regions about such corners in which spacing must grow for the creases to be `angle`
-/// (radians, > 0) apart where the first points on them lie. Corners whose creases do not open that
-/// far within 3.4 edges stay as they are: larger triangles would not help them.
-STIPPLEFILTERSOPTIMIZATION_EXPORT CoarseRegions findAcuteCorners(
-  const OptimizedMesh& mesh, double angle);
+class STIPPLEFILTERSOPTIMIZATION_EXPORT AcuteCorners
+{
+public:
+  /// Of a mesh whose spacing has not grown anywhere yet; angle in radians, > 0.
+  AcuteCorners(const OptimizedMesh& mesh, double angle);
+
+  /// The regions about corners in which spacing must grow for their creases to be that far apart
+  /// where the first points on them lie. Corners whose creases do not open so far within 3.4 edges
+  /// stay as they are: larger triangles would not help them.
+  CoarseRegions regions(const OptimizedMesh& mesh) const;
+
+  /// Where a corner is sharper than asked for, regions() ask for what it lacks on top from now on:
+  /// Lloyd's method does not put points just where spacing has them.
+  void correct(const OptimizedMesh& mesh);
+
+private:
+  struct Corner
+  {
+    Vertex vertex;
+    double spacing; ///< about it
+    double asked;   ///< angle
+  };
+
+  double Angle;
+  std::vector<Corner> Corners;
+};
 }
 
 #endif

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace stipple
 {
@@ -133,6 +134,16 @@ bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vect
 
 namespace
 {
+double sumOfFolded(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  double sum = 0;
+  for (const Face f : faces)
+  {
+    sum += std::min(0., faceQuality(mesh, f));
+  }
+  return sum;
+}
+
 /// Improves triangles, and remembers what need not be looked at again.
 class TriangleRepair
 {
@@ -185,7 +196,8 @@ private:
 
   bool improve(Face f)
   {
-    bool helped = this->MaySwap && this->improveBySwap(f);
+    bool helped =
+      this->MaySwap && (this->improveBySwap(f) || (this->isFolded(f) && this->unfoldByFan(f)));
     if (helped && !this->isBad(f))
     {
       return true;
@@ -204,6 +216,7 @@ private:
         helped = this->improveVertex(u) || helped;
       }
     }
+    helped = (!helped && isFold && this->unfoldBySwapAndMoves(f)) || helped;
     if (!helped && !isFold)
     {
       this->Known[f] = Knowledge::Stuck;
@@ -220,18 +233,126 @@ private:
       {
         continue;
       }
-      const auto [a, b, c, d] = this->Mesh.wingVertices(e);
-      const auto worst = [this](const Triangle3& s, const Triangle3& t) {
-        return std::min(triangleQuality(this->Mesh, s[0], s[1], s[2]),
-          triangleQuality(this->Mesh, t[0], t[1], t[2]));
+      const auto [a, b, c, d] = this->Mesh.wing(e);
+      const auto worst = [this](const TriangleCorners& s, const TriangleCorners& t) {
+        return std::min(triangleQuality(this->Mesh, s), triangleQuality(this->Mesh, t));
       };
-      const double before = worst({ a, b, c }, { b, a, d });
-      if (worst({ d, c, a }, { c, d, b }) > before + Tuning::RoundingOfAngle && this->Edit.swap(e))
+      const double before = worst({ { a, b, c } }, { { b, a, d } });
+      const double after = worst({ { d, c, a } }, { { c, d, b } });
+      if ((after > before + Tuning::RoundingOfAngle || this->unfoldsBySwap(f, e)) &&
+        this->Edit.swap(e))
       {
         for (const Vertex v : this->Mesh.corners(f))
         {
           this->touch(v);
         }
+        return true;
+      }
+    }
+    return false;
+  }
+  /// What is folded covers the surface more than once: the way back leads over less and less area,
+  /// if not over triangles that are better one by one. A slot in a flat face may be covered so,
+  /// with all corners on creases, where no move helps.
+  bool unfoldsBySwap(Face f, Edge e) const
+  {
+    if (!this->isFolded(f))
+    {
+      return false;
+    }
+    const auto [a, b, c, d] = this->Mesh.wingVertices(e);
+    const auto area = [this](Vertex p, Vertex q, Vertex r) {
+      return triangleArea(this->Mesh.position(p), this->Mesh.position(q), this->Mesh.position(r));
+    };
+    return area(d, c, a) + area(c, d, b) <
+      (1. - Tuning::LeastGainOfArea) * (area(a, b, c) + area(b, a, d));
+  }
+  /// Joins a corner to more and more vertices beyond its opposite edge: about the tip of a slot,
+  /// the triangles that close the gap on one side of it are to be found on the other.
+  bool unfoldByFan(Face f)
+  {
+    for (const Vertex v : this->Mesh.corners(f))
+    {
+      std::map<Face, double> before;
+      std::vector<Vertex> changed = { v };
+      const auto fan = [&]() {
+        for (int swaps = 0; swaps < Tuning::SwapsOfFan; ++swaps)
+        {
+          const Halfedge h = this->worstFoldedAt(v);
+          const Edge e = h.valid() ? this->Mesh.edge(this->Mesh.next(h)) : Edge();
+          if (!e.valid() || !this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e))
+          {
+            return false;
+          }
+          for (int side = 0; side < 2; ++side)
+          {
+            const Face g = this->Mesh.face(this->Mesh.halfedge(e, side));
+            before.emplace(g, std::min(0., faceQuality(this->Mesh, g)));
+          }
+          const auto quad = this->Mesh.wingVertices(e);
+          changed.insert(changed.end(), quad.begin(), quad.end());
+          this->Edit.flip(e);
+          double gain = 0;
+          for (const auto& [g, quality] : before)
+          {
+            gain += std::min(0., faceQuality(this->Mesh, g)) - quality;
+          }
+          if (gain > Tuning::LeastGainOfFolds)
+          {
+            return true;
+          }
+        }
+        return false;
+      };
+      if (this->Edit.attempt(fan))
+      {
+        std::for_each(changed.begin(), changed.end(), [this](Vertex u) { this->touch(u); });
+        return true;
+      }
+    }
+    return false;
+  }
+  /// Of the folded triangles about a vertex the worst, by its halfedge out of the vertex.
+  Halfedge worstFoldedAt(Vertex v) const
+  {
+    Halfedge worst;
+    double least = 0;
+    this->Mesh.forEachCorner(v, [&](Halfedge h) {
+      const double quality = faceQuality(this->Mesh, this->Mesh.face(h));
+      if (quality < least)
+      {
+        least = quality;
+        worst = h;
+      }
+    });
+    return worst;
+  }
+  /// Where a vertex stands on the line that a swap would join it to, it must move as well.
+  bool unfoldBySwapAndMoves(Face f)
+  {
+    Halfedge h = this->Mesh.halfedge(f);
+    for (int k = 0; this->MaySwap && this->MayMove && k < 3; ++k, h = this->Mesh.next(h))
+    {
+      const Edge e = this->Mesh.edge(h);
+      if (!this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e))
+      {
+        continue;
+      }
+      const auto quad = this->Mesh.wingVertices(e);
+      const std::vector<Vertex> vertices(quad.begin(), quad.end());
+      const std::vector<Face> faces = facesAbout(this->Mesh, vertices);
+      const double before = sumOfFolded(this->Mesh, faces);
+      const bool isBetter = this->Edit.attempt([&]() {
+        this->Edit.flip(e);
+        for (const Vertex v : vertices)
+        {
+          improveByMove(this->Edit, v);
+        }
+        return sumOfFolded(this->Mesh, faces) > before + Tuning::LeastGainOfFolds;
+      });
+      if (isBetter)
+      {
+        std::for_each(quad.begin(), quad.end(), [this](Vertex v) { this->touch(v); });
         return true;
       }
     }
@@ -259,7 +380,6 @@ private:
     });
   }
 
-  using Triangle3 = std::array<Vertex, 3>;
   MeshEdit& Edit;
   const OptimizedMesh& Mesh;
   const double Threshold;

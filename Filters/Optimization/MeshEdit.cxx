@@ -18,9 +18,9 @@ bool MeshEdit::swap(Edge e)
   {
     return false;
   }
-  const auto [a, b, c, d] = mesh.wingVertices(e);
-  const int after = mesh.isSound(d, c, a) + mesh.isSound(c, d, b);
-  if (after < 2 && after < mesh.isSound(a, b, c) + mesh.isSound(b, a, d))
+  const auto [a, b, c, d] = mesh.wing(e);
+  const int after = mesh.isSound({ { d, c, a } }) + mesh.isSound({ { c, d, b } });
+  if (after < 2 && after < mesh.isSound({ { a, b, c } }) + mesh.isSound({ { b, a, d } }))
   {
     return false;
   }

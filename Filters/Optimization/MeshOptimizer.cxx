@@ -15,6 +15,7 @@
 #include "Tuning.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace stipple
 {
@@ -74,6 +75,8 @@ Status relax(
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
   SmallComponents small(mesh);
+  const bool opensCorners = options.moves == Moves::Lloyd && options.acuteCornerAngle > 0;
+  std::optional<AcuteCorners> acute;
   for (int i = 0; i < options.iterations; ++i)
   {
     const double done = static_cast<double>(i) / options.iterations;
@@ -81,11 +84,25 @@ Status relax(
     {
       return Status::aborted();
     }
+    if (i == 0)
+    {
+      // Triangles across a concave corner of a chart may lie over what is no surface; once vertices
+      // have been drawn there, swaps alone are no help.
+      repairTriangles(edit, 0., swaps, false, Tuning::ManyPasses);
+    }
     const Tuning::Pace pace = paceAt(done, mesh.uniform());
     swapEdges(edit, options.swaps, i == 0 ? Tuning::ManyPasses : Tuning::PassesInRound);
-    if (i == 0 && options.moves == Moves::Lloyd && options.acuteCornerAngle > 0)
+    if (i % Tuning::AcuteInterval == 0 && opensCorners)
     {
-      mesh.coarsen(findAcuteCorners(mesh, options.acuteCornerAngle + Tuning::AcuteMargin));
+      if (i == 0)
+      {
+        acute.emplace(mesh, options.acuteCornerAngle + Tuning::AcuteMargin);
+      }
+      else
+      {
+        acute->correct(mesh);
+      }
+      mesh.coarsen(acute->regions(mesh));
     }
     if (moves)
     {
@@ -124,6 +141,12 @@ void finish(MeshEdit& edit, const OptimizerOptions& options)
   const auto repair = [&](bool maySwap, bool mayMove, int passes) {
     repairTriangles(edit, Tuning::SmallAngle, maySwap, mayMove, passes);
   };
+  const auto reduceError = [&]() {
+    if (options.errorReduction > 0)
+    {
+      reduceSurfaceError(edit, Tuning::ErrorAngle, options.errorReduction);
+    }
+  };
   swapEdges(edit, options.swaps, Tuning::ManyPasses);
   if (options.swaps == Swaps::Regularity)
   {
@@ -147,13 +170,11 @@ void finish(MeshEdit& edit, const OptimizerOptions& options)
     repair(false, true, Tuning::PassesInRound);
     if (options.ribs)
     {
+      reduceError(); // so that ribs are held against what is possible without them
       makeRibs(edit);
     }
   }
-  if (options.errorReduction > 0)
-  {
-    reduceSurfaceError(edit, Tuning::ErrorAngle, options.errorReduction);
-  }
+  reduceError();
   resolveSelfIntersections(edit, Tuning::PassesOfParting);
 }
 }

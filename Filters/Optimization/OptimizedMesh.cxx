@@ -182,7 +182,7 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
 
 Status OptimizedMesh::markCreases()
 {
-  this->Crease.assign(this->Graph.n_edges(), 0);
+  this->CreaseOf.assign(this->Graph.n_edges(), -1);
   const auto chains = backboneChains(this->Atlas->graph(), this->Original);
   this->Chain.assign(chains.size(), {});
   for (std::size_t b = 0; b < chains.size(); ++b)
@@ -206,7 +206,7 @@ Status OptimizedMesh::markCreases()
           ", neighbours on backbone " + std::to_string(b) +
           ": pass the output of vtkCDTRemesh and its feature graph.");
       }
-      this->Crease[this->edge(id(h))] = 1;
+      this->CreaseOf[this->edge(id(h))] = static_cast<int>(b);
     }
   }
   return Status::success();
@@ -219,7 +219,8 @@ SurfacePoint OptimizedMesh::pointAt(const SurfacePlace& place) const
 
 SurfacePoint OptimizedMesh::walk(const SurfacePlace& from, const Vec3& step) const
 {
-  return this->pointAt(this->Atlas->walk().walk(from, step));
+  // Triangles without area have no normal, and what is computed from that no direction.
+  return this->pointAt(step.allFinite() ? this->Atlas->walk().walk(from, step) : from);
 }
 
 double OptimizedMesh::densityAt(const SurfacePoint& point) const
@@ -328,8 +329,11 @@ std::vector<Sample> OptimizedMesh::samples() const
   return result;
 }
 
-bool OptimizedMesh::isSound(Vertex a, Vertex b, Vertex c) const
+bool OptimizedMesh::isSound(const TriangleCorners& corners) const
 {
+  const Vertex a = this->from(corners[0]);
+  const Vertex b = this->from(corners[1]);
+  const Vertex c = this->from(corners[2]);
   const Vec3& p = this->position(a);
   const Vec3& q = this->position(b);
   const Vec3& r = this->position(c);
@@ -342,30 +346,52 @@ bool OptimizedMesh::isSound(Vertex a, Vertex b, Vertex c) const
     return false;
   }
   const bool isOnCreases = !this->isFree(a) && !this->isFree(b) && !this->isFree(c);
-  return (isOnCreases ? this->normalAgreementOnCreases(a, b, c, n)
+  return (isOnCreases ? this->normalAgreementOnCreases(corners, n)
                       : this->normalAgreement(a, b, c, n, area)) >= Tuning::LeastAgreement;
 }
 
-bool OptimizedMesh::isSound(Face f) const
+Vec3 OptimizedMesh::normalBeside(Halfedge h) const
 {
-  const auto [a, b, c] = this->corners(f);
-  return this->isSound(a, b, c);
+  const Vertex v = this->from(h);
+  const VertexState& state = this->State[v];
+  // Turn clockwise to the crease: ahead on its backbone, the triangle is on the left of that.
+  Halfedge crease = h;
+  while (!this->isCrease(this->edge(crease)))
+  {
+    crease = this->next(this->opposite(crease));
+    if (crease == h)
+    {
+      return state.normal;
+    }
+  }
+  const int b = this->CreaseOf[this->edge(crease)];
+  const BackboneTrace& trace = this->Atlas->traces()[b];
+  if (this->Free[v] == Freedom::None)
+  {
+    const std::vector<Vertex>& chain = this->Chain[b];
+    const bool ahead = chain[0] == v && chain[1] == this->to(crease);
+    const auto place = trace.locate(ahead ? 0. : trace.length());
+    return this->Atlas->smoothNormal(trace.face(place, ahead ? 0 : 1));
+  }
+  const BackboneTrace::Place place = trace.locate(state.arcLength);
+  const Backbone& backbone = this->Atlas->graph().backbones[b];
+  const std::vector<Vec3>& points = this->Atlas->surface().points;
+  const Vec3 ahead = points[backbone.segmentEnd(static_cast<std::size_t>(place.segment))] -
+    points[backbone.points[static_cast<std::size_t>(place.segment)]];
+  const bool isLeft = ahead.dot(this->position(this->to(crease)) - state.position) > 0;
+  const bool hasLeft = state.place.face != trace.face(place, 1);
+  return isLeft == hasLeft ? state.normal : state.otherNormal;
 }
 
 double OptimizedMesh::normalAgreementOnCreases(
-  Vertex a, Vertex b, Vertex c, const Vec3& normal) const
+  const TriangleCorners& corners, const Vec3& normal) const
 {
-  double sum = 0;
-  int count = 0;
-  for (const Vertex v : { a, b, c })
+  Vec3 sum = Vec3::Zero();
+  for (const Halfedge h : corners)
   {
-    if (this->BackboneOf[v] >= 0)
-    {
-      sum += std::max(normal.dot(this->normal(v)), normal.dot(this->State[v].otherNormal));
-      ++count;
-    }
+    sum += this->normalBeside(h);
   }
   const double length = normal.norm();
-  return count > 0 && length > 0 ? sum / (count * length) : 1.;
+  return length > 0 ? sum.dot(normal) / (3. * length) : 1.;
 }
 }

@@ -45,6 +45,10 @@ struct VertexState : SurfacePoint
   Vec3 otherNormal = Vec3::Zero(); ///< on the other side of its backbone
 };
 
+/// A triangle that there is, or might be: for each vertex, a halfedge out of it whose triangle, to
+/// the left, lies between the same creases there.
+using TriangleCorners = std::array<Halfedge, 3>;
+
 /// Ascending, and each once.
 template <typename Id>
 void makeUnique(std::vector<Id>& ids)
@@ -87,12 +91,17 @@ public:
   bool isBoundary(Halfedge h) const { return this->Graph.is_boundary(raw(h)); }
   bool isBoundary(Vertex v) const { return this->Graph.is_boundary(raw(v)); }
   /// On a sharp or boundary backbone.
-  bool isCrease(Edge e) const { return this->Crease[e] != 0; }
+  bool isCrease(Edge e) const { return this->CreaseOf[e] >= 0; }
   /// Two triangles, and no crease: all that an edge needs to be swapped but for the geometry.
   bool isSwappable(Edge e) const { return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)); }
   /// No second edge between two vertices comes of swapping it.
   bool keepsManifold(Edge e) const { return this->Graph.is_flip_ok(raw(e)); }
   int valence(Vertex v) const;
+  TriangleCorners triangleCorners(Face f) const
+  {
+    const Halfedge h = this->halfedge(f);
+    return { { h, this->next(h), this->previous(h) } };
+  }
   std::array<Vertex, 3> corners(Face f) const
   {
     const Halfedge h = this->halfedge(f);
@@ -162,7 +171,7 @@ public:
   Vec3 faceNormal(Face f) const;
   double faceArea(Face f) const;
   SurfacePoint pointAt(const SurfacePlace& place) const;
-  /// Where a walk from a place along a vector of space ends.
+  /// Where a walk from a place along a vector of space ends: where it begins, if that is not finite.
   SurfacePoint walk(const SurfacePlace& from, const Vec3& step) const;
   /// The density is the same everywhere, but for coarse regions.
   bool uniform() const { return this->Field->uniform(); }
@@ -190,12 +199,14 @@ public:
   {
     return this->normalAgreement(a, b, c, normal, normal.norm());
   }
-  /// The same for a triangle whose vertices all lie on creases, where the surface has a normal on
-  /// each side: with the sides that agree most. 1 if they are all corners.
-  double normalAgreementOnCreases(Vertex a, Vertex b, Vertex c, const Vec3& normal) const;
-  /// The triangle (a, b, c) faces the way the surface does at its vertices, and is not degenerate.
-  bool isSound(Vertex a, Vertex b, Vertex c) const;
-  bool isSound(Face f) const;
+  /// The normal of the surface at a vertex on creases, between the two on either side of the
+  /// triangle to the left of the halfedge out of the vertex.
+  Vec3 normalBeside(Halfedge h) const;
+  /// normalAgreement() of a triangle whose vertices all lie on creases.
+  double normalAgreementOnCreases(const TriangleCorners& corners, const Vec3& normal) const;
+  /// The triangle faces the way the surface does at its vertices, and is not degenerate.
+  bool isSound(const TriangleCorners& corners) const;
+  bool isSound(Face f) const { return this->isSound(this->triangleCorners(f)); }
 
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
@@ -225,7 +236,7 @@ private:
   ElementArray<Vertex, VertexState> State;
   ElementArray<Vertex, Freedom> Free;
   ElementArray<Vertex, int> BackboneOf; // or -1
-  ElementArray<Edge, char> Crease;
+  ElementArray<Edge, int> CreaseOf; // the backbone that an edge is on, if it is a crease; else -1
   std::vector<std::vector<Vertex>> Chain;
 };
 }

@@ -93,20 +93,29 @@ int makeRibs(MeshEdit& edit)
   const auto mend = [&](const Tuning::RibEffort& effort, double angle, double share) {
     mended += mendAll(search, sides, { effort.sequences, effort.trials, angle, within(share) });
   };
+  const auto areMany = [&]() {
+    return Tuning::RibsOneInMany * numberLeft() > static_cast<std::ptrdiff_t>(sides.size());
+  };
   for (const double angle : Tuning::RibAngles)
   {
     mend(Tuning::SingleSwap, angle, 1.);
     mend(Tuning::BriefSearch, angle, 1.);
   }
-  for (const double angle : Tuning::LastRibAngles)
+  const double least = Tuning::RibAngles.back();
+  mend(Tuning::ThoroughSearch, least, 1.);
+  mend(Tuning::LongSearch, least, 1.);
+  if (areMany())
   {
-    mend(Tuning::ThoroughSearch, angle, 1.);
+    for (const Tuning::RibEffort& effort :
+      { Tuning::SingleSwap, Tuning::BriefSearch, Tuning::ThoroughSearch })
+    {
+      mend(effort, Tuning::LastRibAngle, 1.);
+    }
+    mend(Tuning::LongSearch, Tuning::LastRibAngle, Tuning::LastRibDistance);
   }
-  const double last = Tuning::LastRibAngles.back();
-  mend(Tuning::LongSearch, last, Tuning::LastRibDistance);
-  if (Tuning::RibsOneInMany * numberLeft() > static_cast<std::ptrdiff_t>(sides.size()))
+  if (areMany())
   {
-    mend(Tuning::LongestSearch, last, Tuning::LastRibDistance);
+    mend(Tuning::LongestSearch, Tuning::LastRibAngle, Tuning::LastRibDistance);
   }
   ProximityGuard guard(mesh, proximity, within(Tuning::RibEqualizingDistance));
   const std::vector<Vertex> about = withRings(mesh, search.moved(), Tuning::RibRings,

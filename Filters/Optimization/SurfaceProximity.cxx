@@ -154,8 +154,23 @@ double SurfaceProximity::distanceOfCrease(Edge e) const
     end += trace.length();
   }
   const Vec3& a = this->Mesh.position(crease.from);
-  const Vec3 along = this->Mesh.position(crease.to) - a;
-  const double square = along.squaredNorm();
+  const Vec3& b = this->Mesh.position(crease.to);
+  const auto distance = [&](const Vec3& p) {
+    double least = distanceToSegment(p, a, b);
+    for (int side = 0; side < 2; ++side)
+    {
+      const Halfedge h = this->Mesh.halfedge(e, side);
+      if (!this->Mesh.isBoundary(h))
+      {
+        const Vec3& c = this->Mesh.position(this->Mesh.apex(h));
+        const Vec3 bary = barycentricInSpace(p, a, b, c);
+        least = bary.allFinite() && bary.minCoeff() >= 0.
+          ? std::min(least, (bary[0] * a + bary[1] * b + bary[2] * c - p).norm())
+          : least;
+      }
+    }
+    return least;
+  };
   double largest = 0;
   // A closed one's last arc length is that of its first point.
   const int n = static_cast<int>(trace.arcLength.size());
@@ -166,9 +181,8 @@ double SurfaceProximity::distanceOfCrease(Edge e) const
     for (auto i = static_cast<int>(first - trace.arcLength.begin());
          i < n && trace.arcLength[i] + lap < end; ++i)
     {
-      const Vec3 d = surface.points[point[i % static_cast<int>(point.size())]] - a;
-      const double t = square > 0 ? std::clamp(d.dot(along) / square, 0., 1.) : 0.;
-      largest = std::max(largest, (d - t * along).norm());
+      largest =
+        std::max(largest, distance(surface.points[point[i % static_cast<int>(point.size())]]));
     }
   }
   return largest;

@@ -17,7 +17,8 @@ namespace stipple
 struct SurfaceDistances
 {
   double faces = 0;   ///< of the triangles' centroids and the edges' middles
-  double creases = 0; ///< from an edge along a crease to the crease's points between its ends
+  double creases = 0; ///< of a crease's points from the edge between its neighbours, or from that
+                      ///< edge's triangles
 };
 
 class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceProximity

@@ -18,6 +18,8 @@ struct Tuning
 
   // Rounding: what is nearer than this counts as equal.
   static constexpr double RoundingOfAngle = 1e-9;
+  /// Share of two folded triangles' area that a swap must take away: beyond rounding.
+  static constexpr double LeastGainOfArea = 1e-3;
   static constexpr double DelaunayTolerance = 1e-6;   ///< sine of the sum of opposite angles
   static constexpr double LeastGainOfAspect = 1e-9;   ///< share of area / perimeter^2
   static constexpr double ConstraintTolerance = 1e-8; ///< share of the diagonal: a point is one
@@ -119,6 +121,7 @@ struct Tuning
   static constexpr double GrowthByEmbedding = 1.2;
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
+  static constexpr int SwapsOfFan = 8;            ///< that join one vertex to others
   static constexpr double LeastGainOfFolds = 0.5; ///< of a triangle that is folded by 90 degrees
 
   // Bringing the mesh nearer (SurfaceError). rocker_arm at 5,000 points: Hausdorff distance .42 %
@@ -152,6 +155,8 @@ struct Tuning
   static constexpr double ShareOfOpening = 0.75;
   /// By how much more creases are opened than asked for: Lloyd's method is not exact there.
   static constexpr double AcuteMargin = 0.01;
+  /// Rounds after which corners are looked at again: the mesh has settled to what was asked.
+  static constexpr int AcuteInterval = 10;
   /// Spacing keeps its full growth over this part of it, then falls by this much a spacing: slowly
   /// enough for regular triangles, fast enough for even areas elsewhere.
   static constexpr double GrowthPlateau = 0.5;
@@ -164,9 +169,9 @@ struct Tuning
   static constexpr double LeastTurnedCosine = 0.5; ///< between a triangle before and after
 
   // Ribs (Ribs, RibSearch, SurfaceProximity); the table in Design.md.
-  static constexpr std::array<double, 4> RibAngles = { { 0.5, 0.43, 0.35, 0.26 } }; ///< in turn
-  /// Worth a thorough search. Where creases are one edge apart, nothing but the last will do.
-  static constexpr std::array<double, 2> LastRibAngles = { { 0.35, 0.26 } };
+  static constexpr std::array<double, 3> RibAngles = { { 0.5, 0.43, 0.35 } }; ///< in turn
+  /// Where creases are one edge apart, nothing else will do: if many sides are left.
+  static constexpr double LastRibAngle = 0.26;
   static constexpr int RibPasses = 10;
   /// Sequences of swaps that are looked at for a side, and tried out. Single swaps come first, for
   /// they are cheap, then what most sides are mended with. Longest searches are made where more
@@ -198,7 +203,7 @@ struct Tuning
   static constexpr double SafeAgreement = 0.7;
   /// Shares of the mesh's largest distance from the surface: what was found in vain may go a little
   /// farther at last; moves for the sake of quality may not go as far.
-  static constexpr double LastRibDistance = 1.3;
+  static constexpr double LastRibDistance = 1.2;
   static constexpr double RibEqualizingDistance = 0.8;
   static constexpr double PoorRibAngle = 0.43; ///< below, triangles are repaired where vertices
                                                ///< moved

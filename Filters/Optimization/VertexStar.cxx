@@ -80,21 +80,23 @@ private:
 };
 }
 
-double triangleQuality(const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c)
+double triangleQuality(const OptimizedMesh& mesh, const TriangleCorners& corners)
 {
+  const Vertex a = mesh.from(corners[0]);
+  const Vertex b = mesh.from(corners[1]);
+  const Vertex c = mesh.from(corners[2]);
   const int normals = mesh.isFree(a) + mesh.isFree(b) + mesh.isFree(c);
   const Vec3& p = mesh.position(a);
   const Vec3& q = mesh.position(b);
   const Vec3& r = mesh.position(c);
   return qualityOf(p, q, r, { { &normalOf(mesh, a), &normalOf(mesh, b), &normalOf(mesh, c) } },
-    normals, normals > 0 ? 1. : mesh.normalAgreementOnCreases(a, b, c, (q - p).cross(r - p)))
+    normals, normals > 0 ? 1. : mesh.normalAgreementOnCreases(corners, (q - p).cross(r - p)))
     .value();
 }
 
 double faceQuality(const OptimizedMesh& mesh, Face f)
 {
-  const auto [a, b, c] = mesh.corners(f);
-  return triangleQuality(mesh, a, b, c);
+  return triangleQuality(mesh, mesh.triangleCorners(f));
 }
 
 double worstQuality(const OptimizedMesh& mesh, const std::vector<Face>& faces)
@@ -123,8 +125,9 @@ VertexStar::VertexStar(const OptimizedMesh& mesh, Vertex v)
   mesh.forEachCorner(v, [&](Halfedge h) {
     const Vertex q = mesh.to(h);
     const Vertex r = mesh.apex(h);
-    this->Triangles.push_back({ mesh.position(q), mesh.position(r), normalOf(mesh, q),
-      normalOf(mesh, r), mesh.isFree(q) + mesh.isFree(r), { { q, r } } });
+    this->Triangles.push_back(
+      { mesh.position(q), mesh.position(r), normalOf(mesh, q), normalOf(mesh, r),
+        mesh.isFree(q) + mesh.isFree(r), { { h, mesh.next(h), mesh.previous(h) } } });
   });
 }
 
@@ -135,7 +138,7 @@ double VertexStar::normalAgreementOnCreases(const Triangle& t, const SurfacePoin
     return 1.;
   }
   const Vec3 normal = (t.q - there.position).cross(t.r - there.position);
-  return this->Mesh.normalAgreementOnCreases(this->V, t.ends[0], t.ends[1], normal);
+  return this->Mesh.normalAgreementOnCreases(t.corners, normal);
 }
 
 double VertexStar::quality(const SurfacePoint& there) const

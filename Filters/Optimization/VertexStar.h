@@ -12,7 +12,7 @@ namespace stipple
 /// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
 /// lower the farther.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(
-  const OptimizedMesh& mesh, Vertex a, Vertex b, Vertex c);
+  const OptimizedMesh& mesh, const TriangleCorners& corners);
 STIPPLEFILTERSOPTIMIZATION_EXPORT double faceQuality(const OptimizedMesh& mesh, Face f);
 /// The least of some triangles; 10 of none.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double worstQuality(
@@ -41,8 +41,8 @@ private:
     Vec3 r;
     Vec3 normalQ; ///< zero on a crease, where the surface has no one normal
     Vec3 normalR;
-    int normals;                ///< of q and r, those that are not on a crease
-    std::array<Vertex, 2> ends; ///< the vertices at q and r
+    int normals; ///< of q and r, those that are not on a crease
+    TriangleCorners corners;
   };
   /// OptimizedMesh's, if all three vertices are on creases; else 1.
   double normalAgreementOnCreases(const Triangle& t, const SurfacePoint& there) const;

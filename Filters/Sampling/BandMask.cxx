@@ -270,18 +270,18 @@ double BandMask::share(
       sum += wanted;
       if (Band band; this->isInBand(control, i, band))
       {
-        inBands += wanted * (band.whole ? 1. : this->partWithin(i, band.reach, image, half));
+        inBands +=
+          wanted * (band.whole ? 1. : this->partWithin(i, band.reach, image.centre(i), half));
       }
     }
   }
   return sum > 0 ? inBands / sum : 0.;
 }
 
-double BandMask::partWithin(
-  int pixel, double reach, const ControlImage& image, const Vec2& half) const
+double BandMask::partWithin(int pixel, double reach, const Vec2& middle, const Vec2& half) const
 {
   const FirstFundamentalForm& form = this->Forms[pixel];
-  const Vec2 away = Surroundings(this->Lines[this->Nearest[pixel]], form).away(image.centre(pixel));
+  const Vec2 away = Surroundings(this->Lines[this->Nearest[pixel]], form).away(middle);
   const double apart = std::sqrt(form.squared(away));
   const Vec2 slope = apart > 0 ? Vec2(form.times(away).cwiseAbs() / apart)
                                : Vec2(std::sqrt(form.E), std::sqrt(form.G));
@@ -315,23 +315,24 @@ void BandMask::closePixel(
   int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const
 {
   const Vec2 size(this->Image.extent.x() / raster.width, this->Image.extent.y() / raster.height);
-  const FirstFundamentalForm& form = this->Forms[pixel];
-  const Surroundings near(this->Lines[this->Nearest[pixel]], form);
-  const double squaredReach = band.reach * band.reach;
   for (int y = box.yBegin; y < box.yEnd; ++y)
   {
-    unsigned char* open = raster.open.data() + static_cast<std::size_t>(y) * raster.width;
+    unsigned char* part = raster.part.data() + static_cast<std::size_t>(y) * raster.width;
     if (band.whole)
     {
-      std::fill(open + box.xBegin, open + box.xEnd, 0);
+      std::fill(part + box.xBegin, part + box.xEnd, 0);
       continue;
     }
     for (int x = box.xBegin; x < box.xEnd; ++x)
     {
-      if (form.squared(near.away({ (x + 0.5) * size.x(), (y + 0.5) * size.y() })) < squaredReach)
+      if (part[x] == 0)
       {
-        open[x] = 0;
+        continue; // outside
       }
+      const Vec2 middle((x + 0.5) * size.x(), (y + 0.5) * size.y());
+      const double within = this->partWithin(pixel, band.reach, middle, 0.5 * size);
+      const auto left = static_cast<unsigned char>(InteriorRaster::Whole * (1. - within) + 0.5);
+      part[x] = within > 0.5 ? left | InteriorRaster::Blocked : left;
     }
   }
 }

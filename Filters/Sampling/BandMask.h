@@ -14,17 +14,27 @@
 
 namespace stipple
 {
-/// A chart's wanted samples, pixel by pixel: those of the control image, enlarged, but none along
-/// backbones and outside the boundary's polygon.
+/// A chart's wanted samples, pixel by pixel: those of the control image, enlarged, less what lies
+/// in the bands of backbones and outside the boundary's polygon.
 struct InteriorRaster
 {
+  /// A pixel that bands leave whole, and the mark of one that may hold no sample: what it wants is
+  /// for those beside it.
+  static constexpr unsigned char Whole = 127;
+  static constexpr unsigned char Blocked = 128;
+
   int width = 0;
   int height = 0;
   std::vector<int> column;         ///< of the control image, by column of the raster
   std::vector<int> row;            ///< and by row
-  std::vector<unsigned char> open; ///< 0 where no sample may be
+  std::vector<unsigned char> part; ///< that bands leave, in 127ths; and perhaps Blocked
   float toWanted = 0;              ///< control to samples a pixel
   double left = 0;                 ///< sum of what is wanted
+
+  bool mayHoldSample(std::size_t pixel) const
+  {
+    return this->part[pixel] > 0 && this->part[pixel] < Blocked;
+  }
 };
 
 /// How far a chart's pixels are from its backbones and constraints, on the surface: known once for
@@ -40,8 +50,9 @@ public:
   /// Whether it was built from an image like this one.
   bool fits(const ControlImage& image) const;
 
-  /// Closes the pixels of a raster that lie in the bands of backbones with these densities, for
-  /// samples of scale times the control; those that want nothing are left as they are.
+  /// Takes from the pixels of a raster what lies in the bands of backbones with these densities,
+  /// for samples of scale times the control, and blocks those whose middle does; those that want
+  /// nothing are left as they are.
   void close(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale,
     InteriorRaster& raster, const Stop& stop = {}) const;
   /// The part of the control that it would close, of an image without a raster.
@@ -72,9 +83,10 @@ private:
   struct Band;
   /// Whether a band touches a pixel, and which.
   bool isInBand(const Control& control, int pixel, Band& band) const;
-  /// The part of a pixel that is within reach of its line: as if that were straight.
-  double partWithin(int pixel, double reach, const ControlImage& image, const Vec2& half) const;
-  /// Closes what is in a box of the raster, that of a pixel, as far as a band reaches.
+  /// The part of a box around a place in a pixel that is within reach of the pixel's line: as if
+  /// that were straight.
+  double partWithin(int pixel, double reach, const Vec2& middle, const Vec2& half) const;
+  /// The same in a box of the raster, that of a pixel, as far as a band reaches.
   void closePixel(int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const;
 
   ControlImage Image; ///< its size only

@@ -58,9 +58,10 @@ int* diffuseRow(const float* wanted, const float* current, float* next, int widt
   for (int i = 0; i < width; ++i, x += step)
   {
     const float in = wanted[x];
-    const DiffusionCoefficients& c = coefficients(table, in * toIndex);
+    const float mass = std::abs(in);
+    const DiffusionCoefficients& c = coefficients(table, mass * toIndex);
     const float threshold = c.threshold + c.modulation * noise.next();
-    float error = in * scale + current[x] + carry;
+    float error = mass * scale + current[x] + carry;
     carry = error * c.right;
     // A sample is rare, so that the branch is predicted and the chain of dependent operations stays
     // short.
@@ -96,10 +97,11 @@ int* diffuseDenseRow(const float* wanted, const float* current, float* next, int
   for (int i = 0; i < width; ++i, x += step)
   {
     const float in = wanted[x];
-    const DiffusionCoefficients& c = coefficients(table, in * toIndex);
+    const float mass = std::abs(in);
+    const DiffusionCoefficients& c = coefficients(table, mass * toIndex);
     const float modulated = c.threshold + c.modulation * noise.next();
     const float threshold = in > 0 ? modulated : std::numeric_limits<float>::max();
-    __m128 error = _mm_add_ss(_mm_set_ss(in * scale + current[x]), carry);
+    __m128 error = _mm_add_ss(_mm_set_ss(mass * scale + current[x]), carry);
     const __m128 hit = _mm_cmpge_ss(error, _mm_set_ss(threshold));
     *hits = x;
     hits -= _mm_cvtsi128_si32(_mm_castps_si128(hit)); // a mask is -1

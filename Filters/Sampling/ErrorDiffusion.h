@@ -24,8 +24,8 @@ struct ErrorDiffusionOptions
 using WantedRow = std::function<const float*(int y)>;
 
 /// The pixels (row-major indices, ascending) that become samples. wanted gives the samples that
-/// each of the width x height pixels wants, at most one; where it is zero no sample ever falls, and
-/// the error passes on.
+/// each of the width x height pixels wants, at most one. Where it is zero no sample ever falls, and
+/// the error passes on; nor where it is negative, and what passes on grows by as much.
 ///
 /// The paper runs over a flipped copy of the image first, so that the errors are in their steady
 /// state when row 0 begins and no dead zone shows. Here the thresholds make zero the mean of the

@@ -41,12 +41,29 @@ std::vector<int> nearestPixels(int n, int enlarged)
 }
 }
 
+std::vector<InteriorSampler::Overlap> InteriorSampler::overlaps(int n, int enlarged)
+{
+  std::vector<Overlap> result(static_cast<std::size_t>(enlarged));
+  const double length = static_cast<double>(n) / enlarged; // at most one
+  for (int i = 0; i < enlarged; ++i)
+  {
+    const double begin = i * length;
+    const int first = std::min(n - 1, static_cast<int>(begin));
+    const double part = std::min(1., (first + 1 - begin) / length);
+    // But for rounding
+    const bool whole = part > 1. - 1e-6 || first + 1 == n;
+    result[i] = { first, whole ? first : first + 1, whole ? 1.f : static_cast<float>(part) };
+  }
+  return result;
+}
+
 InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-  const ChartGraph& graph, double scale)
+  const ChartGraph& graph, const std::vector<Sample>& samples, double scale)
   : Domain(domain)
   , Chart(chart)
   , Image(image)
   , Graph(graph)
+  , Samples(samples)
   , Scale(scale)
 {
 }
@@ -122,8 +139,10 @@ void InteriorSampler::prepare(double factor, const BandMask& bands,
   r.height = static_cast<int>(std::ceil(this->Image.height * factor));
   r.column = nearestPixels(this->Image.width, r.width);
   r.row = nearestPixels(this->Image.height, r.height);
-  this->EnlargedRow = -1;
-  r.open.assign(static_cast<std::size_t>(r.width) * r.height, 1);
+  this->Columns = overlaps(this->Image.width, r.width);
+  this->Rows = overlaps(this->Image.height, r.height);
+  this->EnlargedRow = { { -1, -1 } };
+  r.part.assign(static_cast<std::size_t>(r.width) * r.height, InteriorRaster::Whole);
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
@@ -137,30 +156,44 @@ void InteriorSampler::prepare(double factor, const BandMask& bands,
 
 void InteriorSampler::release()
 {
-  std::vector<unsigned char>().swap(this->Raster.open);
+  std::vector<unsigned char>().swap(this->Raster.part);
+}
+
+const float* InteriorSampler::enlargedRow(int row)
+{
+  // Rows of an enlarged image come several times, two at a time.
+  std::vector<float>& enlarged = this->Enlarged[row % 2];
+  if (this->EnlargedRow[row % 2] != row)
+  {
+    this->EnlargedRow[row % 2] = row;
+    const InteriorRaster& r = this->Raster;
+    enlarged.resize(static_cast<std::size_t>(r.width));
+    const float* in = this->Image.control + static_cast<std::size_t>(row) * this->Image.width;
+    for (int x = 0; x < r.width; ++x)
+    {
+      const Overlap& o = this->Columns[x];
+      enlarged[x] =
+        (o.part * std::max(0.f, in[o.first]) + (1.f - o.part) * std::max(0.f, in[o.second])) *
+        r.toWanted;
+    }
+  }
+  return enlarged.data();
 }
 
 void InteriorSampler::fillRow(int y, std::vector<float>& wanted)
 {
   const InteriorRaster& r = this->Raster;
-  // Rows of an enlarged image come several times.
-  if (this->EnlargedRow != r.row[y])
-  {
-    this->EnlargedRow = r.row[y];
-    this->Enlarged.resize(static_cast<std::size_t>(r.width));
-    const float* in = this->Image.control + static_cast<std::size_t>(r.row[y]) * this->Image.width;
-    for (int x = 0; x < r.width; ++x)
-    {
-      this->Enlarged[x] = std::max(0.f, in[r.column[x]]) * r.toWanted;
-    }
-  }
-  const unsigned char* open = r.open.data() + static_cast<std::size_t>(y) * r.width;
-  const float* enlarged = this->Enlarged.data();
+  const Overlap& rows = this->Rows[y];
+  const float* first = this->enlargedRow(rows.first);
+  const float* second = this->enlargedRow(rows.second);
+  const unsigned char* part = r.part.data() + static_cast<std::size_t>(y) * r.width;
   float* out = wanted.data();
   for (int x = 0; x < r.width; ++x)
   {
-    const float v = enlarged[x];
-    out[x] = open[x] ? v : 0.f;
+    const float v = rows.part * first[x] + (1.f - rows.part) * second[x];
+    constexpr float toShare = 1.f / InteriorRaster::Whole;
+    const float share = toShare * static_cast<float>(part[x] % InteriorRaster::Blocked);
+    out[x] = part[x] < InteriorRaster::Blocked ? share * v : -share * v;
   }
 }
 
@@ -202,7 +235,7 @@ void InteriorSampler::maskOutside()
       end = std::min(end, r.width);
       if (begin < end)
       {
-        std::fill_n(r.open.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0);
+        std::fill_n(r.part.data() + static_cast<std::size_t>(y) * r.width + begin, end - begin, 0);
       }
     }
   }
@@ -230,16 +263,19 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b)
     const double crossing = begin[minor] + t * step[minor];
     for (int i = pixelOf(crossing - 1., minor); i <= pixelOf(crossing + 1., minor); ++i)
     {
-      unsigned char& open = r.open[major == 0 ? static_cast<std::size_t>(i) * r.width + line
+      unsigned char& part = r.part[major == 0 ? static_cast<std::size_t>(i) * r.width + line
                                               : static_cast<std::size_t>(line) * r.width + i];
-      if (!open)
+      if (part == 0 || part >= InteriorRaster::Blocked)
       {
         continue; // as nearly all are, in a band
       }
       Vec2 middle;
       middle[major] = line + 0.5;
       middle[minor] = i + 0.5;
-      open = distanceToSegment(middle, begin, Vec2(begin + step)) < Constants::Touching ? 0 : 1;
+      if (distanceToSegment(middle, begin, Vec2(begin + step)) < Constants::Touching)
+      {
+        part |= InteriorRaster::Blocked;
+      }
     }
   }
 }
@@ -258,12 +294,12 @@ void InteriorSampler::sumLeft(const Stop& stop)
     {
       for (int k = 0; k < 4; ++k)
       {
-        sum[k] += row[x + k];
+        sum[k] += std::abs(row[x + k]);
       }
     }
     for (; x < r.width; ++x)
     {
-      sum[0] += row[x];
+      sum[0] += std::abs(row[x]);
     }
     r.left += (static_cast<double>(sum[0]) + sum[1]) + (static_cast<double>(sum[2]) + sum[3]);
   }
@@ -314,10 +350,14 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, con
   {
     places.push_back(this->centre(pixel));
   }
+  const ChordDistance chords(this->Domain.surface(), this->Graph, this->Samples);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](const Vec2& uv) { return this->isTooNear(chords, uv); }),
+    places.end());
   const int missing = count - static_cast<int>(places.size());
   if (missing > 0)
   {
-    this->add(places, missing);
+    this->add(chords, places, missing);
   }
   else if (missing < 0)
   {
@@ -346,7 +386,21 @@ NeighbourGrid InteriorSampler::gridOf(const std::vector<Vec2>& places) const
   return grid;
 }
 
-void InteriorSampler::add(std::vector<Vec2>& places, int count)
+bool InteriorSampler::isTooNear(const ChordDistance& chords, const Vec2& uv) const
+{
+  const int pixel = this->Image.pixelAt(uv);
+  const int first = this->Domain.surface().chartBegin[this->Chart];
+  const int start = this->Image.faceIndex ? this->Image.faceIndex[pixel] : 0;
+  int face = 0;
+  Vec3 bary;
+  locate(this->Domain.surface(), this->Chart, uv, first + std::max(0, start), face, bary);
+  const double near = Constants::NearestChord * Constants::NearestChord * BandLimit;
+  return chords.squared(this->Domain.surface().position(face, bary)) * this->Scale *
+    this->Image.density(pixel) <
+    near;
+}
+
+void InteriorSampler::add(const ChordDistance& chords, std::vector<Vec2>& places, int count)
 {
   // Candidates are taken each time the running sum of what is wanted passes a step, so that they
   // are as dense as the samples: six a sample, or a hundred for each sample to add if that is less.
@@ -367,7 +421,7 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count)
       float part[4] = { 0, 0, 0, 0 };
       for (int x = begin; x < end; ++x)
       {
-        part[x % 4] += row[x];
+        part[x % 4] += std::max(0.f, row[x]);
       }
       const double next = sum + ((part[0] + part[1]) + (part[2] + part[3]));
       if (next < step)
@@ -377,8 +431,8 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count)
       }
       for (int x = begin; x < end; ++x)
       {
-        sum += row[x];
-        if (sum >= step)
+        sum += std::max(0.f, row[x]);
+        if (sum >= step && row[x] > 0)
         {
           sum = sum < 2. * step ? sum - step : 0.;
           const int pixel = y * r.width + x;
@@ -396,7 +450,7 @@ void InteriorSampler::add(std::vector<Vec2>& places, int count)
     holes.pop();
     const Vec2 p = this->centre(top.index);
     const double away = grid.nearest(p);
-    if (away < closest)
+    if (away < closest || this->isTooNear(chords, p))
     {
       continue;
     }

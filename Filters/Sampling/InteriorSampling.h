@@ -5,21 +5,25 @@
 #define stipple_InteriorSampling_h
 
 #include "BandMask.h"
+#include "ChordDistance.h"
 #include "ControlImage.h"
 #include "DiffusionCoefficients.h"
 #include "NeighbourGrid.h"
 #include "ReportingThread.h"
 #include "SamplingDomain.h"
 
+#include <array>
+#include <vector>
+
 namespace stipple
 {
 class STIPPLEFILTERSSAMPLING_EXPORT InteriorSampler
 {
 public:
-  /// All arguments are borrowed; scale times control is the wanted samples per unit of parameter
-  /// area.
+  /// The graph's vertices are numbers of samples. All arguments are borrowed; scale times control
+  /// is the wanted samples per unit of parameter area.
   InteriorSampler(const SamplingDomain& domain, int chart, const ControlImage& image,
-    const ChartGraph& graph, double scale);
+    const ChartGraph& graph, const std::vector<Sample>& samples, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
   /// (but for spikes, see SamplingConstants::LargestForAll), in quarters; it may be beyond the
@@ -37,19 +41,31 @@ public:
   /// Gives the raster's memory back; sample() needs another prepare().
   void release();
 
-  /// Exactly `count` places, in parameters: scaled error diffusion, and then samples are added
-  /// where the hole is largest, or removed where two are closest, in terms of the wanted spacing.
+  /// Exactly `count` places, in parameters: scaled error diffusion, less what lies too near to
+  /// chords between samples on backbones: where a map is far denser than its pixels, their middles
+  /// may. Then samples are added where the hole is largest, or removed where two are closest, in
+  /// terms of the wanted spacing.
   std::vector<Vec2> sample(int count, DiffusionMethod method, const Stop& stop = {});
 
 private:
   void maskOutside();
   void maskSegment(const Vec2& a, const Vec2& b);
   void sumLeft(const Stop& stop);
-  /// What the pixels of a row want.
+  /// What a pixel of the raster covers in a direction: pixels of the image, two at most.
+  struct Overlap
+  {
+    int first;
+    int second; ///< maybe the first
+    float part; ///< of the pixel that is the first's
+  };
+  static std::vector<Overlap> overlaps(int n, int enlarged);
+  const float* enlargedRow(int row);
+  /// What the pixels of a row want; negative where it is for those beside them.
   void fillRow(int y, std::vector<float>& wanted);
   Vec2 centre(int pixel) const;
   double control(const Vec2& uv) const;
-  void add(std::vector<Vec2>& places, int count);
+  bool isTooNear(const ChordDistance& chords, const Vec2& uv) const;
+  void add(const ChordDistance& chords, std::vector<Vec2>& places, int count);
   void addInGaps(std::vector<Vec2>& places, int count);
   void remove(std::vector<Vec2>& places, int count) const;
   NeighbourGrid gridOf(const std::vector<Vec2>& places) const;
@@ -59,10 +75,14 @@ private:
   const int Chart;
   const ControlImage& Image;
   const ChartGraph& Graph;
+  const std::vector<Sample>& Samples;
   const double Scale;
   InteriorRaster Raster;
-  std::vector<float> Enlarged; // what the raster's pixels want in a row of the image
-  int EnlargedRow = -1;
+  std::vector<Overlap> Columns;
+  std::vector<Overlap> Rows;
+  // What the raster's pixels want in two rows of the image, an even and an odd one.
+  std::array<std::vector<float>, 2> Enlarged;
+  std::array<int, 2> EnlargedRow = { { -1, -1 } };
 };
 
 /// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its

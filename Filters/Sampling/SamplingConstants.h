@@ -24,6 +24,9 @@ struct SamplingConstants
   static constexpr int MostFaces = 300;
   /// Distance between two sections across a backbone, in spacings of its samples.
   static constexpr double StepInSpacings = 0.6;
+  /// What is nearer to a chord between samples on a backbone, in halves of a row, is no place for a
+  /// sample: as far as a chord may well be from its backbone, within its band.
+  static constexpr double NearestChord = 0.5;
 
   // Rasters inside charts.
 

@@ -247,8 +247,8 @@ Status Sampling::makeSamplers()
   for (std::size_t c = 0; c < this->Images.size(); ++c)
   {
     const ControlImage& image = this->Images[c];
-    this->Samplers.emplace_back(
-      this->Domain, static_cast<int>(c), image, this->Valid.graphs[c], this->Scale);
+    this->Samplers.emplace_back(this->Domain, static_cast<int>(c), image, this->Valid.graphs[c],
+      this->Valid.samples, this->Scale);
     const double factor = InteriorSampler::upsampling(image, this->Scale, this->Mass[c]);
     if (!InteriorSampler::withinLimits(image, factor))
     {

@@ -44,7 +44,7 @@ InteriorRaster enlarged(const ControlImage& image, int factor)
   {
     raster.row.push_back(y / factor);
   }
-  raster.open.assign(static_cast<std::size_t>(raster.width) * raster.height, 1);
+  raster.part.assign(static_cast<std::size_t>(raster.width) * raster.height, InteriorRaster::Whole);
   return raster;
 }
 
@@ -100,7 +100,7 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
         image.density(coarse) * scale / BandLimit;
       ++pixels;
       closed += depth < 1.;
-      wrong += std::abs(depth - 1.) > 1e-3 && (depth < 1.) == (raster.open[i] != 0);
+      wrong += std::abs(depth - 1.) > 1e-3 && (depth < 1.) == raster.mayHoldSample(i);
     }
   }
   EXPECT_GT(closed, pixels / 10);

@@ -255,7 +255,7 @@ TEST(ChartRegions, AreDividedAndMerged)
   regions.clearChanges(1);
   regions.splitEdge(grid.halfedge(grid.point(3, 0), grid.point(3, 1)), 0.5);
   const std::vector<int> right = regions.faces(2);
-  regions.merge(0, 1);
+  regions.merge(0, 1, regions.arcs(0, 1).front());
   EXPECT_EQ(regions.size(), 2);
   expectConsistent(regions);
   EXPECT_EQ(regions.faces(1), right) << "the last takes the number that became free";
@@ -264,7 +264,7 @@ TEST(ChartRegions, AreDividedAndMerged)
   EXPECT_TRUE(regions.isReshaped(0));
   EXPECT_EQ(grid.numberOfInnerCuts(), 2) << "only the cuts between the two are closed";
   EXPECT_DOUBLE_EQ(regions.area(0), 4.);
-  regions.merge(0, 1);
+  regions.merge(0, 1, regions.arcs(0, 1).front());
   EXPECT_EQ(regions.size(), 1);
   EXPECT_EQ(grid.numberOfInnerCuts(), 0);
   expectConsistent(regions);

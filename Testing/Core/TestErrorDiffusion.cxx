@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <random>
@@ -215,6 +216,20 @@ TEST(ErrorDiffusion, FollowsAGradient)
     }
     EXPECT_NEAR(got[k], mass, 0.03 * mass + 0.8 * std::sqrt(mass)) << k;
   }
+}
+
+TEST(ErrorDiffusion, WhatIsNegativeIsForThoseBesideIt)
+{
+  // Every fourth column holds none of what it wants.
+  constexpr double Level = 0.05;
+  std::vector<float> wanted(Size * Size, static_cast<float>(Level));
+  for (int i = 0; i < Size * Size; i += 4)
+  {
+    wanted[i] = -wanted[i];
+  }
+  const std::vector<int> samples = halftone(wanted);
+  EXPECT_TRUE(std::none_of(samples.begin(), samples.end(), [](int i) { return i % 4 == 0; }));
+  EXPECT_NEAR(fill(samples, Level, 0, Size), 1., 0.005) << "nothing is lost";
 }
 
 TEST(ErrorDiffusion, TinyImages)

@@ -228,7 +228,7 @@ TEST(AcuteCorners, SpacingGrowsUntilTheSidesAreFarEnoughApart)
     const double distance = arc / spacing;
     ASSERT_GT(distance, 1.) << "or there were nothing to find";
     ASSERT_LT(distance, Tuning::FarthestOpening);
-    const CoarseRegions regions = findAcuteCorners(mesh, angle);
+    const CoarseRegions regions = AcuteCorners(mesh, angle).regions(mesh);
     ASSERT_EQ(regions.size(), 1U) << "no other corner is acute";
     const double growth = regions.growthAt(tip, Vec3::Zero());
     EXPECT_GT(growth, 1. + Tuning::ShareOfOpening * (distance - 1.) - 0.01) << angle;
@@ -238,15 +238,40 @@ TEST(AcuteCorners, SpacingGrowsUntilTheSidesAreFarEnoughApart)
   }
 }
 
+TEST(AcuteCorners, WhatACornerLacksIsAskedForOnTop)
+{
+  const auto t = horn(24);
+  const Face tip(t->mesh.place(Vertex(0)).face);
+  const auto growth = [&](const AcuteCorners& corners) {
+    return corners.regions(t->mesh).growthAt(tip, Vec3::Zero());
+  };
+  // The mesh is as it was: its corner is sharper than both.
+  AcuteCorners corners(t->mesh, 0.26);
+  const double first = growth(corners);
+  corners.correct(t->mesh);
+  const double second = growth(corners);
+  EXPECT_GT(second, first);
+  for (int i = 0; i < 100; ++i)
+  {
+    corners.correct(t->mesh);
+  }
+  const double most = growth(corners);
+  EXPECT_GE(most, second);
+  EXPECT_LE(most, 1. + Tuning::ShareOfOpening * (Tuning::FarthestOpening - 1.))
+    << "not without end";
+}
+
 TEST(AcuteCorners, StayWhereGrowthIsNoHelpOrNotNeeded)
 {
   const auto t = horn(24);
-  EXPECT_EQ(findAcuteCorners(t->mesh, 2. * std::atan(Slope)).size(), 0U) << "they are open";
-  EXPECT_EQ(findAcuteCorners(t->mesh, 0.8).size(), 0U) << "they open too far out";
+  EXPECT_EQ(AcuteCorners(t->mesh, 2. * std::atan(Slope)).regions(t->mesh).size(), 0U)
+    << "they are open";
+  EXPECT_EQ(AcuteCorners(t->mesh, 0.8).regions(t->mesh).size(), 0U) << "they open too far out";
   const auto square = corner(24, [](double u, double v) { return Vec3(u, v, 0); });
-  EXPECT_EQ(findAcuteCorners(square->mesh, 1.5).size(), 0U);
+  EXPECT_EQ(AcuteCorners(square->mesh, 1.5).regions(square->mesh).size(), 0U);
   const auto wedge = corner(24, [](double u, double v) { return Vec3(u + v, 0.2 * (v - u), 0); });
-  EXPECT_EQ(findAcuteCorners(wedge->mesh, 0.5).size(), 0U) << "straight sides never open";
+  EXPECT_EQ(AcuteCorners(wedge->mesh, 0.5).regions(wedge->mesh).size(), 0U)
+    << "straight sides never open";
 }
 
 TEST(AcuteCorners, TheOptimizerObeysThem)

@@ -7,6 +7,7 @@
 #include "OptimizerMeshes.h"
 #include "SurfaceViews.h"
 
+#include <limits>
 #include <set>
 
 using namespace stipple;
@@ -73,9 +74,13 @@ TEST(OptimizedMesh, RefusesWhatIsNoMeshOfTheAtlas)
 TEST(OptimizedMesh, FoldsAreNotSound)
 {
   const auto t = meshes::patch(4);
-  EXPECT_TRUE(t->mesh.isSound(Vertex(12), Vertex(13), Vertex(18)));
-  EXPECT_FALSE(t->mesh.isSound(Vertex(12), Vertex(18), Vertex(13))) << "it faces away";
-  EXPECT_FALSE(t->mesh.isSound(Vertex(11), Vertex(12), Vertex(13))) << "it has no height";
+  const auto isSound = [&](int a, int b, int c) {
+    return t->mesh.isSound({ { t->mesh.halfedge(Vertex(a)), t->mesh.halfedge(Vertex(b)),
+      t->mesh.halfedge(Vertex(c)) } });
+  };
+  EXPECT_TRUE(isSound(12, 13, 18));
+  EXPECT_FALSE(isSound(12, 18, 13)) << "it faces away";
+  EXPECT_FALSE(isSound(11, 12, 13)) << "it has no height";
 }
 
 TEST(OptimizedMesh, HalfedgesGoRoundTrianglesAndVertices)
@@ -140,6 +145,9 @@ TEST(OptimizedMesh, WalksStayOnTheSurface)
   const auto t = meshes::patch(4);
   const OptimizedMesh& mesh = t->mesh;
   EXPECT_TRUE(mesh.uniform());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(mesh.walk(mesh.place(Vertex(12)), Vec3(nan, 0, 0)).position, mesh.position(Vertex(12)))
+    << "no direction";
   const SurfacePoint there = mesh.walk(mesh.place(Vertex(12)), Vec3(0.21, -0.13, 0.4));
   EXPECT_LT((there.position - Vec3(0.71, 0.37, 0)).norm(), 1e-14) << "in the tangent plane";
   EXPECT_EQ(there.normal, Vec3(0, 0, 1));
@@ -175,12 +183,18 @@ TEST(OptimizedMesh, SharpEdgesHaveANormalOnEachSide)
       EXPECT_NEAR(s.arcLength, (s.position - mesh.position(chain[0])).norm(), 1e-12);
       EXPECT_NEAR(s.normal.dot(s.otherNormal), 0., 1e-12);
       EXPECT_NEAR(s.normal.norm() + s.otherNormal.norm(), 2., 1e-12);
-      // Both sides agree with their own normal, and with what lies between them half.
+      // On a side triangles agree with its normal, and not at all with the other side's.
       const Vertex v = chain[i];
-      EXPECT_NEAR(mesh.normalAgreementOnCreases(v, v, v, 3. * s.normal), 1., 1e-12);
-      EXPECT_NEAR(mesh.normalAgreementOnCreases(v, v, v, s.otherNormal), 1., 1e-12);
-      EXPECT_NEAR(
-        mesh.normalAgreementOnCreases(v, v, v, s.normal + s.otherNormal), std::sqrt(0.5), 1e-12);
+      mesh.forEachCorner(v, [&](Halfedge h) {
+        const Vec3 beside = mesh.normalBeside(h);
+        EXPECT_NEAR(beside.dot(mesh.faceNormal(mesh.face(h))), 1., 1e-12);
+        EXPECT_TRUE(beside == s.normal || beside == s.otherNormal);
+        const TriangleCorners corners = { { h, h, h } };
+        const Vec3 across = s.normal + s.otherNormal - beside;
+        EXPECT_NEAR(mesh.normalAgreementOnCreases(corners, 3. * beside), 1., 1e-12);
+        EXPECT_NEAR(mesh.normalAgreementOnCreases(corners, across), 0., 1e-12);
+        EXPECT_NEAR(mesh.normalAgreementOnCreases(corners, beside + across), std::sqrt(0.5), 1e-12);
+      });
       EXPECT_EQ(mesh.normalAgreement(v, v, v, -s.normal), 1.) << "which asks no crease";
     }
   }

@@ -4,6 +4,9 @@
 #include "SyntheticControl.h"
 
 #include "BackboneSampling.h"
+#include "BandMask.h"
+#include "ChordDistance.h"
+#include "InteriorSampling.h"
 
 #include "vtkSMPTools.h"
 
@@ -486,6 +489,26 @@ TEST(SurfaceSampler, BackboneWithoutANodeIsRefused)
   EXPECT_NE(status.message().find("Backbone 2 has no node"), std::string::npos) << status.message();
 }
 
+namespace
+{
+/// However a control image is enlarged, it wants as much, less what lies in the bands.
+void leavesTheSame(const Fixture& f, const ControlImage& image, double scale)
+{
+  BandMask bands;
+  bands.build(f.sampler.domain(), 0, image);
+  const auto densities = uniformBackboneDensities(f.sampler.domain());
+  const ChartGraph graph; // no segments
+  const double inside =
+    controlMass(image).total * scale * (1. - bands.share(image, densities, scale));
+  for (const double factor : { 1., 1.25, 1.5, 1.75, 2., 3. })
+  {
+    InteriorSampler sampler(f.sampler.domain(), 0, image, graph, {}, scale);
+    sampler.prepare(factor, bands, densities);
+    EXPECT_NEAR(sampler.left(), inside, 0.01 * inside) << factor;
+  }
+}
+}
+
 TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
 {
   Fixture f;
@@ -518,10 +541,45 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
         << samples << " of " << spike;
       const double least = std::sqrt(2. * mass.largest * scale * image.pixelArea());
       EXPECT_LT(factor, least + (spike > 0 ? 1. : 0.25)) << "no more pixels than that takes";
+      if (samples < 10000.)
+      {
+        leavesTheSame(f, image, scale);
+      }
       if (samples < 1000. && InteriorSampler::withinLimits(image, factor))
       {
         expectSound(f.sample(maps, static_cast<int>(samples)), f, static_cast<int>(samples));
       }
     }
   }
+}
+
+TEST(ChordDistance, IsThatFromTheNearestSegmentInSpace)
+{
+  Fixture f;
+  flatSquare(f.builder, 8);
+  f.take();
+  const AtlasSurface& surface = f.surface();
+  std::vector<Sample> samples(3);
+  const std::array<Vec2, 3> corner = { { { 0, 0 }, { 1, 0 }, { 1, 1 } } };
+  ChartGraph graph;
+  for (int i = 0; i < 3; ++i)
+  {
+    Sample& s = samples[static_cast<std::size_t>(2 - i)]; // numbers are the samples'
+    locate(surface, 0, corner[i].cwiseProduct(surface.extent[0]), 0, s.face, s.bary);
+    graph.vertices.push_back({ 2 - i, corner[i] });
+  }
+  const auto position = [&](int i) {
+    return surface.position(samples[2 - i].face, samples[2 - i].bary);
+  };
+  const Vec3 a = position(0);
+  const Vec3 b = position(1);
+  const Vec3 up(0, 0, 0.3);
+  EXPECT_GT(ChordDistance(surface, graph, samples).squared(a), 1e100) << "there are no chords";
+  EXPECT_GT(ChordDistance(surface, {}, samples).squared(a), 1e100);
+  graph.segments.push_back({ 0, 1, 0, 0, true });
+  graph.segments.push_back({ 1, 2, 0, 1, true });
+  const ChordDistance chords(surface, graph, samples);
+  EXPECT_NEAR(chords.squared(0.3 * a + 0.7 * b + up), 0.09, 1e-12);
+  EXPECT_NEAR(chords.squared(a - 0.4 * (b - a)), 0.16 * (b - a).squaredNorm(), 1e-12);
+  EXPECT_NEAR(chords.squared(0.5 * (position(1) + position(2)) + up), 0.09, 1e-12);
 }
