@@ -196,8 +196,7 @@ private:
 
   bool improve(Face f)
   {
-    bool helped =
-      this->MaySwap && (this->improveBySwap(f) || (this->isFolded(f) && this->unfoldByFan(f)));
+    bool helped = this->MaySwap && (this->improveBySwap(f) || this->unfoldByFan(f));
     if (helped && !this->isBad(f))
     {
       return true;
@@ -268,13 +267,19 @@ private:
       (1. - Tuning::LeastGainOfArea) * (area(a, b, c) + area(b, a, d));
   }
   /// Joins a corner to more and more vertices beyond its opposite edge: about the tip of a slot,
-  /// the triangles that close the gap on one side of it are to be found on the other.
+  /// the triangles that close the gap on one side of it are to be found on the other. Only for
+  /// swaps alone: once vertices have moved, folds are theirs, and undone by placing them anew.
   bool unfoldByFan(Face f)
   {
+    if (this->MayMove || !this->isFolded(f))
+    {
+      return false;
+    }
     for (const Vertex v : this->Mesh.corners(f))
     {
       std::map<Face, double> before;
       std::vector<Vertex> changed = { v };
+      std::vector<Vertex> joined;
       const auto fan = [&]() {
         for (int swaps = 0; swaps < Tuning::SwapsOfFan; ++swaps)
         {
@@ -291,6 +296,7 @@ private:
           }
           const auto quad = this->Mesh.wingVertices(e);
           changed.insert(changed.end(), quad.begin(), quad.end());
+          joined.push_back(quad[2] == v ? quad[3] : quad[2]);
           this->Edit.flip(e);
           double gain = 0;
           for (const auto& [g, quality] : before)
@@ -299,7 +305,8 @@ private:
           }
           if (gain > Tuning::LeastGainOfFolds)
           {
-            return true;
+            return std::all_of(
+              joined.begin(), joined.end(), [&](Vertex u) { return this->liesOnSurface(u, v); });
           }
         }
         return false;
@@ -311,6 +318,15 @@ private:
       }
     }
     return false;
+  }
+  /// Whether an edge would run along the surface: a walk of its length and direction then ends near
+  /// its end. (From creases, walks may begin on the wrong side.)
+  bool liesOnSurface(Vertex from, Vertex to) const
+  {
+    const Vec3 step = this->Mesh.position(to) - this->Mesh.position(from);
+    return !this->Mesh.isFree(from) ||
+      (this->Mesh.walk(this->Mesh.place(from), step).position - this->Mesh.position(to)).norm() <=
+      Tuning::FarthestOffEdge * step.norm();
   }
   /// Of the folded triangles about a vertex the worst, by its halfedge out of the vertex.
   Halfedge worstFoldedAt(Vertex v) const

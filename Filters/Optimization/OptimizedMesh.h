@@ -171,7 +171,8 @@ public:
   Vec3 faceNormal(Face f) const;
   double faceArea(Face f) const;
   SurfacePoint pointAt(const SurfacePlace& place) const;
-  /// Where a walk from a place along a vector of space ends: where it begins, if that is not finite.
+  /// Where a walk from a place along a vector of space ends: where it begins, if that is not
+  /// finite.
   SurfacePoint walk(const SurfacePlace& from, const Vec3& step) const;
   /// The density is the same everywhere, but for coarse regions.
   bool uniform() const { return this->Field->uniform(); }

@@ -121,6 +121,7 @@ struct Tuning
   static constexpr double GrowthByEmbedding = 1.2;
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
+  static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air
   static constexpr int SwapsOfFan = 8;            ///< that join one vertex to others
   static constexpr double LeastGainOfFolds = 0.5; ///< of a triangle that is folded by 90 degrees
 
