@@ -157,16 +157,13 @@ std::optional<SeamArc> onlySeam(const ChartRegions& regions, int a, int b)
 /// The longest seam between two regions that is not the whole boundary of both.
 std::optional<SeamArc> longestOpenSeam(const ChartRegions& regions, int a, int b)
 {
-  std::vector<SeamArc> arcs = regions.arcs(a, b);
-  const auto longest =
-    std::max_element(arcs.begin(), arcs.end(), [&](const SeamArc& x, const SeamArc& y) {
-      return x.length(regions.surface()) < y.length(regions.surface());
-    });
-  if (longest == arcs.end() || longest->closed)
+  const std::vector<SeamArc> arcs = regions.arcs(a, b);
+  if (arcs.empty())
   {
     return {};
   }
-  return std::move(*longest);
+  const SeamArc& arc = longest(regions.surface(), arcs);
+  return arc.closed ? std::nullopt : std::make_optional(arc);
 }
 
 /// Merges neighbours, the pair of least area first, down to a number of regions or as far as
@@ -582,15 +579,20 @@ private:
     const ConformalMap& map = this->Merged.map;
     const CutSurface& surface = this->Regions.surface();
     const double bound = this->Options.maximumDensityRatio;
-    if (!map.valid || map.densityRatio > bound || !seam.isSharp(surface))
+    if (!map.valid || map.densityRatio > bound)
     {
-      return map.valid && map.densityRatio <= bound;
+      return false;
+    }
+    if (!seam.isSharp(surface))
+    {
+      return true;
     }
     const auto quantile = [&](const FlatChart& chart) {
       return densityQuantile(surface, chart.mesh, chart.map, 0.1 * NegligibleArea);
     };
-    return quantile(this->Merged) <=
-      std::max({ 0.3 * bound, quantile(this->Charts[a]), quantile(this->Charts[b]) });
+    const double merged = quantile(this->Merged);
+    return merged <= 0.3 * bound || merged <= quantile(this->Charts[a]) ||
+      merged <= quantile(this->Charts[b]);
   }
 
   ChartRegions& Regions;

@@ -20,6 +20,12 @@ bool SeamArc::isSharp(const CutSurface& surface) const
     this->halfedges.begin(), this->halfedges.end(), [&](int h) { return surface.sharp[h]; });
 }
 
+const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
+{
+  return *std::max_element(arcs.begin(), arcs.end(),
+    [&](const SeamArc& a, const SeamArc& b) { return a.length(surface) < b.length(surface); });
+}
+
 ChartRegions::ChartRegions(CutSurface& surface, Stop stop)
   : Surface(surface)
   , WantsStop(std::move(stop))

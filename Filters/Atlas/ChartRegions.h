@@ -20,6 +20,10 @@ struct STIPPLEFILTERSATLAS_EXPORT SeamArc
   bool isSharp(const CutSurface& surface) const;
 };
 
+/// The longest of seams; there is one at least.
+STIPPLEFILTERSATLAS_EXPORT const SeamArc& longest(
+  const CutSurface& surface, const std::vector<SeamArc>& arcs);
+
 /// Keeps the triangles of every region while edges are split and triangles change hands.
 class STIPPLEFILTERSATLAS_EXPORT ChartRegions
 {

@@ -6,6 +6,7 @@
 #include "ShortestPaths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 

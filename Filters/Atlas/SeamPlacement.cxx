@@ -495,12 +495,6 @@ void placeSeamsOfPair(
   }
 }
 
-const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
-{
-  return *std::max_element(arcs.begin(), arcs.end(),
-    [&](const SeamArc& a, const SeamArc& b) { return a.length(surface) < b.length(surface); });
-}
-
 /// Calls visit(a, b) for all pairs of neighbours, a < b, as they are when it is a's turn.
 template <typename Visit>
 Status forEachPair(const ChartRegions& regions, const Progress& progress, const Visit& visit)

@@ -60,7 +60,8 @@ double farthest(const Crease& a, const Crease& b, double spacing)
 double distanceWhereOpen(
   const Vec3& corner, const Crease& a, const Crease& b, double spacing, double angle)
 {
-  for (double distance = 1.; distance <= farthest(a, b, spacing); distance += Tuning::StepOfOpening)
+  const double most = farthest(a, b, spacing);
+  for (double distance = 1.; distance <= most; distance += Tuning::StepOfOpening)
   {
     const double s = distance * spacing;
     if (cotangent(corner, a.at(s), b.at(s)) <= 1. / std::tan(angle))

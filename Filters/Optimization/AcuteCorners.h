@@ -10,8 +10,6 @@
 
 #include <vector>
 
-#include <unordered_map>
-
 namespace stipple
 {
 class STIPPLEFILTERSOPTIMIZATION_EXPORT AcuteCorners

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace stipple
 {
@@ -134,14 +135,16 @@ bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vect
 
 namespace
 {
-double sumOfFolded(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+/// How badly a triangle is folded, below zero.
+double foldOf(const OptimizedMesh& mesh, Face f)
 {
-  double sum = 0;
-  for (const Face f : faces)
-  {
-    sum += std::min(0., faceQuality(mesh, f));
-  }
-  return sum;
+  return std::min(0., faceQuality(mesh, f));
+}
+
+double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  return std::accumulate(
+    faces.begin(), faces.end(), 0., [&](double sum, Face f) { return sum + foldOf(mesh, f); });
 }
 
 /// Improves triangles, and remembers what need not be looked at again.
@@ -292,7 +295,7 @@ private:
           for (int side = 0; side < 2; ++side)
           {
             const Face g = this->Mesh.face(this->Mesh.halfedge(e, side));
-            before.emplace(g, std::min(0., faceQuality(this->Mesh, g)));
+            before.emplace(g, foldOf(this->Mesh, g));
           }
           const auto quad = this->Mesh.wingVertices(e);
           changed.insert(changed.end(), quad.begin(), quad.end());
@@ -301,7 +304,7 @@ private:
           double gain = 0;
           for (const auto& [g, quality] : before)
           {
-            gain += std::min(0., faceQuality(this->Mesh, g)) - quality;
+            gain += foldOf(this->Mesh, g) - quality;
           }
           if (gain > Tuning::LeastGainOfFolds)
           {
@@ -346,8 +349,12 @@ private:
   /// Where a vertex stands on the line that a swap would join it to, it must move as well.
   bool unfoldBySwapAndMoves(Face f)
   {
+    if (!this->MaySwap || !this->MayMove)
+    {
+      return false;
+    }
     Halfedge h = this->Mesh.halfedge(f);
-    for (int k = 0; this->MaySwap && this->MayMove && k < 3; ++k, h = this->Mesh.next(h))
+    for (int k = 0; k < 3; ++k, h = this->Mesh.next(h))
     {
       const Edge e = this->Mesh.edge(h);
       if (!this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e))
@@ -357,14 +364,14 @@ private:
       const auto quad = this->Mesh.wingVertices(e);
       const std::vector<Vertex> vertices(quad.begin(), quad.end());
       const std::vector<Face> faces = facesAbout(this->Mesh, vertices);
-      const double before = sumOfFolded(this->Mesh, faces);
+      const double before = sumOfFolds(this->Mesh, faces);
       const bool isBetter = this->Edit.attempt([&]() {
         this->Edit.flip(e);
         for (const Vertex v : vertices)
         {
           improveByMove(this->Edit, v);
         }
-        return sumOfFolded(this->Mesh, faces) > before + Tuning::LeastGainOfFolds;
+        return sumOfFolds(this->Mesh, faces) > before + Tuning::LeastGainOfFolds;
       });
       if (isBetter)
       {
