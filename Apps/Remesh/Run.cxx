@@ -24,6 +24,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -218,7 +219,8 @@ Report makeReport(
     { "duplicate_triangles", atlas->GetNumberOfDuplicateTriangles() },
     { "reoriented_triangles", atlas->GetNumberOfReorientedTriangles() },
     { "split_edges", atlas->GetNumberOfSplitEdges() },
-    { "split_vertices", atlas->GetNumberOfSplitVertices() } };
+    { "split_vertices", atlas->GetNumberOfSplitVertices() },
+    { "simplified_features", remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() } };
   return report;
 }
 

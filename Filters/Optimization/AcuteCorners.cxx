@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AcuteCorners.h"
 
+#include "Relaxation.h"
 #include "Tuning.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace stipple
 namespace
 {
 /// A crease, as it leaves a corner.
-struct Crease
+struct LeavingCrease
 {
   const Atlas& atlas;
   int backbone;
@@ -30,18 +31,18 @@ struct Crease
 };
 
 /// The one that leaves a corner towards a vertex, if it ends there.
-std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, Vertex corner, Vertex first)
+std::optional<LeavingCrease> creaseFrom(const OptimizedMesh& mesh, Vertex corner, Vertex first)
 {
   if (mesh.freedom(first) == Freedom::Backbone)
   {
     const int b = mesh.backbone(first);
-    const std::vector<Vertex>& chain = mesh.chains()[b];
+    const OptimizedMesh::Chain& chain = mesh.chains()[b];
     const std::size_t n = chain.size();
     for (const bool fromEnd : { false, true })
     {
-      if (chain[fromEnd ? n - 1 : 0] == corner && chain[fromEnd ? n - 2 : 1] == first)
+      if (chain[fromEnd ? n - 1 : 0].vertex == corner && chain[fromEnd ? n - 2 : 1].vertex == first)
       {
-        return Crease{ mesh.atlas(), b, fromEnd };
+        return LeavingCrease{ mesh.atlas(), b, fromEnd };
       }
     }
   }
@@ -49,7 +50,7 @@ std::optional<Crease> creaseFrom(const OptimizedMesh& mesh, Vertex corner, Verte
 }
 
 /// How far from a corner, in spacings, the first points on two creases may lie.
-double farthest(const Crease& a, const Crease& b, double spacing)
+double farthest(const LeavingCrease& a, const LeavingCrease& b, double spacing)
 {
   return std::min(Tuning::FarthestOpening,
     std::min(a.length(), b.length()) / spacing - Tuning::LeastBeyondOpening);
@@ -58,7 +59,7 @@ double farthest(const Crease& a, const Crease& b, double spacing)
 /// At what distance from the corner, in spacings, two creases have opened to an angle; 1 if they
 /// have where their first points would be anyway, or nowhere near.
 double distanceWhereOpen(
-  const Vec3& corner, const Crease& a, const Crease& b, double spacing, double angle)
+  const Vec3& corner, const LeavingCrease& a, const LeavingCrease& b, double spacing, double angle)
 {
   const double most = farthest(a, b, spacing);
   for (double distance = 1.; distance <= most; distance += Tuning::StepOfOpening)
@@ -70,18 +71,6 @@ double distanceWhereOpen(
     }
   }
   return 1.;
-}
-
-/// Edge length of a lattice that has as many vertices as the mesh at a density of 1.
-double spacingAtUnitDensity(const OptimizedMesh& mesh)
-{
-  double total = 0;
-  for (const Face f : mesh.faces())
-  {
-    const auto [a, b, c] = mesh.corners(f);
-    total += mesh.faceArea(f) * (mesh.density(a) + mesh.density(b) + mesh.density(c)) / 3.;
-  }
-  return std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
 }
 
 /// Calls function(a, b, angle) with every two creases that leave a vertex side by side, and the
@@ -115,7 +104,8 @@ AcuteCorners::AcuteCorners(const OptimizedMesh& mesh, double angle)
     if (mesh.freedom(v) == Freedom::None)
     {
       bool found = false;
-      forEachPairOfCreases(mesh, v, [&](const Crease&, const Crease&, double) { found = true; });
+      forEachPairOfCreases(
+        mesh, v, [&](const LeavingCrease&, const LeavingCrease&, double) { found = true; });
       if (found)
       {
         this->Corners.push_back({ v, unit / std::sqrt(mesh.density(v)), angle });
@@ -131,15 +121,16 @@ CoarseRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
   {
     const Vec3& p = mesh.position(corner.vertex);
     double distance = 1;
-    forEachPairOfCreases(mesh, corner.vertex, [&](const Crease& a, const Crease& b, double) {
-      if (const double d = distanceWhereOpen(p, a, b, corner.spacing, this->Angle); d > 1.)
-      {
-        // If they open to what was asked for, but not to what would make good what is lacking, as
-        // far as they may.
-        const double more = distanceWhereOpen(p, a, b, corner.spacing, corner.asked);
-        distance = std::max(distance, more > 1. ? more : farthest(a, b, corner.spacing));
-      }
-    });
+    forEachPairOfCreases(
+      mesh, corner.vertex, [&](const LeavingCrease& a, const LeavingCrease& b, double) {
+        if (const double d = distanceWhereOpen(p, a, b, corner.spacing, this->Angle); d > 1.)
+        {
+          // If they open to what was asked for, but not to what would make good what is lacking, as
+          // far as they may.
+          const double more = distanceWhereOpen(p, a, b, corner.spacing, corner.asked);
+          distance = std::max(distance, more > 1. ? more : farthest(a, b, corner.spacing));
+        }
+      });
     if (distance > 1.)
     {
       regions.add(mesh.atlas().surface(), Face(mesh.place(corner.vertex).face),
@@ -154,9 +145,10 @@ void AcuteCorners::correct(const OptimizedMesh& mesh)
   for (Corner& corner : this->Corners)
   {
     double lack = 0;
-    forEachPairOfCreases(mesh, corner.vertex, [&](const Crease&, const Crease&, double angle) {
-      lack = std::max(lack, this->Angle - angle);
-    });
+    forEachPairOfCreases(
+      mesh, corner.vertex, [&](const LeavingCrease&, const LeavingCrease&, double angle) {
+        lack = std::max(lack, this->Angle - angle);
+      });
     corner.asked += lack;
   }
 }

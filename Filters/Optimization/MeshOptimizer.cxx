@@ -4,6 +4,7 @@
 
 #include "AcuteCorners.h"
 #include "EdgeSwaps.h"
+#include "FeatureSimplification.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
 #include "ParallelFor.h"
@@ -74,7 +75,7 @@ Status relax(
   FaceMeasures measures;
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
-  SmallComponents small(mesh);
+  std::optional<SmallComponents> small(mesh);
   const bool opensCorners = options.moves == Moves::Lloyd && options.acuteCornerAngle > 0;
   std::optional<AcuteCorners> acute;
   for (int i = 0; i < options.iterations; ++i)
@@ -89,6 +90,19 @@ Status relax(
       // Triangles across a concave corner of a chart may lie over what is no surface; once vertices
       // have been drawn there, swaps alone are no help.
       repairTriangles(edit, 0., swaps, false, Tuning::ManyPasses);
+    }
+    if (i > 0 && i % Tuning::AcuteInterval == 0 && moves && swaps && !options.ribs)
+    {
+      const int changes = mesh.numberOfChanges();
+      const Status status = simplifyFeatures(mesh, options.featureTolerance);
+      if (!status.ok())
+      {
+        return status;
+      }
+      if (mesh.numberOfChanges() > changes)
+      {
+        small.emplace(mesh); // triangles have new ids
+      }
     }
     const Tuning::Pace pace = paceAt(done, mesh.uniform());
     swapEdges(edit, options.swaps, i == 0 ? Tuning::ManyPasses : Tuning::PassesInRound);
@@ -111,14 +125,14 @@ Status relax(
         arcLength[v] = mesh.arcLength(v);
         if (mesh.isFree(v))
         {
-          step[v] = small.rests(v) ? Vec3(Vec3::Zero())
-                                   : nextStep(mesh, measures, options, pace, v, step[v]);
+          step[v] = small->rests(v) ? Vec3(Vec3::Zero())
+                                    : nextStep(mesh, measures, options, pace, v, step[v]);
         }
       });
       relaxBackbones(mesh, arcLength);
-      small.note();
+      small->note();
       edit.moveAll(step, arcLength);
-      small.restore(edit);
+      small->restore(edit);
     }
     if (i % Tuning::RepairInterval == Tuning::FirstRepair)
     {

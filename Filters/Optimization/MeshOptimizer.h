@@ -37,6 +37,10 @@ struct OptimizerOptions
   /// towards their corner, where they open that far within 3.4 edges; 0: spacing does not grow. For
   /// Moves::Lloyd.
   double acuteCornerAngle = 0.436;
+  /// How far features may go to others for the sake of triangles, 0 to 1 in units of the spacing
+  /// (see simplifyFeatures()); 0: they are kept. For moves with swaps, without
+  /// ribs, which want every feature as it is.
+  double featureTolerance = 1.;
 };
 
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status optimizeMesh(

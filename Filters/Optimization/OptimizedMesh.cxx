@@ -60,6 +60,7 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   this->State.assign(n, VertexState());
   this->Free.assign(n, Freedom::Surface);
   this->BackboneOf.assign(n, -1);
+  this->IsConstraint.assign(n, 0);
   // Corners, also tips of cones that a seam runs through, and where sharp and boundary backbones
   // end.
   std::vector<char> fixedNode = graph.isCorner;
@@ -78,6 +79,7 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
     this->put(v, this->pointAt({ s.face, s.bary }));
     const bool constrained =
       s.kind != SampleKind::Interior && constraints.isConstraint(this->position(v));
+    this->IsConstraint[v] = constrained || s.kind == SampleKind::Constraint;
     if (s.kind == SampleKind::Constraint ||
       (s.kind == SampleKind::Corner && s.surfacePoint >= 0 && fixedNode[s.surfacePoint]))
     {
@@ -106,8 +108,45 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
       this->Original[v.index()] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };
     }
   }
-  Status status = this->connect(triangles);
-  return status.ok() ? this->markCreases() : status;
+  std::vector<Chain> chains;
+  for (const std::vector<int>& samplesOfChain : backboneChains(graph, samples))
+  {
+    const std::size_t b = chains.size();
+    chains.emplace_back();
+    if (graph.backbones[b].type == BackboneType::Seam)
+    {
+      continue;
+    }
+    for (const int v : samplesOfChain)
+    {
+      chains[b].push_back({ Vertex(v), this->arcLength(Vertex(v)) });
+    }
+    if (!graph.backbones[b].closed && !chains[b].empty())
+    {
+      chains[b].front().arcLength = 0;
+      chains[b].back().arcLength = atlas.traces()[b].length();
+    }
+  }
+  const Status status = this->connect(triangles);
+  return status.ok() ? this->markCreases(std::move(chains)) : status;
+}
+
+Status OptimizedMesh::rebuild(Change change)
+{
+  this->Changes += change.count;
+  for (const auto& [v, there] : change.freed)
+  {
+    this->Free[v] = Freedom::Surface;
+    this->BackboneOf[v] = -1;
+    this->State[v].arcLength = 0;
+    this->put(v, there);
+  }
+  for (const Vertex v : change.fixed)
+  {
+    this->Free[v] = Freedom::None;
+  }
+  const Status status = this->connect(change.triangles);
+  return status.ok() ? this->markCreases(std::move(change.chains)) : status;
 }
 
 /// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the
@@ -180,33 +219,28 @@ Status OptimizedMesh::connect(const std::vector<Triangle>& triangles)
   return Status::success();
 }
 
-Status OptimizedMesh::markCreases()
+Status OptimizedMesh::markCreases(std::vector<Chain> chains)
 {
+  this->Chains = std::move(chains);
   this->CreaseOf.assign(this->Graph.n_edges(), -1);
-  const auto chains = backboneChains(this->Atlas->graph(), this->Original);
-  this->Chain.assign(chains.size(), {});
-  for (std::size_t b = 0; b < chains.size(); ++b)
+  this->Creases.clear();
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
-    if (this->Atlas->graph().backbones[b].type == BackboneType::Seam)
-    {
-      continue;
-    }
-    std::vector<Vertex>& chain = this->Chain[b];
-    for (const int v : chains[b])
-    {
-      chain.push_back(Vertex(v));
-    }
+    const Chain& chain = this->Chains[b];
     for (std::size_t i = 1; i < chain.size(); ++i)
     {
-      const auto h = this->Graph.find_halfedge(raw(chain[i - 1]), raw(chain[i]));
+      const Vertex from = chain[i - 1].vertex;
+      const Vertex to = chain[i].vertex;
+      const auto h = this->Graph.find_halfedge(raw(from), raw(to));
       if (!h.is_valid())
       {
         return Status::error("The mesh has no edge between the points " +
-          std::to_string(chain[i - 1].index()) + " and " + std::to_string(chain[i].index()) +
+          std::to_string(from.index()) + " and " + std::to_string(to.index()) +
           ", neighbours on backbone " + std::to_string(b) +
           ": pass the output of vtkCDTRemesh and its feature graph.");
       }
-      this->CreaseOf[this->edge(id(h))] = static_cast<int>(b);
+      this->CreaseOf[this->edge(id(h))] = static_cast<int>(this->Creases.size());
+      this->Creases.push_back({ static_cast<int>(b), chain[i - 1], chain[i] });
     }
   }
   return Status::success();
@@ -364,23 +398,17 @@ Vec3 OptimizedMesh::normalBeside(Halfedge h) const
       return state.normal;
     }
   }
-  const int b = this->CreaseOf[this->edge(crease)];
-  const BackboneTrace& trace = this->Atlas->traces()[b];
+  const Crease& c = this->crease(this->edge(crease));
+  const bool ahead = c.from.vertex == v;
+  const BackboneTrace& trace = this->Atlas->traces()[c.backbone];
+  const double arcLength = this->arcLength(ahead ? c.from : c.to);
+  const int side = ahead ? 0 : 1;
   if (this->Free[v] == Freedom::None)
   {
-    const std::vector<Vertex>& chain = this->Chain[b];
-    const bool ahead = chain[0] == v && chain[1] == this->to(crease);
-    const auto place = trace.locate(ahead ? 0. : trace.length());
-    return this->Atlas->smoothNormal(trace.face(place, ahead ? 0 : 1));
+    return this->Atlas->smoothNormal(trace.face(trace.locate(arcLength), side));
   }
-  const BackboneTrace::Place place = trace.locate(state.arcLength);
-  const Backbone& backbone = this->Atlas->graph().backbones[b];
-  const std::vector<Vec3>& points = this->Atlas->surface().points;
-  const Vec3 ahead = points[backbone.segmentEnd(static_cast<std::size_t>(place.segment))] -
-    points[backbone.points[static_cast<std::size_t>(place.segment)]];
-  const bool isLeft = ahead.dot(this->position(this->to(crease)) - state.position) > 0;
-  const bool hasLeft = state.place.face != trace.face(place, 1);
-  return isLeft == hasLeft ? state.normal : state.otherNormal;
+  const bool hasLeft = state.place.face != trace.face(trace.locate(arcLength), 1);
+  return ahead == hasLeft ? state.normal : state.otherNormal;
 }
 
 double OptimizedMesh::normalAgreementOnCreases(

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace stipple
 {
@@ -43,6 +44,27 @@ struct VertexState : SurfacePoint
   double density = 1;              ///< of vertices, as wanted at the place
   double arcLength = 0;            ///< on its backbone
   Vec3 otherNormal = Vec3::Zero(); ///< on the other side of its backbone
+};
+
+/// A vertex on a backbone. One that slides has its own arc length; this is the place of one that
+/// does not.
+struct BackboneVertex
+{
+  Vertex vertex;
+  double arcLength = 0;
+
+  friend bool operator==(const BackboneVertex& a, const BackboneVertex& b)
+  {
+    return a.vertex == b.vertex && a.arcLength == b.arcLength;
+  }
+};
+
+/// An edge on a sharp or boundary backbone, in its direction.
+struct Crease
+{
+  int backbone = -1;
+  BackboneVertex from;
+  BackboneVertex to;
 };
 
 /// A triangle that there is, or might be: for each vertex, a halfedge out of it whose triangle, to
@@ -92,6 +114,8 @@ public:
   bool isBoundary(Vertex v) const { return this->Graph.is_boundary(raw(v)); }
   /// On a sharp or boundary backbone.
   bool isCrease(Edge e) const { return this->CreaseOf[e] >= 0; }
+  /// Of an edge that is one.
+  const Crease& crease(Edge e) const { return this->Creases[this->CreaseOf[e]]; }
   /// Two triangles, and no crease: all that an edge needs to be swapped but for the geometry.
   bool isSwappable(Edge e) const { return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)); }
   /// No second edge between two vertices comes of swapping it.
@@ -164,6 +188,11 @@ public:
   const SurfacePlace& place(Vertex v) const { return this->State[v].place; }
   double density(Vertex v) const { return this->State[v].density; }
   double arcLength(Vertex v) const { return this->State[v].arcLength; }
+  double arcLength(const BackboneVertex& v) const
+  {
+    return this->Free[v.vertex] == Freedom::Backbone ? this->State[v.vertex].arcLength
+                                                     : v.arcLength;
+  }
   Freedom freedom(Vertex v) const { return this->Free[v]; }
   /// Free to go anywhere. Elsewhere, on creases, the surface has no one normal.
   bool isFree(Vertex v) const { return this->Free[v] == Freedom::Surface; }
@@ -211,8 +240,26 @@ public:
 
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
-  /// Backbone vertices in order, with both ends; empty for seams.
-  const std::vector<std::vector<Vertex>>& chains() const { return this->Chain; }
+  /// The vertices of every backbone in order, with both ends; empty for seams.
+  using Chain = std::vector<BackboneVertex>;
+  const std::vector<Chain>& chains() const { return this->Chains; }
+  /// A position that must be a vertex: a constraint, or the tip of a cone.
+  bool isConstraint(Vertex v) const { return this->IsConstraint[v] != 0; }
+
+  /// The same vertices in other triangles, on other chains: some that were not free go where they
+  /// are told to, and are, and some that slid on a backbone are where others cross it. Fails as
+  /// build() does. Edges and triangles get new ids.
+  struct Change
+  {
+    std::vector<std::pair<Vertex, SurfacePoint>> freed;
+    std::vector<Vertex> fixed;
+    std::vector<Triangle> triangles;
+    std::vector<Chain> chains;
+    int count = 0; ///< of what was done
+  };
+  Status rebuild(Change change);
+  /// The sum of the counts.
+  int numberOfChanges() const { return this->Changes; }
   const stipple::Atlas& atlas() const { return *this->Atlas; }
 
 private:
@@ -223,7 +270,7 @@ private:
   static Halfedge id(OpenMesh::HalfedgeHandle h) { return Halfedge(h.idx()); }
 
   Status connect(const std::vector<Triangle>& triangles);
-  Status markCreases();
+  Status markCreases(std::vector<Chain> chains);
   double densityAt(const SurfacePoint& point) const;
   void put(Vertex v, const SurfacePoint& there);
   void putOnBackbone(Vertex v, double arcLength);
@@ -237,8 +284,11 @@ private:
   ElementArray<Vertex, VertexState> State;
   ElementArray<Vertex, Freedom> Free;
   ElementArray<Vertex, int> BackboneOf; // or -1
-  ElementArray<Edge, int> CreaseOf; // the backbone that an edge is on, if it is a crease; else -1
-  std::vector<std::vector<Vertex>> Chain;
+  ElementArray<Vertex, char> IsConstraint;
+  ElementArray<Edge, int> CreaseOf; // in Creases, or -1
+  std::vector<Crease> Creases;
+  std::vector<Chain> Chains;
+  int Changes = 0;
 };
 }
 

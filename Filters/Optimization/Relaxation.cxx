@@ -282,6 +282,17 @@ bool exceedsEdges(const OptimizedMesh& mesh, Vertex v, double length, double sha
   return length * length > share * share * shortest && length > share * meanEdgeLength(mesh, v);
 }
 
+double spacingAtUnitDensity(const OptimizedMesh& mesh)
+{
+  double total = 0;
+  for (const Face f : mesh.faces())
+  {
+    const auto [a, b, c] = mesh.corners(f);
+    total += mesh.faceArea(f) * (mesh.density(a) + mesh.density(b) + mesh.density(c)) / 3.;
+  }
+  return std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
+}
+
 double meanEdgeLength(const OptimizedMesh& mesh, Vertex v)
 {
   double sum = 0;
@@ -354,37 +365,34 @@ void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle,
 
 void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arcLength)
 {
-  const auto& chains = mesh.chains();
-  for (std::size_t c = 0; c < chains.size(); ++c)
+  for (std::size_t c = 0; c < mesh.chains().size(); ++c)
   {
-    const int n = static_cast<int>(chains[c].size());
+    OptimizedMesh::Chain chain = mesh.chains()[c];
+    const int n = static_cast<int>(chain.size());
     if (n < 3)
     {
       continue;
     }
     const double length = mesh.atlas().traces()[c].length();
     const bool closed = mesh.atlas().graph().backbones[c].closed;
-    BackboneRun all = { chains[c], std::vector<double>(n) };
-    const auto isFixed = [&](int i) { return mesh.freedom(all.vertices[i]) == Freedom::None; };
-    int first = 0;
+    const auto isFixed = [&](int i) { return mesh.freedom(chain[i].vertex) == Freedom::None; };
     if (closed)
     {
       // A constraint holds a cycle: it begins and ends there.
+      int first = 0;
       while (first + 1 < n && !isFixed(first))
       {
         ++first;
       }
       first = first + 1 < n ? first : 0;
-      std::rotate(all.vertices.begin(), all.vertices.begin() + first, all.vertices.end() - 1);
-      all.vertices.back() = all.vertices.front();
+      std::rotate(chain.begin(), chain.begin() + first, chain.end() - 1);
+      chain.back() = chain.front();
     }
+    BackboneRun all;
     for (int i = 0; i < n; ++i)
     {
-      all.s[i] = mesh.arcLength(all.vertices[i]);
-      if (!closed)
-      {
-        all.s[i] = i == 0 ? 0. : i == n - 1 ? length : all.s[i];
-      }
+      all.vertices.push_back(chain[i].vertex);
+      all.s.push_back(mesh.arcLength(chain[i]));
       while (closed && i > 0 && all.s[i] <= all.s[i - 1])
       {
         all.s[i] += length;

@@ -52,6 +52,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 laplacianStep(
 STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 stepToMiddle(const OptimizedMesh& mesh, Vertex v);
 
 STIPPLEFILTERSOPTIMIZATION_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, Vertex v);
+/// Edge length of a lattice that has as many vertices as the mesh at a density of 1.
+STIPPLEFILTERSOPTIMIZATION_EXPORT double spacingAtUnitDensity(const OptimizedMesh& mesh);
 /// length > share * meanEdgeLength(mesh, v), at less cost where it is not.
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
   const OptimizedMesh& mesh, Vertex v, double length, double share);

@@ -44,27 +44,10 @@ struct SurfaceProximity::Internals
 SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
   : Surface(std::make_unique<Internals>())
   , Mesh(mesh)
-  , CreaseOf(static_cast<std::size_t>(mesh.edges().size()))
 {
   const AtlasSurface& surface = mesh.atlas().surface();
   this->Surface->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
   this->Surface->Locator->BuildLocator();
-
-  const auto& chains = mesh.chains();
-  for (std::size_t b = 0; b < chains.size(); ++b)
-  {
-    for (std::size_t i = 1; i < chains[b].size(); ++i)
-    {
-      const Vertex from = chains[b][i - 1];
-      const Vertex to = chains[b][i];
-      mesh.forEachHalfedge(from, [&](Halfedge h) {
-        if (mesh.to(h) == to)
-        {
-          this->CreaseOf[mesh.edge(h)] = { static_cast<int>(b), from, to };
-        }
-      });
-    }
-  }
 }
 
 SurfaceProximity::~SurfaceProximity() = default;
@@ -136,25 +119,22 @@ double SurfaceProximity::distanceAbout(Vertex v) const
 
 double SurfaceProximity::distanceOfCrease(Edge e) const
 {
-  const Crease& crease = this->CreaseOf[e];
-  if (crease.backbone < 0)
+  if (!this->Mesh.isCrease(e))
   {
     return 0.;
   }
+  const Crease& crease = this->Mesh.crease(e);
   const AtlasSurface& surface = this->Mesh.atlas().surface();
   const std::vector<int>& point = this->Mesh.atlas().graph().backbones[crease.backbone].points;
   const BackboneTrace& trace = this->Mesh.atlas().traces()[crease.backbone];
-  // Nodes at a backbone's ends lie on several, and have no arc length.
-  const bool startsAtNode = this->Mesh.backbone(crease.from) != crease.backbone;
-  const bool endsAtNode = this->Mesh.backbone(crease.to) != crease.backbone;
-  const double begin = startsAtNode ? 0. : this->Mesh.arcLength(crease.from);
-  double end = endsAtNode ? trace.length() : this->Mesh.arcLength(crease.to);
+  const double begin = this->Mesh.arcLength(crease.from);
+  double end = this->Mesh.arcLength(crease.to);
   if (end <= begin) // over the seam of a closed one
   {
     end += trace.length();
   }
-  const Vec3& a = this->Mesh.position(crease.from);
-  const Vec3& b = this->Mesh.position(crease.to);
+  const Vec3& a = this->Mesh.position(crease.from.vertex);
+  const Vec3& b = this->Mesh.position(crease.to.vertex);
   const auto distance = [&](const Vec3& p) {
     double least = distanceToSegment(p, a, b);
     for (int side = 0; side < 2; ++side)

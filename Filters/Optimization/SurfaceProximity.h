@@ -43,12 +43,6 @@ public:
 
 private:
   struct Internals;
-  struct Crease
-  {
-    int backbone = -1;
-    Vertex from; ///< along the backbone
-    Vertex to;
-  };
   struct Nearest;
   double agreement(Face f, const Nearest& below) const;
   Vec3 centroid(Face f) const;
@@ -56,7 +50,6 @@ private:
 
   std::unique_ptr<Internals> Surface;
   const OptimizedMesh& Mesh;
-  ElementArray<Edge, Crease> CreaseOf;
 };
 
 /// Keeps the mesh as near to the surface while vertices move one by one. Distances are measured

@@ -163,6 +163,13 @@ struct Tuning
   static constexpr double GrowthPlateau = 0.5;
   static constexpr double GrowthSlope = 0.5;
 
+  // Features finer than the mesh (FeatureSimplification).
+  static constexpr double PoorFeatureAngle = 30. * Pi / 180.; ///< of triangles that an edge is
+                                                              ///< collapsed for
+  static constexpr double LeastGainOfCollapse = 0.02; ///< by the sum of what triangles lack of it
+  /// Between two triangles: less, and a sheet is as good as folded onto itself.
+  static constexpr double LeastCosineOfRim = -0.9;
+
   // Least squares (LeastSquaresPlacement). Weights are over the mean area of a vertex.
   static constexpr double PlacementInertia = 0.01; ///< of staying where a vertex is
   static constexpr double PlacementFixed = 1e6;    ///< of those that must: as good as infinite

@@ -96,12 +96,12 @@ void vtkRemeshOptimizer::Internals::write(const stipple::OptimizedMesh& mesh,
     }
   }
   std::vector<std::vector<int>> chains;
-  for (const std::vector<stipple::Vertex>& chain : mesh.chains())
+  for (const stipple::OptimizedMesh::Chain& chain : mesh.chains())
   {
     chains.emplace_back();
-    for (const stipple::Vertex v : chain)
+    for (const stipple::BackboneVertex& v : chain)
     {
-      chains.back().push_back(v.index());
+      chains.back().push_back(v.vertex.index());
     }
   }
   const auto lines = stipple::featureLines(this->Atlas->graph(), chains, result, false);
@@ -123,6 +123,8 @@ int vtkRemeshOptimizer::RequestData(
   options.ribs = this->Ribs;
   options.errorReduction = 0.01 * this->ErrorReduction;
   options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
+  options.featureTolerance = this->KeepBackbones ? 0. : this->FeatureTolerance;
+  this->NumberOfSimplifiedFeatures = 0;
   return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
     stipple::Status status = stipple::Status::success();
     if (!inputs.isEmpty())
@@ -132,6 +134,7 @@ int vtkRemeshOptimizer::RequestData(
       status = this->Implementation->optimize(inputs, density, progress, samples, mesh);
       if (status.ok())
       {
+        this->NumberOfSimplifiedFeatures = mesh.numberOfChanges();
         this->Implementation->write(mesh, samples, this->Placement == LEAST_SQUARES, outputVector);
       }
     }
@@ -158,4 +161,7 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
   os << indent << "AcuteCornerAngle: " << this->AcuteCornerAngle << "\n";
+  os << indent << "FeatureTolerance: " << this->FeatureTolerance << "\n";
+  os << indent << "KeepBackbones: " << this->KeepBackbones << "\n";
+  os << indent << "NumberOfSimplifiedFeatures: " << this->NumberOfSimplifiedFeatures << "\n";
 }

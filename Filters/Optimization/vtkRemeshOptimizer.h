@@ -174,6 +174,33 @@ public:
   vtkGetMacro(AcuteCornerAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * How far features may move, from 0 to 1 in units of the spacing there, where corners and creases
+   * are closer together than triangles are large and leave them small angles: a crease or a corner
+   * then goes to another one. That far for a triangle without an angle, less for a better one, not
+   * at all for 30 degrees. Constraints and the topology stay, and what is on a boundary goes along
+   * it. The points that this frees go where triangles are largest. It takes effect with moves and
+   * swaps, but not with Ribs, which are about every feature as it is; at 0 all features are kept.
+   * The default is 1.
+   */
+  vtkSetClampMacro(FeatureTolerance, double, 0., 1.);
+  vtkGetMacro(FeatureTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether every backbone stays a chain of its own points, whatever the FeatureTolerance, as
+   * vtkSemiRegularSubdivision wants its base mesh. The default is off.
+   */
+  vtkSetMacro(KeepBackbones, bool);
+  vtkGetMacro(KeepBackbones, bool);
+  vtkBooleanMacro(KeepBackbones, bool);
+  ///@}
+
+  /// After an update: corners and points of creases that went to others.
+  vtkGetMacro(NumberOfSimplifiedFeatures, int);
+
 protected:
   vtkRemeshOptimizer();
   ~vtkRemeshOptimizer() override;
@@ -192,6 +219,9 @@ private:
   int NumberOfIterations = 42;
   double ErrorReduction = 0.65;
   double AcuteCornerAngle = 25.;
+  double FeatureTolerance = 1.;
+  bool KeepBackbones = false;
+  int NumberOfSimplifiedFeatures = 0;
   bool FollowDensity = true;
   bool Ribs = false;
   int Placement = ON_SURFACE;

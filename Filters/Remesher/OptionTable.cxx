@@ -372,6 +372,9 @@ void Maker::mesh()
   this->number(Kind::Number, "acute_corner_angle", "DEG", "degrees",
     "triangles grow in corners sharper than this that open later",
     STIPPLE_NUMBER(vtkRemeshOptimizer, AcuteCornerAngle));
+  this->number(Kind::Number, "feature_tolerance", "T", "edge lengths",
+    "features may move by so much where they leave triangles small angles",
+    STIPPLE_NUMBER(vtkRemeshOptimizer, FeatureTolerance));
   this->choice("pattern", "KIND", { "triangles", "quads", "semiregular" },
     "what the mesh is made of; quads are regular in every chart and not optimised, semiregular "
     "triangles are split 1 to 4, and the number of points is the base mesh's",

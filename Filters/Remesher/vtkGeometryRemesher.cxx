@@ -377,6 +377,7 @@ bool vtkGeometryRemesher::RunStages()
   {
     return this->RunStage(QuadMeshing);
   }
+  s.Optimizer->SetKeepBackbones(this->Pattern == SEMIREGULAR);
   return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
 }
 

@@ -87,7 +87,8 @@ TEST(MeshOptimizer, KeepsFeatures)
   {
     for (std::size_t i = 1; i < chain.size(); ++i)
     {
-      EXPECT_TRUE(t->mesh.isCrease(t->edgeBetween(chain[i - 1].index(), chain[i].index())));
+      EXPECT_TRUE(
+        t->mesh.isCrease(t->edgeBetween(chain[i - 1].vertex.index(), chain[i].vertex.index())));
     }
   }
 }

@@ -171,7 +171,13 @@ TEST(OptimizedMesh, SharpEdgesHaveANormalOnEachSide)
   int segments = 0;
   for (std::size_t b = 0; b < 12; ++b)
   {
-    const std::vector<Vertex>& chain = mesh.chains()[b];
+    std::vector<Vertex> chain;
+    for (const BackboneVertex& v : mesh.chains()[b])
+    {
+      chain.push_back(v.vertex);
+      EXPECT_NEAR(
+        mesh.arcLength(v), (mesh.position(v.vertex) - mesh.position(chain[0])).norm(), 1e-12);
+    }
     segments += static_cast<int>(chain.size()) - 1;
     ends.insert({ chain.front(), chain.back() });
     EXPECT_EQ(mesh.freedom(chain.front()), Freedom::None);
@@ -209,6 +215,41 @@ TEST(OptimizedMesh, SharpEdgesHaveANormalOnEachSide)
       EXPECT_NEAR(mesh.normalAgreement(v, *ends.begin(), v, tilted), std::sqrt(0.5), 1e-12);
     }
   }
+}
+
+TEST(OptimizedMesh, IsRebuiltOfOtherTrianglesAndChains)
+{
+  const auto t = meshes::cube(200, false);
+  OptimizedMesh& mesh = t->mesh;
+  const meshes::Snapshot before(mesh);
+  OptimizedMesh::Change same;
+  same.triangles = mesh.triangles();
+  same.chains = mesh.chains();
+  ASSERT_TRUE(mesh.rebuild(same).ok());
+  EXPECT_TRUE(meshes::Snapshot(mesh) == before);
+  EXPECT_EQ(mesh.chains(), same.chains);
+  EXPECT_EQ(mesh.numberOfChanges(), 0);
+
+  // One that slid is fixed where it is, on its own backbone.
+  const BackboneVertex second = mesh.chains()[0][1];
+  const double arcLength = mesh.arcLength(second);
+  EXPECT_GT(arcLength, 0.);
+  OptimizedMesh::Change fixed = same;
+  fixed.fixed = { second.vertex };
+  fixed.chains[0][1].arcLength = arcLength;
+  fixed.count = 3;
+  ASSERT_TRUE(mesh.rebuild(fixed).ok());
+  EXPECT_EQ(mesh.freedom(second.vertex), Freedom::None);
+  EXPECT_EQ(mesh.arcLength(mesh.chains()[0][1]), arcLength);
+  EXPECT_EQ(mesh.numberOfChanges(), 3);
+  mesh.forEachCorner(second.vertex, [&](Halfedge h) {
+    EXPECT_NEAR(mesh.normalBeside(h).dot(mesh.faceNormal(mesh.face(h))), 1., 1e-12);
+  });
+
+  // A chain that the triangles do not have is refused.
+  OptimizedMesh::Change broken = same;
+  broken.chains[0].erase(broken.chains[0].begin() + 1);
+  EXPECT_FALSE(mesh.rebuild(broken).ok());
 }
 
 TEST(OptimizedMesh, SeamsHeal)
@@ -251,6 +292,8 @@ TEST(OptimizedMesh, ConstraintsStay)
   EXPECT_EQ(t->mesh.freedom(Vertex(13)), Freedom::Surface);
   EXPECT_EQ(t->mesh.samples()[12].kind, SampleKind::Constraint);
   EXPECT_EQ(t->mesh.samples()[2].kind, SampleKind::Backbone);
+  EXPECT_TRUE(t->mesh.isConstraint(Vertex(12)) && t->mesh.isConstraint(Vertex(2)));
+  EXPECT_FALSE(t->mesh.isConstraint(Vertex(0))) << "a corner";
 }
 
 TEST(OptimizedMesh, SamplesTellWhereVerticesWent)

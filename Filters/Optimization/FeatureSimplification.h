@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Features finer than the mesh: where corners and creases are closer together than triangles are
+// large, these cannot be good. What is closer than a tolerance becomes one.
+#ifndef stipple_FeatureSimplification_h
+#define stipple_FeatureSimplification_h
+
+#include "OptimizedMesh.h"
+#include "StippleFiltersOptimizationModule.h"
+
+namespace stipple
+{
+/// Opens triangles between features that are closer together than the mesh is fine. The shortest
+/// edge of a poor triangle is collapsed: what is on it goes to its other end, where as many creases
+/// meet or more; or, where the third corner is near to the longest edge and that is a crease, the
+/// crease is led over that corner. Only where the worst triangle about it becomes better, and the
+/// surface moves by at most `tolerance` times the spacing for a triangle without an angle, in
+/// proportion less for a better one. Constraints, tips and the topology stay, no triangle is turned
+/// over, and none folded onto its neighbour. Vertices that this frees go where triangles are
+/// largest.
+STIPPLEFILTERSOPTIMIZATION_EXPORT Status simplifyFeatures(OptimizedMesh& mesh, double tolerance);
+}
+
+#endif
