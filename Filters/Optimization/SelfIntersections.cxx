@@ -97,6 +97,12 @@ struct SelfIntersections::Internals
   {
     Vec3 low;
     Vec3 high;
+
+    bool overlaps(const Box& other) const
+    {
+      return (other.low.array() <= this->high.array()).all() &&
+        (this->low.array() <= other.high.array()).all();
+    }
   };
   ElementArray<Face, Box> Boxes; // as last updated
   /// A face in one of the cells that its box touches.
@@ -164,9 +170,7 @@ struct SelfIntersections::Internals
       {
         const Face g = this->Entries[e].face;
         const Box& other = this->Boxes[g];
-        if (!(g < first) && this->Entries[e].cell == cell &&
-          (other.low.array() <= box.high.array()).all() &&
-          (box.low.array() <= other.high.array()).all())
+        if (!(g < first) && this->Entries[e].cell == cell && box.overlaps(other))
         {
           // Of all cells that both touch, it counts in the one where the overlap begins.
           const auto begin = this->indexOf(box.low.cwiseMax(other.low));
@@ -235,20 +239,28 @@ SelfIntersections::~SelfIntersections() = default;
 int SelfIntersections::count(const std::vector<Face>& faces) const
 {
   const Internals& grid = *this->Grid;
+  std::vector<Face> inOrder = faces;
+  std::sort(inOrder.begin(), inOrder.end());
+  std::vector<Internals::Box> boxes;
   int pairs = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  for (const Face f : faces)
   {
-    const auto t = grid.Mesh.corners(faces[i]);
-    grid.forEachNear(grid.boxOf(faces[i]), Face(0), [&](Face g) {
-      if (std::find(faces.begin(), faces.end(), g) == faces.end())
+    const auto t = grid.Mesh.corners(f);
+    const Internals::Box box = grid.boxOf(f);
+    grid.forEachNear(box, Face(0), [&](Face g) {
+      if (!std::binary_search(inOrder.begin(), inOrder.end(), g))
       {
         pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
       }
     });
-    for (std::size_t j = 0; j < i; ++j)
+    for (std::size_t j = 0; j < boxes.size(); ++j)
     {
-      pairs += intersect(grid.Mesh, t, grid.Mesh.corners(faces[j])) ? 1 : 0;
+      if (box.overlaps(boxes[j]))
+      {
+        pairs += intersect(grid.Mesh, t, grid.Mesh.corners(faces[j])) ? 1 : 0;
+      }
     }
+    boxes.push_back(box);
   }
   return pairs;
 }
