@@ -3,6 +3,7 @@
 #include "FeatureSimplification.h"
 
 #include "Relaxation.h"
+#include "SurfaceError.h"
 #include "Tuning.h"
 #include "VertexStar.h"
 
@@ -32,17 +33,6 @@ Triangle replaced(Triangle t, Vertex v, Vertex by)
 {
   std::replace(t.begin(), t.end(), v.index(), by.index());
   return t;
-}
-
-double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-  const Vec3 bary = barycentricInSpace(p, a, b, c);
-  if (bary.allFinite() && bary.minCoeff() >= 0.)
-  {
-    return (bary[0] * a + bary[1] * b + bary[2] * c - p).norm();
-  }
-  return std::min(
-    { distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a) });
 }
 
 /// The mesh's triangles and chains, to be changed in ways that MeshEdit has not.
@@ -458,8 +448,9 @@ private:
         if (!isOnCrease && !has(this->Now.triangle(t), u))
         {
           const auto [i, j, k] = replaced(this->Now.triangle(t), v, u);
-          least = std::min(
-            least, distanceToTriangle(p, this->position(i), this->position(j), this->position(k)));
+          least = std::min(least,
+            std::sqrt(squaredDistanceToTriangle(
+              p, this->position(i), this->position(j), this->position(k))));
         }
       }
       return least;
@@ -635,6 +626,10 @@ private:
 
 Status simplifyFeatures(OptimizedMesh& mesh, double tolerance)
 {
+  if (tolerance <= 0)
+  {
+    return Status::success();
+  }
   std::vector<std::pair<double, int>> poor;
   for (const Face f : mesh.faces())
   {
@@ -647,7 +642,7 @@ Status simplifyFeatures(OptimizedMesh& mesh, double tolerance)
       poor.emplace_back(quality, f.index());
     }
   }
-  if (poor.empty() || tolerance <= 0)
+  if (poor.empty())
   {
     return Status::success();
   }

@@ -17,10 +17,8 @@
 
 namespace stipple
 {
-namespace
-{
 /// Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi region of the triangle that p is in.
-double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -64,7 +62,6 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   const double square = n.squaredNorm();
   const double height = n.dot(ap);
   return square > 0 ? height * height / square : ap.squaredNorm();
-}
 }
 
 SurfaceError::SurfaceError(const OptimizedMesh& mesh)
@@ -144,7 +141,7 @@ SurfaceError::Measure SurfaceError::atUpTo(Vertex v, double sumOfOthers, const M
     double least = 1e300;
     for (const auto& [q, r] : edges)
     {
-      least = std::min(least, squaredDistance(p, mesh.position(v), *q, *r));
+      least = std::min(least, squaredDistanceToTriangle(p, mesh.position(v), *q, *r));
     }
     result.sum += least;
     if (least > result.largest)
