@@ -108,13 +108,12 @@ std::string parseOption(const Option& option, const std::string& text, OptionVal
     case Kind::Flag:
       break;
     case Kind::Integer:
+    case Kind::Number:
       if (text == option.automaticWord && !text.empty())
       {
         number = 0;
         break;
       }
-      [[fallthrough]];
-    case Kind::Number:
       // A whole number is written as one: no point, no exponent.
       if (!parseNumber(text, number) || !option.allows(number) ||
         (option.kind == Kind::Integer && !parseInteger(text, INT_MIN, INT_MAX, whole)))

@@ -258,8 +258,15 @@ Status checkSession(const Session& session, vtkPolyData* mesh)
         " names a point that the input does not have");
     }
   }
-  const std::string& array = session.text("importance_array");
-  return array.empty() ? Status::success() : checkArray(array, mesh);
+  for (const char* name : { "importance_array", "size_array" })
+  {
+    const std::string& array = session.text(name);
+    if (Status status = array.empty() ? Status::success() : checkArray(array, mesh); !status.ok())
+    {
+      return status;
+    }
+  }
+  return Status::success();
 }
 
 Status readImage(const std::string& file, vtkSmartPointer<vtkImageData>& result)

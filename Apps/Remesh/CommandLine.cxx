@@ -85,6 +85,10 @@ std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
   {
     return "--image-projection needs --importance-image FILE";
   }
+  if (o.has("points") && o.has("edge_length"))
+  {
+    return "--points and --edge-length exclude each other: either follows from the other";
+  }
   if (o.flag("quiet") && o.flag("verbose"))
   {
     return "--quiet and --verbose exclude each other";

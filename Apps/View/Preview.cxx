@@ -32,6 +32,7 @@ void Preview::setAtlas(const AtlasResult& atlas)
     control->SetInputDataObject(0, atlas.maps);
     control->SetInputDataObject(1, atlas.charts);
   }
+  this->Control->SetInputDataObject(2, atlas.graph);
   this->Sampler->SetInputDataObject(1, atlas.charts);
   this->Sampler->SetInputDataObject(2, atlas.graph);
   this->Ready = true;
@@ -46,6 +47,9 @@ void Preview::setImportanceImage(vtkImageData* image)
 Status Preview::update(const Session& session, int points)
 {
   applyOptions(session, this->Control);
+  // As vtkGeometryRemesher has it.
+  const bool mayGrow = session.text("preset") == "adaptive" && session.text("pattern") != "quads";
+  this->Control->SetNumberOfSamples(mayGrow ? points : 0);
   this->Sampler->SetNumberOfSamples(points);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);

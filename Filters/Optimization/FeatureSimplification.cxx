@@ -498,7 +498,8 @@ private:
       }
     }
     const double distance = this->distanceOfCollapse(v, u);
-    return gain > Tuning::LeastGainOfCollapse && worstAfter >= worstBefore &&
+    return gain > Tuning::LeastGainOfCollapse &&
+        worstAfter > worstBefore - Tuning::LeastGainOfCollapse &&
         distance <= this->worthOf(v, worstBefore)
       ? distance
       : Never;

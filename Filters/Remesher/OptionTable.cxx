@@ -29,6 +29,7 @@ using Kind = Option::Kind;
 using Group = Option::Group;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Positive = std::numeric_limits<double>::min(); // the least of a range above 0
 constexpr double LargestId = 9007199254740991.; // 2^53 - 1: a double holds all ids up to it
 
 /// A parameter of a stage: what it is called, how it is set, and what the class says of it.
@@ -225,15 +226,18 @@ void Maker::sampling()
     STIPPLE_ENUM(vtkControlMap, Importance));
   this->add(Kind::File, "importance_image", "FILE",
     "the image for the importance image (PNG, JPEG, TIFF, VTI, ...); bright attracts");
-  o = &this->add(Kind::Text, "importance_array", "NAME",
-    "the input's point or cell array for the importance array");
-  o->stage = "vtkControlMap";
-  o->property = "ImportanceArrayName";
-  o->apply = [](vtkAlgorithm* stage, const Option&, const OptionValue& value) {
-    const auto& name = std::get<std::string>(value);
-    static_cast<vtkControlMap*>(stage)->SetImportanceArrayName(
-      name.empty() ? nullptr : name.c_str());
+  const auto arrayName = [this](const char* name, const char* help, const char* property,
+                           void (vtkControlMap::*set)(const char*)) {
+    Option& option = this->add(Kind::Text, name, "NAME", help);
+    option.stage = "vtkControlMap";
+    option.property = property;
+    option.apply = [set](vtkAlgorithm* stage, const Option&, const OptionValue& value) {
+      const auto& array = std::get<std::string>(value);
+      (static_cast<vtkControlMap*>(stage)->*set)(array.empty() ? nullptr : array.c_str());
+    };
   };
+  arrayName("importance_array", "the input's point or cell array for the importance array",
+    "ImportanceArrayName", &vtkControlMap::SetImportanceArrayName);
   this->choice("image_projection", "HOW", { "chart", "x", "y", "z" },
     "where the image lies: pasted in every chart, or projected along an axis through the whole "
     "surface",
@@ -265,10 +269,31 @@ void Maker::sampling()
     "low-pass of the density", STIPPLE_NUMBER(vtkControlMap, Gradation));
   this->number(Kind::Number, "minimum_density", "D", "of the maximum", "least density",
     STIPPLE_NUMBER(vtkControlMap, MinimumDensity));
+  const auto length = [this](const char* name, const char* argument, const char* help,
+                        const char* automatic, const Property& property) {
+    Option& option =
+      this->number(Kind::Number, name, argument, "in the input's unit", help, property);
+    option.low = Positive;
+    option.automatic = automatic;
+  };
+  length("edge_length", "L", "wanted length of edges; the number of points follows from it",
+    "by the number of points", STIPPLE_NUMBER(vtkControlMap, EdgeLength));
+  arrayName("size_array",
+    "the input's point or cell array of wanted lengths of edges, in place of "
+    "an importance; the number of points follows unless it is given",
+    "SizeArrayName", &vtkControlMap::SetSizeArrayName);
+  length("size_minimum", "L", "shortest edges wanted", "none",
+    STIPPLE_NUMBER(vtkControlMap, SizeMinimum));
+  length("size_maximum", "L", "longest edges wanted", "none",
+    STIPPLE_NUMBER(vtkControlMap, SizeMaximum));
+  o = &this->number(Kind::Number, "growth", "none|G", "",
+    "largest ratio of neighbouring edges where they are short because features are close",
+    STIPPLE_NUMBER(vtkControlMap, Growth));
+  o->low = 1.1;
+  o->automatic = o->automaticWord = "none";
   o = &this->rows("strokes", "FILE",
     { { "x", -Infinity, Infinity, false }, { "y", -Infinity, Infinity, false },
-      { "z", -Infinity, Infinity, false },
-      { "radius", std::numeric_limits<double>::denorm_min(), Infinity, false },
+      { "z", -Infinity, Infinity, false }, { "radius", Positive, Infinity, false },
       { "strength", -1, Infinity, false } },
     "painted density; a strength above 0 adds, -1 to 0 erases", "vtkControlMap", "Strokes");
   o->apply = applyStrokes;
@@ -418,10 +443,10 @@ std::string plain(double value)
 /// "from 0 to 1", "of at least 2", "above 0"; empty if anything goes.
 std::string bounds(double low, double high)
 {
-  return high < Infinity                               ? "from " + plain(low) + " to " + plain(high)
-    : low == std::numeric_limits<double>::denorm_min() ? "above 0"
-    : low > -Infinity                                  ? "of at least " + plain(low)
-                                                       : "";
+  return high < Infinity ? "from " + plain(low) + " to " + plain(high)
+    : low == Positive    ? "above 0"
+    : low > -Infinity    ? "of at least " + plain(low)
+                         : "";
 }
 
 bool within(double value, double low, double high, bool whole)
@@ -488,19 +513,25 @@ std::string Option::range() const
   {
     return "";
   }
-  const std::string numbers = this->high < Infinity ? plain(this->low) + " to " + plain(this->high)
-                                                    : plain(this->low) + " or more";
+  const bool isOpen = this->low == Positive;
+  const std::string numbers = isOpen ? "above 0"
+    : this->high < Infinity          ? plain(this->low) + " to " + plain(this->high)
+                                     : plain(this->low) + " or more";
   return numbers + (this->unit.empty() ? "" : " " + this->unit);
 }
 
 std::string Option::initialText() const
 {
-  if (!this->automatic.empty() || this->kind == Kind::Choice)
+  if (this->kind == Kind::Choice)
   {
-    return this->automatic.empty() ? std::get<std::string>(this->initial) : this->automatic;
+    return std::get<std::string>(this->initial);
   }
-  const bool number = this->kind == Kind::Integer || this->kind == Kind::Number;
-  return number ? plain(std::get<double>(this->initial)) : "";
+  if (this->kind != Kind::Integer && this->kind != Kind::Number)
+  {
+    return "";
+  }
+  const double number = std::get<double>(this->initial);
+  return number == 0 && !this->automatic.empty() ? this->automatic : plain(number);
 }
 
 bool Option::allows(double value) const

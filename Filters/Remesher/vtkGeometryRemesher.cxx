@@ -35,6 +35,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,6 +100,7 @@ struct vtkGeometryRemesher::Internals
   int Current = 0;
   std::string StageError;     ///< the first that the stage reported
   std::string ExecutiveError; ///< the first that its executive reported
+  bool MayGrow = true;        ///< sizes may; a mesh that is wrong is tried again without
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
@@ -235,6 +238,8 @@ struct vtkGeometryRemesher::Internals
       default:
         break;
     }
+    const char* sizes = this->ControlMap->GetSizeArrayName();
+    maps.insert(maps.end(), sizes ? 1 : 0, sizes ? sizes : "");
     return maps;
   }
 
@@ -356,20 +361,21 @@ bool vtkGeometryRemesher::RunStages()
   {
     return false;
   }
-  const vtkIdType surfacePoints = s.Atlas->GetNumberOfSurfacePoints();
   if (s.Atlas->GetNumberOfSurfaceTriangles() == 0)
   {
     vtkWarningMacro("The input has no triangle with an area: the output is empty.");
     return false;
   }
-  const int points = this->NumberOfPoints > 0
-    ? this->NumberOfPoints
-    : static_cast<int>(std::min<vtkIdType>(surfacePoints, this->GetNumberOfPointsMaxValue()));
   s.selectMaps();
-  s.MapRenderer->SetNumberOfSamples(points);
-  s.Sampler->SetNumberOfSamples(points);
-  s.Sampler->SetRaiseNumberOfSamples(this->NumberOfPoints == 0);
-  if (!this->RunStage(MAPS) || !this->RunStage(CONTROL) || !this->RunStage(SAMPLING))
+  // Where sizes are to be alike, or triangles in rows, they do not grow from features.
+  const bool mayGrow =
+    s.Optimizer->GetFollowDensity() && !s.Optimizer->GetRibs() && this->Pattern != QUADS;
+  s.ControlMap->SetInputConnection(2, mayGrow && s.MayGrow ? s.Atlas->GetOutputPort(1) : nullptr);
+  if (!this->RunMapsAndControl())
+  {
+    return false;
+  }
+  if (!this->RunStage(SAMPLING))
   {
     return false;
   }
@@ -381,10 +387,53 @@ bool vtkGeometryRemesher::RunStages()
   return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
 }
 
+/// Also finds how many points there will be.
+bool vtkGeometryRemesher::RunMapsAndControl()
+{
+  Internals& s = *this->Stages;
+  const int most = this->GetNumberOfPointsMaxValue();
+  const bool isByLength = s.ControlMap->GetEdgeLength() > 0. ||
+    (s.ControlMap->GetSizeArrayName() && this->NumberOfPoints == 0);
+  // By lengths: about so many; the control says it exactly.
+  int points = this->NumberOfPoints > 0
+    ? this->NumberOfPoints
+    : static_cast<int>(std::min<vtkIdType>(s.Atlas->GetNumberOfSurfacePoints(), most));
+  for (bool isFirst = true;; isFirst = false)
+  {
+    s.MapRenderer->SetNumberOfSamples(points);
+    s.ControlMap->SetNumberOfSamples(isByLength ? 0 : points);
+    if (!this->RunStage(MAPS) || !this->RunStage(CONTROL))
+    {
+      return false;
+    }
+    const double wanted = isByLength ? s.ControlMap->GetNumberOfWantedSamples() : points;
+    if (wanted > most)
+    {
+      std::ostringstream sentence;
+      sentence << "Edges of these lengths take " << wanted << " points, more than " << most
+               << ": ask for longer ones.";
+      this->ErrorCode = BAD_INPUT;
+      vtkErrorMacro(<< sentence.str());
+      return false;
+    }
+    const int before = points;
+    points = std::max(1, static_cast<int>(std::lround(wanted)));
+    if (!isFirst || points <= before) // maps are fine enough
+    {
+      break;
+    }
+  }
+  s.Sampler->SetNumberOfSamples(points);
+  s.Sampler->SetRaiseNumberOfSamples(this->NumberOfPoints == 0 || isByLength);
+  return true;
+}
+
 bool vtkGeometryRemesher::RunStagesAndCheck()
 {
   Internals& s = *this->Stages;
-  for (int level = 0;; ++level)
+  s.MayGrow = true;
+  int level = 0;
+  for (;;)
   {
     s.Atlas->SetRefinementLevel(level);
     if (!this->RunStages())
@@ -400,11 +449,14 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     {
       return this->Pattern != SEMIREGULAR || this->RunStage(Subdivision);
     }
-    if (status.isAbort() || level == s.Atlas->GetRefinementLevelMaxValue())
+    const bool hasGrown = s.ControlMap->GetHasGrown();
+    if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))
     {
       stipple::endAfter(status, this, this->ErrorCode);
       return false;
     }
+    s.MayGrow = s.MayGrow && !hasGrown;
+    level += hasGrown ? 0 : 1;
   }
 }
 

@@ -11,7 +11,7 @@
  * here; all else that the stages have, as GetAtlas()->SetConstraints() or
  * GetControlMap()->AddStroke(). A stage executes again only if its own parameters or what flows
  * into it changed: a new Gamma or Importance re-executes from the control map on, a new
- * NumberOfPoints from the maps on if they need another size for it.
+ * NumberOfPoints, too, or from the maps on if they need another size for it.
  *
  * Output ports:
  * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`,
@@ -71,7 +71,8 @@ public:
   ///@{
   /// The exact number of points of the mesh, from 0 to as many as vtkErrorDiffusionSampler makes; 0
   /// is as many as the input has after repairs, or where no mesh has so few
-  /// GetLeastNumberOfPoints(). The default is 0.
+  /// GetLeastNumberOfPoints(). The default is 0. Where GetControlMap() has an EdgeLength, or
+  /// where this is 0 and it has a SizeArrayName, the number follows from these lengths.
   void SetNumberOfPoints(int points);
   vtkGetMacro(NumberOfPoints, int);
   int GetNumberOfPointsMinValue();
@@ -238,6 +239,7 @@ private:
   void operator=(const vtkGeometryRemesher&) = delete;
 
   bool RunStage(int algorithm);
+  bool RunMapsAndControl();
   bool RunStages();
   bool RunStagesAndCheck();
 

@@ -7,6 +7,7 @@
 #include "Importance.h"
 #include "ImportanceSource.h"
 #include "SamplingConstants.h"
+#include "SizingFunction.h"
 #include "SurfaceDiffusion.h"
 
 #include "vtkBoundingBox.h"
@@ -118,6 +119,13 @@ double surfaceArea(const std::vector<WeightedValues>& values)
   return area;
 }
 
+/// The part of a step in the whole's progress.
+Progress partOf(const Progress& progress, double begin, double end)
+{
+  return [&progress, begin, end](
+           double fraction) { return report(progress, begin + (end - begin) * fraction); };
+}
+
 float largestOf(const float* values, std::size_t begin, std::size_t end)
 {
   float largest = 0;
@@ -153,6 +161,7 @@ struct ControlMapBuilder::Internals
   std::vector<PaintLayer> layers;
 
   std::vector<ControlChart> charts; ///< of this execution
+  Sizes sizes;                      ///< of the last control
 
   static Key keyOf(vtkPartitionedDataSetCollection* data);
   void takeMaps(vtkPartitionedDataSetCollection* maps);
@@ -168,6 +177,11 @@ struct ControlMapBuilder::Internals
   Status fillImportance(const ControlMapOptions& o, bool varies, const UnitFunctionTable& table,
     const Progress& progress, float& largest, std::string& warning);
   std::vector<float*> controls() const;
+  Status fillControl(vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o,
+    const Progress& progress, std::string& warning);
+  Status fillFromSizes(const std::string& array);
+  Status applySizes(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph,
+    const ControlMapOptions& o, const Progress& progress);
 };
 
 ControlMapBuilder::Internals::Key ControlMapBuilder::Internals::keyOf(
@@ -309,9 +323,10 @@ std::vector<ControlImage> ControlMapBuilder::Internals::views() const
     ControlImage view;
     view.width = this->charts[c].map->GetDimensions()[0];
     view.height = this->charts[c].map->GetDimensions()[1];
-    view.extent = this->atlas->surface().extent[Chart(static_cast<int>(c))];
+    const double* spacing = this->charts[c].map->GetSpacing();
+    view.extent = Vec2(view.width * spacing[0], view.height * spacing[1]);
     view.areaDistortion = this->charts[c].area->data();
-    view.faceIndex = this->faces[c]->GetPointer(0);
+    view.faceIndex = this->faces.empty() ? nullptr : this->faces[c]->GetPointer(0);
     result.push_back(view);
   }
   return result;
@@ -526,29 +541,10 @@ Status ControlMapBuilder::Internals::fillImportance(const ControlMapOptions& o, 
                      : Status::error("The strokes erase all importance: remove some of them.");
 }
 
-ControlMapBuilder::ControlMapBuilder()
-  : Data(std::make_unique<Internals>())
+/// The control that an importance makes, after paper 3.1 and 3.3.
+Status ControlMapBuilder::Internals::fillControl(vtkPartitionedDataSetCollection* surfaceCharts,
+  const ControlMapOptions& o, const Progress& progress, std::string& warning)
 {
-}
-
-ControlMapBuilder::~ControlMapBuilder() = default;
-
-Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
-  vtkPartitionedDataSetCollection* surfaceCharts, const ControlMapOptions& o,
-  const Progress& progress, std::vector<vtkSmartPointer<vtkFloatArray>>& control,
-  std::string& warning)
-{
-  Internals& d = *this->Data;
-  control.clear();
-  d.takeMaps(maps);
-  if (Status status = d.readMaps(maps); !status.ok() || d.charts.empty())
-  {
-    return status;
-  }
-  const auto part = [&](double begin, double end) {
-    return [&progress, begin, end](
-             double fraction) { return report(progress, begin + (end - begin) * fraction); };
-  };
   bool varies = o.importance != ImportanceKind::Uniform && o.gamma > 0.;
   const bool bandPass = varies && o.bandPass[1] > 0.;
   const bool gradation = varies && o.gradation > 0.;
@@ -566,25 +562,25 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
       : gradation              ? "Gradation"
       : bandPass               ? "BandPass"
                                : "A projected ImportanceImage";
-    if (Status status = d.readSurface(surfaceCharts, what); !status.ok())
+    if (Status status = this->readSurface(surfaceCharts, what); !status.ok())
     {
       return status;
     }
   }
   if (strokes)
   {
-    if (Status status = d.readFaces(); !status.ok())
+    if (Status status = this->readFaces(); !status.ok())
     {
       return status;
     }
   }
   if (varies)
   {
-    if (Status status = d.fillBase(o, part(0., 0.4)); !status.ok())
+    if (Status status = this->fillBase(o, partOf(progress, 0., 0.5)); !status.ok())
     {
       return status;
     }
-    varies = d.largestBase > 0;
+    varies = this->largestBase > 0;
   }
   const UnitFunctionTable table([&o](double x) {
     const double y = o.transfer ? o.transfer->GetValue(x) : x;
@@ -592,26 +588,133 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
   });
   // Where nothing but the table acts, which ascends, one pass over the pixels does.
   const bool inPlace = strokes || (varies && (gradation || o.transfer));
-  float largest = varies ? table(d.largestBase) : 1.f;
+  float largest = varies ? table(this->largestBase) : 1.f;
   if (inPlace)
   {
-    if (Status status = d.fillImportance(o, varies, table, part(0.4, 0.8), largest, warning);
+    if (Status status =
+          this->fillImportance(o, varies, table, partOf(progress, 0.5, 1.), largest, warning);
         !status.ok())
     {
       return status;
     }
   }
   const auto floorValue = static_cast<float>(o.minimumDensity) * largest;
-  forEachPixelRun(d.charts, [&](const PixelRun& r) {
-    float* v = d.charts[r.chart].values();
-    const float* area = d.charts[r.chart].area->data();
+  forEachPixelRun(this->charts, [&](const PixelRun& r) {
+    float* v = this->charts[r.chart].values();
+    const float* area = this->charts[r.chart].area->data();
     for (std::size_t i = r.begin; i < r.end; ++i)
     {
-      const float importance = inPlace ? v[i] : (varies ? table(d.base[r.chart][i]) : 1.f);
+      const float importance = inPlace ? v[i] : (varies ? table(this->base[r.chart][i]) : 1.f);
       v[i] = area[i] > 0 ? std::max(floorValue, importance) * area[i] : 0.f;
     }
     return 0.f;
   });
+  return Status::success();
+}
+
+/// Bounds the lengths of edges.
+Status ControlMapBuilder::Internals::applySizes(vtkPartitionedDataSetCollection* surfaceCharts,
+  vtkPolyData* featureGraph, const ControlMapOptions& o, const Progress& progress)
+{
+  this->sizes = {};
+  const bool isKnown =
+    o.sizing.numberOfSamples > 0 || o.sizing.edgeLength > 0 || !o.sizeArray.empty();
+  if (!isKnown)
+  {
+    return o.sizing.smallest > 0 || o.sizing.largest > 0
+      ? Status::error("SizeMinimum and SizeMaximum bound lengths of edges, which are not known "
+                      "without NumberOfSamples, EdgeLength or a SizeArray: set one.")
+      : Status::success();
+  }
+  const bool grows = o.sizing.growth > 1. && featureGraph;
+  Atlas::Pointer whole; // with its features
+  if (grows)
+  {
+    if (Status status = this->readSurface(surfaceCharts, "Growth"); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = this->readFaces(); !status.ok())
+    {
+      return status;
+    }
+    if (Status status = Atlas::read(surfaceCharts, featureGraph, whole); !status.ok())
+    {
+      return status;
+    }
+  }
+  std::vector<ControlImage> images = this->views();
+  for (std::size_t c = 0; c < images.size(); ++c)
+  {
+    images[c].control = this->charts[c].values();
+  }
+  return applySizing(whole.get(), images, o.sizing, progress, this->controls(), this->sizes);
+}
+
+/// The control that wants the lengths of an array.
+Status ControlMapBuilder::Internals::fillFromSizes(const std::string& array)
+{
+  ImportanceSource source;
+  source.importance = ImportanceKind::Array;
+  source.arrayName = array.c_str();
+  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  {
+    const ControlChart& chart = this->charts[c];
+    float* v = chart.values();
+    if (const std::string missing = source.fill(chart.map, v); !missing.empty())
+    {
+      return Status::error("Map " + std::to_string(c) + " has no point array " + missing +
+        ", the SizeArray: select it in vtkGeometryMapRenderer.");
+    }
+    for (std::size_t i = 0; i < chart.size; ++i)
+    {
+      const float area = chart.area->data()[i];
+      if (area > 0 && !(v[i] > 0 && std::isfinite(v[i])))
+      {
+        return Status::error(
+          "The size array " + array + " holds lengths that are not positive and finite.");
+      }
+      v[i] = area > 0 ? static_cast<float>(densityOfEdges(v[i])) * area : 0.f;
+    }
+  }
+  return Status::success();
+}
+
+ControlMapBuilder::ControlMapBuilder()
+  : Data(std::make_unique<Internals>())
+{
+}
+
+ControlMapBuilder::~ControlMapBuilder() = default;
+
+const Sizes& ControlMapBuilder::sizes() const
+{
+  return this->Data->sizes;
+}
+
+Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
+  vtkPartitionedDataSetCollection* surfaceCharts, vtkPolyData* featureGraph,
+  const ControlMapOptions& o, const Progress& progress,
+  std::vector<vtkSmartPointer<vtkFloatArray>>& control, std::string& warning)
+{
+  Internals& d = *this->Data;
+  control.clear();
+  d.takeMaps(maps);
+  if (Status status = d.readMaps(maps); !status.ok() || d.charts.empty())
+  {
+    return status;
+  }
+  Status status = o.sizeArray.empty()
+    ? d.fillControl(surfaceCharts, o, partOf(progress, 0., 0.8), warning)
+    : d.fillFromSizes(o.sizeArray);
+  if (status.ok())
+  {
+    status = d.applySizes(surfaceCharts, featureGraph, o, partOf(progress, 0.8, 1.));
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
   for (const ControlChart& chart : d.charts)
   {
     control.push_back(chart.control);

@@ -8,6 +8,7 @@
 #include "ImportanceSource.h"
 #include "Painting.h"
 #include "Progress.h"
+#include "SizingFunction.h"
 
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
@@ -19,6 +20,7 @@
 
 class vtkImageData;
 class vtkPartitionedDataSetCollection;
+class vtkPolyData;
 class vtkPiecewiseFunction;
 
 namespace stipple
@@ -36,6 +38,8 @@ struct ControlMapOptions
   double gradation = 0.;                       ///< % of the diagonal; 0: none
   std::vector<BrushStroke> strokes;
   double minimumDensity = 0.02; ///< part of the largest, 0 to 1
+  std::string sizeArray;        ///< lengths of edges, in place of an importance
+  SizingOptions sizing;
 };
 
 class ControlMapBuilder
@@ -48,8 +52,11 @@ public:
   /// result that is not what was asked for is explained in `warning`. `charts` may be null where
   /// nothing works on the surface.
   Status build(vtkPartitionedDataSetCollection* maps, vtkPartitionedDataSetCollection* charts,
-    const ControlMapOptions& options, const Progress& progress,
+    vtkPolyData* featureGraph, const ControlMapOptions& options, const Progress& progress,
     std::vector<vtkSmartPointer<vtkFloatArray>>& control, std::string& warning);
+
+  /// Of the last control; no samples if nothing says in what unit it is.
+  const Sizes& sizes() const;
 
 private:
   struct Internals;

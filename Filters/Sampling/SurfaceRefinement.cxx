@@ -104,6 +104,13 @@ private:
 RefinedSurface refine(
   const AtlasSurface& surface, const std::vector<ControlImage>& images, double longest)
 {
+  return refine(
+    surface, images, [longest](const Vec3& p, const Vec3& q) { return (q - p).norm() > longest; });
+}
+
+RefinedSurface refine(const AtlasSurface& surface, const std::vector<ControlImage>& images,
+  const std::function<bool(const Vec3&, const Vec3&)>& isTooLong)
+{
   RefinedSurface result;
   result.points = surface.points;
   result.triangles = surface.triangles;
@@ -126,7 +133,7 @@ RefinedSurface refine(
         const Vec3& a = result.points[p[k]];
         const Vec3& b = result.points[q];
         const Vec2 e = (result.uv[t][(k + 1) % 3] - result.uv[t][k]).cwiseProduct(toPixel);
-        if ((b - a).norm() > longest && e.norm() > 2. &&
+        if (e.norm() > 2. && isTooLong(a, b) &&
           middles.try_emplace(edgeKey(p[k], q), static_cast<int>(result.points.size())).second)
         {
           const Vec3 middle = 0.5 * (a + b);

@@ -7,6 +7,7 @@
 #include "AtlasSurface.h"
 #include "ControlImage.h"
 
+#include <functional>
 #include <vector>
 
 namespace stipple
@@ -26,6 +27,10 @@ struct STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface
 /// that has it.
 STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface refine(
   const AtlasSurface& surface, const std::vector<ControlImage>& images, double longest);
+/// The same with edges between two places that are too long by a rule of the caller's.
+STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface refine(const AtlasSurface& surface,
+  const std::vector<ControlImage>& images,
+  const std::function<bool(const Vec3&, const Vec3&)>& isTooLong);
 
 /// The triangle that a pixel's centre lies in, and its barycentric coordinates there.
 struct PixelPlace

@@ -15,6 +15,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ void addImages(vtkPartitionedDataSetCollection* input,
 vtkControlMap::vtkControlMap()
   : Data(std::make_unique<Internals>())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->Data->strokes->SetName("Strokes");
   this->Data->strokes->SetNumberOfComponents(StrokeComponents);
 }
@@ -88,6 +89,7 @@ vtkControlMap::vtkControlMap()
 vtkControlMap::~vtkControlMap()
 {
   this->SetImportanceArrayName(nullptr);
+  this->SetSizeArrayName(nullptr);
   this->SetImportanceImage(nullptr);
   this->SetTransferFunction(nullptr);
 }
@@ -184,7 +186,11 @@ vtkDoubleArray* vtkControlMap::GetStrokes()
 int vtkControlMap::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
-  if (port == 1)
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  if (port >= 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -196,6 +202,7 @@ int vtkControlMap::RequestData(
 {
   auto* input = vtkPartitionedDataSetCollection::GetData(inputVector[0], 0);
   auto* charts = vtkPartitionedDataSetCollection::GetData(inputVector[1], 0);
+  auto* graph = vtkPolyData::GetData(inputVector[2], 0);
   auto* output = vtkPartitionedDataSetCollection::GetData(outputVector, 0);
   if (!input || !output)
   {
@@ -211,6 +218,12 @@ int vtkControlMap::RequestData(
   options.gamma = this->Gamma;
   options.gradation = this->Gradation;
   options.minimumDensity = this->MinimumDensity;
+  options.sizeArray = this->SizeArrayName ? this->SizeArrayName : "";
+  options.sizing.numberOfSamples = this->NumberOfSamples;
+  options.sizing.edgeLength = this->EdgeLength;
+  options.sizing.smallest = this->SizeMinimum;
+  options.sizing.largest = this->SizeMaximum;
+  options.sizing.growth = this->Growth;
   for (vtkIdType i = 0; i < this->Data->strokes->GetNumberOfTuples(); ++i)
   {
     const double* s = this->Data->strokes->GetPointer(StrokeComponents * i);
@@ -221,7 +234,7 @@ int vtkControlMap::RequestData(
   const int result =
     stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
       const stipple::Status status =
-        this->Data->builder.build(input, charts, options, progress, control, warning);
+        this->Data->builder.build(input, charts, graph, options, progress, control, warning);
       if (status.ok())
       {
         addImages(input, control, output);
@@ -233,6 +246,16 @@ int vtkControlMap::RequestData(
     vtkWarningMacro(<< warning);
   }
   return result;
+}
+
+double vtkControlMap::GetNumberOfWantedSamples()
+{
+  return this->Data->builder.sizes().numberOfSamples;
+}
+
+bool vtkControlMap::GetHasGrown()
+{
+  return this->Data->builder.sizes().hasGrown;
 }
 
 void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
@@ -249,4 +272,11 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Gradation: " << this->Gradation << "\n";
   os << indent << "Strokes: " << this->GetNumberOfStrokes() << "\n";
   os << indent << "MinimumDensity: " << this->MinimumDensity << "\n";
+  os << indent << "SizeArrayName: " << (this->SizeArrayName ? this->SizeArrayName : "(none)")
+     << "\n";
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "SizeMinimum: " << this->SizeMinimum << "\n";
+  os << indent << "SizeMaximum: " << this->SizeMaximum << "\n";
+  os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
 }

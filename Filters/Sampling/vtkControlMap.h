@@ -21,7 +21,8 @@
  *
  * Input port 1 is optional and takes the charts of vtkConformalAtlas. BandPass, Gradation, Strokes
  * and a projected ImportanceImage need it, and all but the last the map `FaceIndex`: they work on
- * the surface itself, so that seams do not show.
+ * the surface itself, so that seams do not show. Input port 2 is optional, too, and takes the
+ * feature graph, for Growth, which comes last.
  *
  * @sa vtkGeometryMapRenderer vtkErrorDiffusionSampler
  */
@@ -198,6 +199,70 @@ public:
   vtkDoubleArray* GetStrokes();
   ///@}
 
+  ///@{
+  /**
+   * A map of wanted lengths of edges, in the surface's unit, all positive, in place of an
+   * importance: Importance and all that is made of it are not looked at. With NumberOfSamples or
+   * EdgeLength lengths are in proportion to it. The default is nullptr.
+   */
+  vtkSetStringMacro(SizeArrayName);
+  vtkGetStringMacro(SizeArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * How many samples there will be: it makes lengths of edges of the control, as two equilateral
+   * triangles a sample have them. 0: not known, as many as EdgeLength or SizeArrayName asks for. At
+   * least 0; the default is 0. vtkGeometryRemesher sets it.
+   */
+  vtkSetClampMacro(NumberOfSamples, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * The length of edges, in the surface's unit, where NumberOfSamples is 0: as many samples are
+   * wanted as a uniform mesh with such edges has, and more where SizeMaximum or Growth ask for
+   * shorter ones. 0: none. At least 0; the default is 0.
+   */
+  vtkSetClampMacro(EdgeLength, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bounds on the lengths of edges, in the surface's unit, which go before all else but
+   * NumberOfSamples: what that cannot keep is an error with the number that can. 0: none. At least
+   * 0; the default is 0.
+   */
+  vtkSetClampMacro(SizeMinimum, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(SizeMinimum, double);
+  vtkSetClampMacro(SizeMaximum, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(SizeMaximum, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest ratio of the lengths of neighbouring edges where edges must be short: where creases and
+   * boundaries are closer to one another than edges would be long, edges are made as short as
+   * triangles need to fit in between (a third of that length at least), and grow from there. The
+   * rest gets longer ones, so that the number of samples stays; where that would make them longer
+   * by more than this ratio, nothing is done. 0 (or up to 1): none. Needs the feature graph on port
+   * 2, the charts on port 1, and one of NumberOfSamples, EdgeLength and SizeArrayName. In the range
+   * 0 to 4; the default is 1.5.
+   */
+  vtkSetClampMacro(Growth, double, 0., 4.);
+  vtkGetMacro(Growth, double);
+  ///@}
+
+  /**
+   * How many samples the control of the last update wants, not rounded: NumberOfSamples, or what
+   * EdgeLength or SizeArrayName asks for; 0 without any of them.
+   */
+  double GetNumberOfWantedSamples();
+  /// Whether Growth made a difference to the last update.
+  bool GetHasGrown();
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -221,6 +286,12 @@ private:
   vtkPiecewiseFunction* TransferFunction = nullptr;
   double Gradation = 0.;
   double MinimumDensity = 0.02;
+  char* SizeArrayName = nullptr;
+  int NumberOfSamples = 0;
+  double EdgeLength = 0.;
+  double SizeMinimum = 0.;
+  double SizeMaximum = 0.;
+  double Growth = 1.5;
 
   struct Internals;
   std::unique_ptr<Internals> Data;

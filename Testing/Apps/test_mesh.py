@@ -83,6 +83,101 @@ class Folds(MeshTest):
                 self.assertLessEqual(flipped, most)
 
 
+class Sizes(MeshTest):
+    """Lengths of edges in place of a number of points, and how they change over the surface."""
+
+    def edges(self, *arguments):
+        """Middles and lengths of the edges of what the program makes, each as often as it has triangles."""
+        out = self.folder / "out.off"
+        self.succeed(*arguments, "-o", out)
+        points = points_of(out)
+        return [
+            (tuple((p + q) / 2 for p, q in zip(points[a], points[b])), math.dist(points[a], points[b]))
+            for t in faces_of(out)
+            for a, b in zip(t, (*t[1:], t[0]))
+        ]
+
+    @staticmethod
+    def median(values):
+        return sorted(values)[len(values) // 2]
+
+    def test_the_number_follows_from_a_length(self):
+        for name, length in (("bunny00", 0.004), ("fandisk", 0.06), ("anchor_dense", 0.04)):
+            with self.subTest(model=name):
+                lengths = [length for _, length in self.edges(MODELS / f"{name}.off", "--edge-length", length)]
+                self.assertAlmostEqual(self.median(lengths) / length, 1, delta=0.05)
+
+    def sphere(self):
+        """A sphere with the wanted lengths .01 to .2 from pole to pole, as .vtk."""
+        n = 60
+
+        def radius(i):
+            return math.sin(math.pi * i / n) if 0 < i < n else 0.0  # poles are one point each
+
+        points = [
+            (radius(i) * math.cos(math.pi * j / n), radius(i) * math.sin(math.pi * j / n), math.cos(math.pi * i / n))
+            for i in range(n + 1)
+            for j in range(2 * n)
+        ]
+        faces = []
+        for i in range(n):
+            for j in range(2 * n):
+                a, b, c, d = (2 * n * k + m % (2 * n) for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+                faces += [(a, b, c)] * (i + 1 < n) + [(a, c, d)] * (i > 0)
+        rows = ["# vtk DataFile Version 3.0", "sphere", "ASCII", "DATASET POLYDATA", f"POINTS {len(points)} double"]
+        rows += [" ".join(map(repr, p)) for p in points]
+        rows += [f"POLYGONS {len(faces)} {4 * len(faces)}"] + ["3 " + " ".join(map(str, f)) for f in faces]
+        rows += [f"POINT_DATA {len(points)}", "SCALARS length double 1", "LOOKUP_TABLE default"]
+        rows += [repr(self.wanted(p[2])) for p in points]
+        file = self.folder / "sphere.vtk"
+        file.write_text("\n".join(rows) + "\n")
+        return file
+
+    @staticmethod
+    def wanted(z):
+        return 0.01 * 20 ** (0.5 * (1 - z))
+
+    def test_an_array_of_lengths_with_a_ratio_of_twenty(self):
+        """In each window the mean of the lengths over the wanted ones is 1 to a tenth."""
+        edges = self.edges(self.sphere(), "--size-array", "length", "--growth", "none")
+        ratios = sorted((p[2], length / self.wanted(p[2] / math.hypot(*p))) for p, length in edges)
+        window = 1200  # the edges, from both sides, of some 200 points
+        for begin in range(0, len(ratios) - window, window):
+            mean = sum(ratio for _, ratio in ratios[begin : begin + window]) / window
+            self.assertAlmostEqual(mean, 1, delta=0.1, msg=f"at z = {ratios[begin][0]}")
+
+    def test_bounds_on_lengths(self):
+        model = self.sphere()
+        edges = self.edges(model, "--size-array", "length", "--size-minimum", 0.05, "--size-maximum", 0.1)
+        self.assertAlmostEqual(self.median([d for p, d in edges if p[2] > 0.7]) / 0.05, 1, delta=0.05)
+        self.assertAlmostEqual(self.median([d for p, d in edges if p[2] < -0.9]) / 0.1, 1, delta=0.07)
+        self.fail_with(1, "fewer than 9000", model, "-o", "x.ply", "--points", 9000, "--size-minimum", 0.1)
+        self.fail_with(1, "no array 'width'", model, "-o", "x.ply", "--size-array", "width")
+        self.fail_with(2, "exclude each other", model, "-o", "x.ply", "--points", 9000, "--edge-length", 0.1)
+
+    def test_edges_grow_from_a_thin_rim(self):
+        """A plate of 2 x 2 x .02: edges on its rim are short, and longer away from it, so that it need not be simplified."""
+        half = (1, 1, 0.01)
+        points = [tuple(s * h for s, h in zip(signs, half)) for signs in
+                  ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))]
+        faces = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)]
+        for a in range(4):
+            b = (a + 1) % 4
+            faces += [(a, b, b + 4), (a, b + 4, a + 4)]
+        model, report = self.folder / "plate.off", self.folder / "report.json"
+        write_off(model, points, faces)
+        figures = {}
+        for growth in ("1.5", "none"):
+            edges = self.edges(model, "--points", 2000, "--growth", growth, "--report", report)
+            figures[growth] = json.loads(report.read_text())["quality"]
+            self.assertEqual(figures[growth]["V"], 2000)
+            rim = self.median([d for p, d in edges if max(abs(p[0]), abs(p[1])) > 0.999])
+            middle = self.median([d for p, d in edges if max(abs(p[0]), abs(p[1])) < 0.5])
+            self.assertEqual(growth == "1.5", middle > 1.2 * rim, (growth, rim, middle))
+        self.assertGreater(figures["1.5"]["angle_min"], 30)
+        self.assertLess(figures["1.5"]["hausdorff_pct"], figures["none"]["hausdorff_pct"])
+
+
 class Coarse(MeshTest):
     """Few points, or few and slender triangles."""
 

@@ -113,8 +113,10 @@ TEST(OptionTable, RowsAreSound)
     if (o.kind == Kind::Integer || o.kind == Kind::Number)
     {
       EXPECT_LT(o.low, o.high);
-      EXPECT_NE(o.allows(std::get<double>(o.initial)), !o.automatic.empty())
+      const double initial = std::get<double>(o.initial);
+      EXPECT_TRUE(o.allows(initial) || (initial == 0 && !o.automatic.empty()))
         << "a default within the range, or one that stands for something";
+      EXPECT_TRUE(o.automatic.empty() || !o.allows(0)) << "what 0 stands for is no value";
     }
     else if (o.kind == Kind::Choice)
     {
@@ -151,6 +153,10 @@ TEST(OptionTable, RowsSayWhatTheyTake)
   EXPECT_FALSE(size.allows(512.5));
 
   EXPECT_EQ(row("gamma").initialText(), "1");
+  EXPECT_EQ(row("growth").initialText(), "1.5") << "not what 0 stands for";
+  EXPECT_EQ(row("growth").wanted(), "none or a number from 1.1 to 4");
+  EXPECT_EQ(row("size_minimum").initialText(), "none");
+  EXPECT_EQ(row("edge_length").range(), "above 0 in the input's unit");
   EXPECT_EQ(row("domain_shape").range(), "rectangle or square");
   EXPECT_EQ(row("domain_shape").initialText(), "rectangle");
   EXPECT_EQ(row("strokes").range(), "");

@@ -185,7 +185,9 @@ TEST(ControlMapBuilder, ScalesRaisesAndWeighsAnImportance)
   ControlMapOptions options;
   std::vector<vtkSmartPointer<vtkFloatArray>> control;
   std::string warning;
-  const auto build = [&] { return builder.build(maps, nullptr, options, {}, control, warning); };
+  const auto build = [&] {
+    return builder.build(maps, nullptr, nullptr, options, {}, control, warning);
+  };
   EXPECT_EQ(build().code(), StatusCode::BadInput) << "no AreaDistortion";
   addArray(map, "AreaDistortion", [](int i) { return i == 0 ? 0. : 2.; });
   ASSERT_TRUE(build().ok());

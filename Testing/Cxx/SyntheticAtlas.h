@@ -225,10 +225,13 @@ inline void bumpyGrid(Builder& b, int charts, int n, bool crease = false)
   }
 }
 
-/// A cube of 6 charts: on the sphere (seams along its edges) or flat (sharp edges).
-inline void cube(Builder& b, int n, bool sphere)
+/// A cube of 6 charts: on the sphere (seams along its edges) or flat (sharp edges), of sides twice
+/// `half`.
+inline void cube(Builder& b, int n, bool sphere, const Vec3& half = Vec3::Ones())
 {
-  const auto place = [=](Vec3 p) { return sphere ? Vec3(p.normalized()) : p; };
+  const auto place = [=](const Vec3& p) {
+    return sphere ? Vec3(p.normalized()) : Vec3(p.cwiseProduct(half));
+  };
   const auto at = [=](int i, int n_) {
     return sphere ? std::tan((2. * i / n_ - 1.) * Pi / 4) : 2. * i / n_ - 1.;
   };

@@ -17,6 +17,24 @@ import shapes
 import stipple
 
 
+class Lengths(unittest.TestCase):
+    def test_the_number_follows_from_a_length(self):
+        points, triangles = stipple.remesh(shapes.arrays(shapes.sphere()), edge_length=0.1)
+        lengths = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2)
+        self.assertAlmostEqual(np.median(lengths) / 0.1, 1, delta=0.05)
+
+    def test_what_does_not_go_together(self):
+        with self.assertRaisesRegex(ValueError, "exclude"):
+            stipple.remesh(shapes.sphere(), points=500, edge_length=0.1)
+        with self.assertRaisesRegex(ValueError, "no array 'h'"):
+            stipple.remesh(shapes.sphere(), size_array="h")
+        with self.assertRaisesRegex(TypeError, "size_array must be a str"):
+            stipple.remesh(shapes.sphere(), size_array=3)
+        with self.assertRaisesRegex(ValueError, "growth"):
+            stipple.remesh(shapes.sphere(), points=500, growth=1)
+        stipple.remesh(shapes.sphere(), points=500, growth="none")
+
+
 class Result(unittest.TestCase):
     def test_exact_number_of_points_and_topology(self):
         for name, mesh, euler in (

@@ -68,8 +68,7 @@ def _set_importance(control, data, given):
     if name is not None:
         if not isinstance(name, str):
             raise TypeError("importance_array must be the name of an array; an array itself goes to importance")
-        if name not in _array_names(data):
-            raise ValueError(f"mesh has no array {name!r}; it has {', '.join(_array_names(data)) or 'none'}")
+        _check_array(data, name)
         control.SetImportanceArrayName(name)
     if image is not None:
         control.SetImportanceImage(_image(image))
@@ -93,6 +92,11 @@ def _add_importance(data, importance):
     array.SetName(_IMPORTANCE_ARRAY)
     data.GetPointData().AddArray(array)
     return _IMPORTANCE_ARRAY
+
+
+def _check_array(data, name):
+    if name not in _array_names(data):
+        raise ValueError(f"mesh has no array {name!r}; it has {', '.join(_array_names(data)) or 'none'}")
 
 
 def _array_names(data):
@@ -222,11 +226,15 @@ def remesh(mesh, given, progress=None):
     StippleAbort
         When progress returned False. What progress raises comes through.
     """
+    if "points" in given and "edge_length" in given:
+        raise ValueError("points and edge_length exclude each other: either follows from the other")
     data = _surface(mesh)
     remesher = _classes.vtkGeometryRemesher()
     stages = _inner_algorithms(remesher)
     _apply(TABLE, given, [remesher, *stages])
     _set_importance(remesher.GetControlMap(), data, given)
+    if "size_array" in given:
+        _check_array(data, given["size_array"])
     if "feature_curves" in given:
         remesher.GetAtlas().SetFeatureCurves(_curves(given["feature_curves"]))
     remesher.SetInputData(data)

@@ -33,7 +33,9 @@ class Option:
         self.low, self.high = float(self.low), float(self.high)
         self.integer = self.kind == "integer"
         if self.integer or self.kind == "number":
-            self.default = (self.word or None) if self.automatic else (int if self.integer else float)(self.default)
+            self.default = (int if self.integer else float)(self.default)
+            if self.automatic and self.default == 0:
+                self.default = self.word or None
         elif self.kind != "choice":
             self.default = None
 
@@ -84,6 +86,10 @@ class Option:
         """Sets what the option stands for."""
         if self.kind == "choice":
             value = [self.choices.index(self.word_of(value, name))]
+        elif self.kind == "text":
+            if not isinstance(value, str):
+                raise TypeError(f"{name} must be a str, not {type(value).__name__}")
+            value = [value]
         elif self.kind == "rows":
             value = self.rows(value, name)
             value = list(map(float, value[0])) if self.one_row else [_data_array(value)]
@@ -105,7 +111,7 @@ class Option:
             text += "" if self.one_row else f"; {shape}"
         if self.word:
             doc_type = f'{doc_type} or "{self.word}"'
-        default = self.automatic or self.default
+        default = self.automatic if self.default in (None, self.word) and self.automatic else self.default
         if default is not None:
             text += f". The default is {default:g}" if isinstance(default, float) else f". The default is {default}"
         body = textwrap.fill(f"{text}.{more and ' ' + more}", 112)

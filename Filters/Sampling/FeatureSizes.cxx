@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureSizes.h"
+
+#include "SamplingConstants.h"
+#include "StraightWalk.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <queue>
+#include <unordered_map>
+
+namespace stipple
+{
+namespace
+{
+using Constants = SamplingConstants;
+
+/// A place along a backbone.
+struct BackbonePlace
+{
+  int backbone = -1;
+  double arcLength = 0;
+};
+
+/// Creases and boundaries as a graph of lengths.
+class FeatureLines
+{
+public:
+  explicit FeatureLines(const Atlas& atlas)
+    : Source(atlas)
+    , At(3 * static_cast<std::size_t>(atlas.surface().numberOfFaces()), -1)
+    , Segment(this->At.size(), 0)
+  {
+    const std::vector<BackboneTrace>& traces = atlas.traces();
+    for (std::size_t b = 0; b < traces.size(); ++b)
+    {
+      const Backbone& backbone = atlas.graph().backbones[b];
+      if (backbone.type == BackboneType::Seam)
+      {
+        continue;
+      }
+      this->Lines.push_back(static_cast<int>(b));
+      for (const std::vector<int>& side : traces[b].halfedge)
+      {
+        for (std::size_t i = 0; i < side.size(); ++i)
+        {
+          if (side[i] >= 0)
+          {
+            this->At[side[i]] = static_cast<int>(b);
+            this->Segment[side[i]] = static_cast<int>(i);
+          }
+        }
+      }
+      if (!backbone.closed)
+      {
+        this->Incident[backbone.points.front()].push_back(static_cast<int>(b));
+        this->Incident[backbone.points.back()].push_back(static_cast<int>(b));
+      }
+    }
+    this->Ends.resize(traces.size(), { { -1, -1 } });
+    for (const int b : this->Lines)
+    {
+      if (!this->isClosed(b))
+      {
+        this->Ends[b] = { { this->cornerFrom(b, this->backbone(b).points.front()),
+          this->cornerFrom(b, this->backbone(b).points.back()) } };
+      }
+    }
+  }
+
+  const std::vector<int>& lines() const { return this->Lines; }
+  bool isLine(int halfedge) const { return this->At[halfedge] >= 0; }
+
+  /// The place of the walk, which is at this halfedge.
+  BackbonePlace placeOf(int halfedge, const Vec3& bary) const
+  {
+    const BackboneTrace& trace = this->Source.traces()[this->At[halfedge]];
+    const int i = this->Segment[halfedge];
+    const double atHead = 1. - bary[halfedge % 3];
+    const bool along = trace.halfedge[0][i] == halfedge;
+    const double t = along ? atHead : 1. - atHead;
+    return { this->At[halfedge],
+      trace.arcLength[i] + t * (trace.arcLength[i + 1] - trace.arcLength[i]) };
+  }
+
+  /// Whether the features that two backbones are parts of end at the same corner.
+  bool meet(int a, int b) const
+  {
+    const auto has = [&](int corner) {
+      return corner >= 0 && (corner == this->Ends[b][0] || corner == this->Ends[b][1]);
+    };
+    return a != b && this->Ends[a] != this->Ends[b] &&
+      (has(this->Ends[a][0]) || has(this->Ends[a][1]));
+  }
+
+  /// Whether it is no farther from one place to the other along features than this.
+  bool areConnected(const BackbonePlace& from, const BackbonePlace& to, double farthest) const
+  {
+    const double direct = std::abs(from.arcLength - to.arcLength);
+    if (from.backbone == to.backbone &&
+      (direct <= farthest ||
+        (this->isClosed(from.backbone) && this->length(from.backbone) - direct <= farthest)))
+    {
+      return true;
+    }
+    if (this->isClosed(from.backbone) || this->isClosed(to.backbone))
+    {
+      return false;
+    }
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    std::unordered_map<int, double> known;
+    const auto reach = [&](int node, double d) {
+      if (d <= farthest && (known.count(node) == 0 || d < known[node]))
+      {
+        known[node] = d;
+        open.push({ d, node });
+      }
+    };
+    const Backbone& first = this->backbone(from.backbone);
+    reach(first.points.front(), from.arcLength);
+    reach(first.points.back(), this->length(from.backbone) - from.arcLength);
+    const Backbone& last = this->backbone(to.backbone);
+    while (!open.empty())
+    {
+      const auto [d, node] = open.top();
+      open.pop();
+      if (d > known[node])
+      {
+        continue;
+      }
+      if ((node == last.points.front() && d + to.arcLength <= farthest) ||
+        (node == last.points.back() && d + this->length(to.backbone) - to.arcLength <= farthest))
+      {
+        return true;
+      }
+      for (int b : this->Incident.at(node))
+      {
+        const Backbone& line = this->backbone(b);
+        reach(line.points.front() == node ? line.points.back() : line.points.front(),
+          d + this->length(b));
+      }
+    }
+    return false;
+  }
+
+  double length(int b) const { return this->Source.traces()[b].length(); }
+  bool isClosed(int b) const { return this->backbone(b).closed; }
+  const Backbone& backbone(int b) const { return this->Source.graph().backbones[b]; }
+  /// A node where two lines meet as one goes on: a seam ends there.
+  bool isPassed(int node) const
+  {
+    return this->Incident.at(node).size() == 2 && this->Source.graph().isCorner[node] == 0;
+  }
+  const std::vector<int>& incident(int node) const { return this->Incident.at(node); }
+
+private:
+  /// Where a feature ends, from a backbone on beyond one of its nodes, over the ends of seams; -1
+  /// if it comes back.
+  int cornerFrom(int line, int node) const
+  {
+    for (int first = line; this->isPassed(node);)
+    {
+      const std::vector<int>& next = this->incident(node);
+      line = next[0] == line ? next[1] : next[0];
+      const std::vector<int>& points = this->backbone(line).points;
+      node = points.front() == node ? points.back() : points.front();
+      if (line == first)
+      {
+        return -1;
+      }
+    }
+    return node;
+  }
+
+  const Atlas& Source;
+  std::vector<int> Lines;
+  std::vector<std::array<int, 2>> Ends; ///< by backbone, the corners at which its feature ends
+  std::vector<int> At;                  ///< by halfedge, the backbone along it
+  std::vector<int> Segment;             ///< and which of its segments it is
+  std::unordered_map<int, std::vector<int>> Incident; ///< by node
+};
+
+/// Finds the sizes along one feature after the other.
+class SizeSearch
+{
+public:
+  SizeSearch(const Atlas& atlas, const FeatureLines& lines,
+    const std::function<double(const SurfacePlace&)>& spacing)
+    : Source(atlas)
+    , Lines(lines)
+    , Spacing(spacing)
+  {
+  }
+
+  std::vector<SizeSource> of(int line) const
+  {
+    std::vector<SizeSource> sources;
+    this->addGaps(line, sources);
+    if (this->Lines.isClosed(line))
+    {
+      this->addLoop(line, sources);
+    }
+    else
+    {
+      const std::vector<int>& points = this->Lines.backbone(line).points;
+      this->addShortLine(line, points.front(), sources);
+      this->addShortLine(line, points.back(), sources);
+    }
+    return sources;
+  }
+
+private:
+  SurfacePlace placeAt(const BackbonePlace& place) const
+  {
+    return this->Source.placeOfBackbone(place.backbone, place.arcLength);
+  }
+  /// Unless it is too small to be meshed, or too large to matter.
+  void add(
+    const SurfacePlace& place, double spacing, double size, std::vector<SizeSource>& to) const
+  {
+    const double finest = Constants::FinestSize * spacing;
+    if (size >= Constants::LeastSize * finest && size < Constants::LargestSize * spacing)
+    {
+      to.push_back(
+        { this->Source.surface().position(place.face, place.bary), std::max(size, finest) });
+    }
+  }
+
+  /// Across one side, to the next feature that is not as near along features; at most `reach`.
+  double gapBeside(const BackbonePlace& from, int side, double reach) const
+  {
+    const BackboneTrace& trace = this->Source.traces()[from.backbone];
+    if (trace.chart[side] < 0)
+    {
+      return reach;
+    }
+    const BackboneTrace::Place place = trace.locate(from.arcLength);
+    StraightWalk walk(this->Source.surface(), trace.halfedge[side][place.segment],
+      trace.bary(place, side), Constants::MostFaces);
+    double gap = reach;
+    walk.advance(reach, [&](int h, double left) {
+      if (!this->Lines.isLine(h))
+      {
+        return true;
+      }
+      const double d = reach - left;
+      const BackbonePlace to = this->Lines.placeOf(h, walk.bary());
+      if (!this->Lines.meet(from.backbone, to.backbone) &&
+        !this->Lines.areConnected(from, to, Constants::DetourOverGap * d))
+      {
+        gap = d;
+      }
+      return false;
+    });
+    return gap;
+  }
+
+  void addGaps(int line, std::vector<SizeSource>& sources) const
+  {
+    const double length = this->Lines.length(line);
+    for (double s = 0; s < length;)
+    {
+      const BackbonePlace from = { line, s };
+      const SurfacePlace place = this->placeAt(from);
+      const double spacing = this->Spacing(place);
+      const double reach = spacing * Constants::LargestSize / Constants::SizeOverGap;
+      const double gap = std::min(this->gapBeside(from, 0, reach), this->gapBeside(from, 1, reach));
+      this->add(place, spacing, Constants::SizeOverGap * gap, sources);
+      // As often as the finest size asks for, whatever the gaps are.
+      s += std::max(0.5 * gap, 0.5 * Constants::FinestSize * spacing);
+    }
+  }
+
+  void addLoop(int line, std::vector<SizeSource>& sources) const
+  {
+    const double length = this->Lines.length(line);
+    for (int i = 0; i < Constants::EdgesOfLoop; ++i)
+    {
+      const SurfacePlace place = this->placeAt({ line, length * i / Constants::EdgesOfLoop });
+      this->add(place, this->Spacing(place), length / Constants::EdgesOfLoop, sources);
+    }
+  }
+
+  /// From a corner on, over the ends of seams, to the next one.
+  void addShortLine(int line, int corner, std::vector<SizeSource>& sources) const
+  {
+    if (this->Lines.isPassed(corner))
+    {
+      return;
+    }
+    const SurfacePlace place = this->Source.placeOfPoint(corner);
+    const double spacing = this->Spacing(place);
+    double length = 0;
+    for (int node = corner; length < spacing;)
+    {
+      length += this->Lines.length(line);
+      const std::vector<int>& points = this->Lines.backbone(line).points;
+      node = points.front() == node ? points.back() : points.front();
+      if (node == corner || !this->Lines.isPassed(node))
+      {
+        break;
+      }
+      const std::vector<int>& next = this->Lines.incident(node);
+      line = next[0] == line ? next[1] : next[0];
+    }
+    this->add(place, spacing, length, sources);
+  }
+
+  const Atlas& Source;
+  const FeatureLines& Lines;
+  const std::function<double(const SurfacePlace&)>& Spacing;
+};
+}
+
+std::vector<SizeSource> featureSizes(
+  const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
+{
+  const FeatureLines lines(atlas);
+  const SizeSearch search(atlas, lines, spacing);
+  std::vector<std::vector<SizeSource>> found(lines.lines().size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end && !isAsked(stop); ++i)
+    {
+      found[i] = search.of(lines.lines()[i]);
+    }
+  });
+  std::vector<SizeSource> sources;
+  for (const std::vector<SizeSource>& some : found)
+  {
+    sources.insert(sources.end(), some.begin(), some.end());
+  }
+  return sources;
+}
+}

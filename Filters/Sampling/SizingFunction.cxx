@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SizingFunction.h"
+
+#include "FeatureSizes.h"
+#include "GradedSizes.h"
+#include "ReportingThread.h"
+#include "SamplingConstants.h"
+#include "SurfaceRefinement.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stipple
+{
+namespace
+{
+using Constants = SamplingConstants;
+
+constexpr double Unbounded = 1e300;
+
+double sizeOf(double density)
+{
+  return std::sqrt(densityOfEdges(1.) / density);
+}
+
+template <typename F>
+void forEachChart(std::size_t charts, F f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      f(static_cast<std::size_t>(c));
+    }
+  });
+}
+
+/// A control, and what bounds it.
+class Sizing
+{
+public:
+  Sizing(const std::vector<ControlImage>& images, const SizingOptions& options);
+
+  /// Lets sizes grow from features. Nothing is done where none are near one another, or it was
+  /// stopped.
+  void grow(const Atlas& atlas, const Stop& stop);
+  void growNoMore(double scale)
+  {
+    this->Least.clear();
+    this->Scale = scale;
+  }
+  /// Finds the scale at which there are as many samples as asked for.
+  Status fitScale();
+  bool hasGrown() const { return !this->Least.empty(); }
+  bool isBounded() const
+  {
+    return this->hasGrown() || this->Options.smallest > 0 || this->Options.largest > 0;
+  }
+  /// Samples for the control's unit.
+  double scale() const { return this->Scale; }
+  float at(std::size_t chart, std::size_t pixel) const
+  {
+    return static_cast<float>(
+      this->bounded(chart, pixel, this->wanted(chart, pixel, this->Scale)) / this->Scale);
+  }
+
+private:
+  struct Count
+  {
+    double all = 0;     ///< samples
+    double unbound = 0; ///< of them, where nothing bounds them
+  };
+  Count count(double scale) const;
+  double spacingAt(const Atlas& atlas, const SurfacePlace& place) const;
+  double wanted(std::size_t chart, std::size_t pixel, double scale) const
+  {
+    const float control = this->Images[chart].control[pixel];
+    return control > 0 ? scale * control : 0.;
+  }
+  /// Samples per unit of parameter area where so many are wanted.
+  double bounded(std::size_t chart, std::size_t pixel, double wanted) const
+  {
+    constexpr double most = 1. / (Constants::FinestSize * Constants::FinestSize);
+    const double area = std::max(0.f, this->Images[chart].areaDistortion[pixel]);
+    const double grown = this->Least.empty()
+      ? wanted
+      : std::clamp<double>(this->Least[chart][pixel], wanted, most * wanted);
+    return std::clamp(grown, area * this->Lowest, area * this->Highest);
+  }
+
+  const std::vector<ControlImage>& Images;
+  const SizingOptions& Options;
+  double Lowest = 0; ///< bounds on samples per area
+  double Highest = Unbounded;
+  double Scale = 0; ///< samples for the control's unit
+  /// Samples per unit of parameter area, by chart and pixel; empty: no growth
+  std::vector<std::vector<float>> Least;
+};
+
+Sizing::Sizing(const std::vector<ControlImage>& images, const SizingOptions& options)
+  : Images(images)
+  , Options(options)
+  , Lowest(options.largest > 0 ? densityOfEdges(options.largest) : 0.)
+  , Highest(options.smallest > 0 ? densityOfEdges(options.smallest) : Unbounded)
+{
+  double mass = 0;
+  double area = 0;
+  for (const ControlImage& image : images)
+  {
+    mass += controlMass(image).total;
+    ControlImage whole = image;
+    whole.control = image.areaDistortion;
+    area += controlMass(whole).total;
+  }
+  const double number = options.numberOfSamples > 0 ? options.numberOfSamples
+    : options.edgeLength > 0                        ? area * densityOfEdges(options.edgeLength)
+                                                    : mass;
+  this->Scale = mass > 0 ? number / mass : 0.;
+}
+
+double Sizing::spacingAt(const Atlas& atlas, const SurfacePlace& place) const
+{
+  const AtlasSurface& surface = atlas.surface();
+  const ControlImage& image = this->Images[surface.faceChart[place.face]];
+  const int pixel = image.pixelAt(surface.parameter(place.face, place.bary));
+  const double density =
+    std::clamp(this->Scale * image.density(pixel), this->Lowest, this->Highest);
+  return density > 0 ? sizeOf(density) : 0.;
+}
+
+void Sizing::grow(const Atlas& atlas, const Stop& stop)
+{
+  const GradedSizes sizes(
+    featureSizes(
+      atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop),
+    this->Options.growth - 1.);
+  if (sizes.empty() || isAsked(stop))
+  {
+    return;
+  }
+  // Triangles as large as edges will be: the sizes' error on them is a part of their growth.
+  const RefinedSurface refined =
+    refine(atlas.surface(), this->Images, [&](const Vec3& p, const Vec3& q) {
+      const double length = (p - q).norm();
+      return length > sizes.smallest() && length > sizes.at(0.5 * (p + q), length);
+    });
+  std::vector<double> size(refined.points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      size[p] = sizes.at(refined.points[p], Unbounded);
+    }
+  });
+  this->Least.resize(this->Images.size());
+  forEachChart(this->Images.size(), [&](std::size_t c) {
+    const ControlImage& image = this->Images[c];
+    const auto places = placePixels(atlas.surface(), refined, static_cast<int>(c), image);
+    this->Least[c].resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const Triangle& t = refined.triangles[places[i].triangle];
+      const auto& bary = places[i].bary;
+      const double here = bary[0] * size[t[0]] + bary[1] * size[t[1]] + bary[2] * size[t[2]];
+      this->Least[c][i] =
+        static_cast<float>(densityOfEdges(here) * std::max(0.f, image.areaDistortion[i]));
+    }
+  });
+}
+
+Sizing::Count Sizing::count(double scale) const
+{
+  std::vector<Count> counts(this->Images.size());
+  forEachChart(this->Images.size(), [&](std::size_t c) {
+    const ControlImage& image = this->Images[c];
+    for (int i = 0; i < image.numberOfPixels(); ++i)
+    {
+      const auto pixel = static_cast<std::size_t>(i);
+      const double wanted = this->wanted(c, pixel, scale);
+      const double number = this->bounded(c, pixel, wanted);
+      counts[c].all += number;
+      counts[c].unbound += number == wanted ? number : 0.;
+    }
+    counts[c].all *= image.pixelArea();
+    counts[c].unbound *= image.pixelArea();
+  });
+  Count sum;
+  for (const Count& count : counts)
+  {
+    sum.all += count.all;
+    sum.unbound += count.unbound;
+  }
+  return sum;
+}
+
+Status Sizing::fitScale()
+{
+  const double number = this->Options.numberOfSamples;
+  const auto rounded = [](double x) { return std::to_string(std::llround(x)); };
+  if (const double least = this->count(0.).all; least > number)
+  {
+    return Status::error("Edges of at most SizeMaximum take " + rounded(std::ceil(least)) +
+      " points, more than " + rounded(number) + ": ask for more points, or longer edges.");
+  }
+  if (const double most = this->count(Unbounded).all; most < number)
+  {
+    return Status::error("Edges of at least SizeMinimum leave room for " +
+      rounded(std::floor(most)) + " points, fewer than " + rounded(number) +
+      ": ask for fewer points, or shorter edges.");
+  }
+  // The number grows with the scale, its logarithm by at most as much as the scale's: Newton's
+  // method, kept between what is too few and too many.
+  double low = 0;
+  double high = Unbounded;
+  for (int step = 0; step < Constants::MostSizingSteps; ++step)
+  {
+    const Count now = this->count(this->Scale);
+    const double ratio = number / now.all;
+    if (std::abs(ratio - 1.) < Constants::SizingTolerance)
+    {
+      break;
+    }
+    (ratio > 1. ? low : high) = this->Scale;
+    const double slope = std::max(now.unbound / now.all, 0.1);
+    const double next = this->Scale * std::pow(ratio, 1. / slope);
+    this->Scale = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return Status::success();
+}
+}
+
+Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
+  const SizingOptions& options, const Progress& progress, const std::vector<float*>& control,
+  Sizes& sizes)
+{
+  if (options.largest > 0 && options.smallest > options.largest)
+  {
+    return Status::error("SizeMinimum is larger than SizeMaximum: exchange them.");
+  }
+  Sizing sizing(images, options);
+  const double scale = sizing.scale();
+  const bool grows = atlas && options.growth > 1.;
+  if (grows)
+  {
+    runReporting(progress, [&](const Progress& inner) {
+      sizing.grow(*atlas, [&inner] { return !report(inner, 0.5); });
+      return true;
+    });
+    if (!report(progress, 0.9))
+    {
+      return Status::aborted();
+    }
+  }
+  Status status = Status::success();
+  const auto fit = [&] {
+    if (options.numberOfSamples > 0 && sizing.isBounded())
+    {
+      status = sizing.fitScale();
+    }
+  };
+  fit();
+  if (grows && (!status.ok() || std::sqrt(scale / sizing.scale()) > options.growth))
+  {
+    sizing.growNoMore(scale);
+    fit();
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  sizes.numberOfSamples = options.numberOfSamples;
+  sizes.hasGrown = sizing.hasGrown();
+  if (sizing.isBounded())
+  {
+    // A pixel's control is read before it is written, and once.
+    forEachChart(images.size(), [&](std::size_t c) {
+      for (int i = 0; i < images[c].numberOfPixels(); ++i)
+      {
+        control[c][i] = sizing.at(c, static_cast<std::size_t>(i));
+      }
+    });
+  }
+  if (options.numberOfSamples <= 0)
+  {
+    sizes.numberOfSamples = 0;
+    for (const ControlImage& image : images)
+    {
+      sizes.numberOfSamples += controlMass(image).total;
+    }
+    sizes.numberOfSamples *= sizing.scale();
+  }
+  return report(progress, 1.) ? Status::success() : Status::aborted();
+}
+}

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths of edges near features, and how they grow from there.
+#include "FeatureSizes.h"
+#include "GradedSizes.h"
+#include "SizingFunction.h"
+#include "StraightWalk.h"
+#include "SyntheticControl.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace synthetic;
+
+namespace
+{
+constexpr double Thickness = 0.2;
+
+/// A plate of 2 x 2 with sharp edges.
+struct Plate
+{
+  Builder builder;
+  stipple::Atlas::Pointer atlas;
+  Plate()
+  {
+    cube(this->builder, 8, false, Vec3(1., 1., Thickness / 2.));
+    synthetic::Atlas& made = this->builder.finish();
+    EXPECT_TRUE(stipple::Atlas::read(made.charts, made.graphData, this->atlas).ok());
+  }
+  std::vector<SizeSource> sizes(double spacing) const
+  {
+    return featureSizes(*this->atlas, [=](const SurfacePlace&) { return spacing; });
+  }
+};
+
+double spacingOf(double density)
+{
+  return std::sqrt(2. / std::sqrt(3.) / density);
+}
+}
+
+TEST(StraightWalk, CrossesARimAndTellsWhereItIs)
+{
+  const Plate plate;
+  const AtlasSurface& s = plate.atlas->surface();
+  int halfedge = 0; // along an edge of the upper face, on the rim's side
+  for (int h = 0; h < 3 * s.numberOfFaces(); ++h)
+  {
+    const Vec3 middle = 0.5 * (s.points[s.tail(h)] + s.points[s.head(h)]);
+    const bool onUpperEdge = std::abs(middle.x() - 1.) < 1e-12 && middle.z() > 0.099;
+    if (onUpperEdge && std::abs(s.position(h / 3, Vec3::Constant(1. / 3.)).x() - 1.) < 1e-12)
+    {
+      halfedge = h;
+    }
+  }
+  Vec3 start = Vec3::Constant(0.5);
+  start[(halfedge + 2) % 3] = 0.;
+  StraightWalk walk(s, halfedge, start, 100);
+  const double y = s.position(walk.face(), walk.bary()).y();
+  double lower = 0;
+  EXPECT_TRUE(walk.advance(0.5, [&](int h, double left) {
+    const double z = s.position(h / 3, walk.bary()).z();
+    if (lower == 0 && std::abs(z + 0.1) < 1e-12)
+    {
+      lower = 0.5 - left;
+    }
+    return true;
+  }));
+  EXPECT_NEAR(lower, Thickness, 1e-12) << "the length of the way to the lower edge";
+  const Vec3 end = s.position(walk.face(), walk.bary());
+  EXPECT_LT((end - Vec3(0.7, y, -0.1)).norm(), 1e-9) << "straight on, over the edge";
+  StraightWalk refused(s, halfedge, start, 100);
+  EXPECT_FALSE(refused.advance(0.5, [](int, double) { return false; }));
+}
+
+TEST(FeatureSizes, FindsWhatIsNearerThanTheSpacing)
+{
+  const Plate plate;
+  const std::vector<SizeSource> sources = plate.sizes(0.4);
+  ASSERT_FALSE(sources.empty());
+  int short_ = 0;
+  for (const SizeSource& s : sources)
+  {
+    EXPECT_NEAR(std::abs(s.position.z()), Thickness / 2., 1e-12) << "on the plate's edges";
+    const bool atCorner = std::abs(s.size - Thickness) < 1e-9;
+    short_ += atCorner ? 1 : 0;
+    EXPECT_TRUE(atCorner || std::abs(s.size - 1.5 * Thickness) < 1e-9) << s.size;
+  }
+  EXPECT_EQ(short_, 8) << "each upright edge at both ends";
+  for (double x = -0.9; x < 1.; x += 0.1)
+  {
+    const auto near = [&](const SizeSource& s) {
+      return (s.position - Vec3(x, 1., Thickness / 2.)).norm() < 0.1;
+    };
+    EXPECT_TRUE(std::any_of(sources.begin(), sources.end(), near)) << "all along, at " << x;
+  }
+  EXPECT_TRUE(plate.sizes(0.1).empty()) << "wider than edges are long";
+  for (const SizeSource& s : plate.sizes(2.5))
+  {
+    EXPECT_GT(s.size, 1.9) << "the rim is thinner than triangles could be; sides are not";
+  }
+}
+
+TEST(FeatureSizes, EdgesOfACubeAreNotNearOneAnother)
+{
+  Builder builder;
+  cube(builder, 8, false);
+  synthetic::Atlas& made = builder.finish();
+  stipple::Atlas::Pointer atlas;
+  ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, atlas).ok());
+  EXPECT_TRUE(featureSizes(*atlas, [](const SurfacePlace&) { return 1.3; }).empty());
+}
+
+TEST(GradedSizes, IsTheLeastOverAllSources)
+{
+  std::mt19937 engine(7);
+  const auto random = [&] { return engine() / 4294967296.; };
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 300; ++i)
+  {
+    sources.push_back({ Vec3(random(), random(), random()), 0.05 + 0.3 * random() });
+  }
+  const GradedSizes sizes(sources, 0.5);
+  double smallest = 1;
+  for (const SizeSource& s : sources)
+  {
+    smallest = std::min(smallest, s.size);
+  }
+  EXPECT_EQ(sizes.smallest(), smallest);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vec3 p = 2. * Vec3(random(), random(), random());
+    double least = 0.4;
+    for (const SizeSource& s : sources)
+    {
+      least = std::min(least, s.size + 0.5 * (s.position - p).norm());
+    }
+    EXPECT_DOUBLE_EQ(sizes.at(p, 0.4), least);
+  }
+  EXPECT_TRUE(GradedSizes({}, 0.5).empty());
+  EXPECT_EQ(GradedSizes({}, 0.5).at(Vec3::Zero(), 3.), 3.);
+}
+
+TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)
+{
+  const Plate plate;
+  const AtlasSurface& s = plate.atlas->surface();
+  ControlMaps maps(s, 64);
+  std::vector<float*> control;
+  for (std::vector<float>& c : maps.control)
+  {
+    control.push_back(c.data());
+  }
+  SizingOptions options;
+  options.numberOfSamples = 60;
+  options.growth = 2.;
+  const std::vector<std::vector<float>> before = maps.control;
+  SizingOptions none = options;
+  none.growth = 0.;
+  Sizes sizes;
+  ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, none, nullptr, control, sizes).ok());
+  EXPECT_EQ(maps.control, before);
+  ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
+  EXPECT_EQ(sizes.numberOfSamples, 60.);
+  EXPECT_TRUE(sizes.hasGrown);
+
+  struct Pixel
+  {
+    Vec3 position;
+    double size;
+  };
+  std::vector<Pixel> pixels;
+  double mass = 0;
+  for (const ControlImage& image : maps.images)
+  {
+    mass += controlMass(image).total;
+  }
+  for (int c = 0; c < s.numberOfCharts(); ++c)
+  {
+    for (int i = 0; i < maps.images[c].numberOfPixels(); i += 7)
+    {
+      const double density = options.numberOfSamples / mass * maps.images[c].density(i);
+      pixels.push_back({ maps.position(s, c, i), spacingOf(density) });
+    }
+  }
+  double largest = 0;
+  for (const Pixel& p : pixels)
+  {
+    largest = std::max(largest, p.size);
+    if (std::abs(p.position.z()) < 0.099) // the rim
+    {
+      EXPECT_LT(p.size, 2.1 * Thickness) << "little more than at its edges";
+      EXPECT_GT(p.size, 0.9 * Thickness);
+    }
+  }
+  EXPECT_GT(largest, spacingOf(options.numberOfSamples / s.area()))
+    << "edges far from the rim are longer than they were";
+  for (std::size_t i = 0; i < pixels.size(); i += 5)
+  {
+    for (const Pixel& q : pixels)
+    {
+      const double distance = (pixels[i].position - q.position).norm();
+      // Sizes are linear on triangles as large as themselves, and constant on pixels.
+      EXPECT_LT(std::abs(pixels[i].size - q.size), distance + 0.5 * pixels[i].size);
+    }
+  }
+  const auto stop = [](double) { return false; };
+  EXPECT_TRUE(applySizing(plate.atlas.get(), maps.images, options, stop, control, sizes).isAbort());
+}
+
+TEST(SizingFunction, LengthsSayHowMany)
+{
+  const Plate plate;
+  const double area = plate.atlas->surface().area();
+  ControlMaps maps(plate.atlas->surface(), 64, [](const Vec3& p) { return p.x() < 0. ? 1. : 4.; });
+  std::vector<float*> control;
+  for (std::vector<float>& c : maps.control)
+  {
+    control.push_back(c.data());
+  }
+  const std::vector<std::vector<float>> before = maps.control;
+  Sizes sizes;
+  const auto apply = [&](const SizingOptions& options) {
+    for (std::size_t c = 0; c < before.size(); ++c)
+    {
+      std::copy(before[c].begin(), before[c].end(), control[c]);
+    }
+    return applySizing(nullptr, maps.images, options, nullptr, control, sizes);
+  };
+  SizingOptions options;
+  options.edgeLength = 0.1;
+  ASSERT_TRUE(apply(options).ok());
+  EXPECT_NEAR(sizes.numberOfSamples, area * densityOfEdges(0.1), 1e-3 * sizes.numberOfSamples)
+    << "as a uniform mesh";
+  EXPECT_EQ(maps.control, before);
+
+  // Half of the area has a density of .4 times the mean, half one of 1.6 times.
+  const double mean = densityOfEdges(0.1);
+  options.largest = 0.1;
+  ASSERT_TRUE(apply(options).ok());
+  EXPECT_NEAR(sizes.numberOfSamples, area * mean * (0.5 + 0.8), 0.03 * sizes.numberOfSamples);
+  options.largest = 0.;
+  options.smallest = 0.1;
+  ASSERT_TRUE(apply(options).ok());
+  EXPECT_NEAR(sizes.numberOfSamples, area * mean * (0.2 + 0.5), 0.03 * sizes.numberOfSamples);
+
+  // With a number, the rest makes up for it.
+  options.edgeLength = 0.;
+  options.numberOfSamples = 0.5 * area * mean;
+  ASSERT_TRUE(apply(options).ok());
+  EXPECT_EQ(sizes.numberOfSamples, options.numberOfSamples);
+  double mass = 0;
+  for (const ControlImage& image : maps.images)
+  {
+    mass += controlMass(image).total;
+  }
+  double densest = 0;
+  for (const ControlImage& image : maps.images)
+  {
+    for (int i = 0; i < image.numberOfPixels(); ++i)
+    {
+      densest = std::max(densest, image.density(i) * sizes.numberOfSamples / mass);
+    }
+  }
+  EXPECT_LT(densest, 1.01 * mean);
+
+  options.numberOfSamples = 2. * area * mean;
+  const Status many = apply(options);
+  EXPECT_EQ(many.code(), StatusCode::BadInput);
+  EXPECT_NE(many.message().find("fewer than"), std::string::npos) << many.message();
+  options.smallest = 0.;
+  options.largest = 0.05;
+  EXPECT_EQ(apply(options).code(), StatusCode::BadInput) << "too few for edges so short";
+  options.smallest = 0.1;
+  EXPECT_EQ(apply(options).code(), StatusCode::BadInput) << "bounds that exclude each other";
+}
