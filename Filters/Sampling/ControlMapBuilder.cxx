@@ -654,27 +654,27 @@ Status ControlMapBuilder::Internals::applySizes(vtkPartitionedDataSetCollection*
 /// The control that wants the lengths of an array.
 Status ControlMapBuilder::Internals::fillFromSizes(const std::string& array)
 {
-  ImportanceSource source;
-  source.importance = ImportanceKind::Array;
-  source.arrayName = array.c_str();
-  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  for (const ControlChart& chart : this->charts)
   {
-    const ControlChart& chart = this->charts[c];
-    float* v = chart.values();
-    if (const std::string missing = source.fill(chart.map, v); !missing.empty())
+    vtkDataArray* sizes = chart.map->GetPointData()->GetArray(array.c_str());
+    if (!sizes || sizes->GetNumberOfTuples() != chart.map->GetNumberOfPoints() ||
+      sizes->GetNumberOfComponents() != 1)
     {
-      return Status::error("Map " + std::to_string(c) + " has no point array " + missing +
-        ", the SizeArray: select it in vtkGeometryMapRenderer.");
+      return Status::error("The maps have no point array " + array +
+        " of one component, the SizeArray: select it in vtkGeometryMapRenderer.");
     }
+    const FloatValues values(sizes);
+    float* v = chart.values();
     for (std::size_t i = 0; i < chart.size; ++i)
     {
+      const float size = values.data()[i];
       const float area = chart.area->data()[i];
-      if (area > 0 && !(v[i] > 0 && std::isfinite(v[i])))
+      if (area > 0 && !(size > 0 && std::isfinite(size)))
       {
         return Status::error(
           "The size array " + array + " holds lengths that are not positive and finite.");
       }
-      v[i] = area > 0 ? static_cast<float>(densityOfEdges(v[i])) * area : 0.f;
+      v[i] = area > 0 ? static_cast<float>(densityOfEdges(size)) * area : 0.f;
     }
   }
   return Status::success();

@@ -51,6 +51,8 @@ struct SamplingConstants
 
   // How many, and whether they can be meshed.
 
+  /// vtkErrorDiffusionSampler makes no more.
+  static constexpr int MostSamples = 10000000;
   /// Share of the samples inside charts by which bands may leave another number than predicted
   /// before the scale is corrected; and corrections at most.
   static constexpr double MostOff = 0.02;

@@ -61,6 +61,7 @@ public:
   }
   /// Samples for the control's unit.
   double scale() const { return this->Scale; }
+  double numberOfSamples() const { return this->count(this->Scale).all; }
   float at(std::size_t chart, std::size_t pixel) const
   {
     return static_cast<float>(
@@ -241,7 +242,14 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
   }
   Sizing sizing(images, options);
   const double scale = sizing.scale();
-  const bool grows = atlas && options.growth > 1.;
+  if (!(scale > 0))
+  {
+    sizes = {};
+    return Status::success(); // nothing is wanted anywhere
+  }
+  // What takes more than can be had need not be looked at more closely, which would take for ever.
+  const bool grows =
+    atlas && options.growth > 1. && sizing.numberOfSamples() <= Constants::MostSamples;
   if (grows)
   {
     runReporting(progress, [&](const Progress& inner) {

@@ -153,6 +153,7 @@ class Sizes(MeshTest):
         self.assertAlmostEqual(self.median([d for p, d in edges if p[2] < -0.9]) / 0.1, 1, delta=0.07)
         self.fail_with(1, "fewer than 9000", model, "-o", "x.ply", "--points", 9000, "--size-minimum", 0.1)
         self.fail_with(1, "no array 'width'", model, "-o", "x.ply", "--size-array", "width")
+        self.fail_with(1, "points, more than 10000000", model, "-o", "x.ply", "--edge-length", 1e-9)
         self.fail_with(2, "exclude each other", model, "-o", "x.ply", "--points", 9000, "--edge-length", 0.1)
 
     def test_edges_grow_from_a_thin_rim(self):

@@ -210,4 +210,22 @@ TEST(ControlMapBuilder, ScalesRaisesAndWeighsAnImportance)
   EXPECT_TRUE(warning.empty());
   options.gradation = 1.;
   EXPECT_EQ(build().code(), StatusCode::BadInput) << "gradation works on the surface";
+
+  options = {};
+  options.sizeArray = "Length";
+  EXPECT_EQ(build().code(), StatusCode::BadInput) << "no such map";
+  addArray(map, "Length", [](int i) { return i < 50 ? 0.1 : 0.2; });
+  ASSERT_TRUE(build().ok());
+  EXPECT_NEAR(control[0]->GetValue(10), 2. * densityOfEdges(0.1), 1e-3);
+  EXPECT_NEAR(control[0]->GetValue(99), 2. * densityOfEdges(0.2), 1e-3);
+  const double* spacing = map->GetSpacing();
+  EXPECT_NEAR(builder.sizes().numberOfSamples,
+    spacing[0] * spacing[1] * 2. * (49. * densityOfEdges(0.1) + 50. * densityOfEdges(0.2)), 0.1)
+    << "in its own unit; the first pixel has no area";
+  EXPECT_FALSE(builder.sizes().hasGrown);
+  options.sizing.smallest = 0.3;
+  ASSERT_TRUE(build().ok());
+  EXPECT_NEAR(control[0]->GetValue(10), 2. * densityOfEdges(0.3), 1e-3);
+  options.sizeArray.clear();
+  EXPECT_EQ(build().code(), StatusCode::BadInput) << "a bound on what has no unit";
 }

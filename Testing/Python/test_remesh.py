@@ -28,6 +28,12 @@ class Lengths(unittest.TestCase):
             stipple.remesh(shapes.sphere(), points=500, edge_length=0.1)
         with self.assertRaisesRegex(ValueError, "no array 'h'"):
             stipple.remesh(shapes.sphere(), size_array="h")
+        negative = shapes.sphere()
+        values = numpy_to_vtk(np.full(negative.GetNumberOfPoints(), -0.1), deep=True)
+        values.SetName("h")
+        negative.GetPointData().AddArray(values)
+        with self.assertRaisesRegex(stipple.StippleError, "not positive"):
+            stipple.remesh(negative, size_array="h")
         with self.assertRaisesRegex(TypeError, "size_array must be a str"):
             stipple.remesh(shapes.sphere(), size_array=3)
         with self.assertRaisesRegex(ValueError, "growth"):
