@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <queue>
 #include <unordered_map>
 
@@ -141,9 +140,7 @@ public:
       }
       for (int b : this->Incident.at(node))
       {
-        const Backbone& line = this->backbone(b);
-        reach(line.points.front() == node ? line.points.back() : line.points.front(),
-          d + this->length(b));
+        reach(this->otherEnd(b, node), d + this->length(b));
       }
     }
     return false;
@@ -157,7 +154,17 @@ public:
   {
     return this->Incident.at(node).size() == 2 && this->Source.graph().isCorner[node] == 0;
   }
-  const std::vector<int>& incident(int node) const { return this->Incident.at(node); }
+  int otherEnd(int line, int node) const
+  {
+    const std::vector<int>& points = this->backbone(line).points;
+    return points.front() == node ? points.back() : points.front();
+  }
+  /// The line that goes on beyond a node that is passed.
+  int nextLine(int line, int node) const
+  {
+    const std::vector<int>& both = this->Incident.at(node);
+    return both[0] == line ? both[1] : both[0];
+  }
 
 private:
   /// Where a feature ends, from a backbone on beyond one of its nodes, over the ends of seams; -1
@@ -166,10 +173,8 @@ private:
   {
     for (int first = line; this->isPassed(node);)
     {
-      const std::vector<int>& next = this->incident(node);
-      line = next[0] == line ? next[1] : next[0];
-      const std::vector<int>& points = this->backbone(line).points;
-      node = points.front() == node ? points.back() : points.front();
+      line = this->nextLine(line, node);
+      node = this->otherEnd(line, node);
       if (line == first)
       {
         return -1;
@@ -300,14 +305,12 @@ private:
     for (int node = corner; length < spacing;)
     {
       length += this->Lines.length(line);
-      const std::vector<int>& points = this->Lines.backbone(line).points;
-      node = points.front() == node ? points.back() : points.front();
+      node = this->Lines.otherEnd(line, node);
       if (node == corner || !this->Lines.isPassed(node))
       {
         break;
       }
-      const std::vector<int>& next = this->Lines.incident(node);
-      line = next[0] == line ? next[1] : next[0];
+      line = this->Lines.nextLine(line, node);
     }
     this->add(place, spacing, length, sources);
   }
