@@ -32,7 +32,6 @@ void Preview::setAtlas(const AtlasResult& atlas)
     control->SetInputDataObject(0, atlas.maps);
     control->SetInputDataObject(1, atlas.charts);
   }
-  this->Control->SetInputDataObject(2, atlas.graph);
   this->Sampler->SetInputDataObject(1, atlas.charts);
   this->Sampler->SetInputDataObject(2, atlas.graph);
   this->Ready = true;
@@ -49,7 +48,8 @@ Status Preview::update(const Session& session, int points)
   applyOptions(session, this->Control);
   // As vtkGeometryRemesher has it.
   const bool mayGrow = session.text("preset") == "adaptive" && session.text("pattern") != "quads";
-  this->Control->SetNumberOfSamples(mayGrow ? points : 0);
+  this->Control->SetInputDataObject(2, mayGrow ? this->Sampler->GetInputDataObject(2, 0) : nullptr);
+  this->Control->SetNumberOfSamples(points);
   this->Sampler->SetNumberOfSamples(points);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);
