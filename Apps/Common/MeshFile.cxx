@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "OffFile.h"
 #include "PlyFile.h"
+#include "RegionFile.h"
 #include "TextNumbers.h"
 
 #include "vtkAlgorithm.h"
@@ -78,14 +79,25 @@ Status readByExtension(const std::string& file, vtkPolyData* mesh)
   {
     vtkNew<vtkOBJReader> reader;
     reader->SetFileName(file.c_str());
-    return readByVTK(reader, file, mesh);
+    Status status = readByVTK(reader, file, mesh);
+    if (status.ok())
+    {
+      addObjRegions(file, mesh);
+    }
+    return status;
   }
   if (extension == ".stl")
   {
     vtkNew<vtkSTLReader> reader;
     reader->SetFileName(file.c_str());
     reader->MergingOff(); // the atlas welds, and counts what it welded
-    return readByVTK(reader, file, mesh);
+    reader->ScalarTagsOn();
+    Status status = readByVTK(reader, file, mesh);
+    if (status.ok())
+    {
+      addStlSolids(file, mesh);
+    }
+    return status;
   }
   if (extension == ".vtp")
   {
@@ -211,8 +223,12 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
     stream << "v " << shortestText(x[0]) << ' ' << shortestText(x[1]) << ' ' << shortestText(x[2])
            << '\n';
   }
-  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  const MeshRegions regions(mesh);
+  if (const std::string library = objMaterialLibrary(mesh, regions); !library.empty())
   {
+    stream << "mtllib " << library << '\n';
+  }
+  const auto writeFace = [&](vtkIdType f) {
     vtkIdType size;
     const vtkIdType* ids;
     mesh->GetPolys()->GetCellAtId(f, size, ids);
@@ -222,6 +238,15 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
       stream << ' ' << ids[k] + 1;
     }
     stream << '\n';
+  };
+  for (std::size_t r = 0; r < regions.names().size(); ++r)
+  {
+    stream << objRegionLine(regions, r);
+    std::for_each(regions.cells()[r].begin(), regions.cells()[r].end(), writeFace);
+  }
+  for (vtkIdType f = 0; regions.empty() && f < mesh->GetNumberOfPolys(); ++f)
+  {
+    writeFace(f);
   }
   stream.close();
   return stream ? Status::success() : Status::error("cannot write '" + file + "'");
@@ -280,6 +305,10 @@ Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& 
   }
   if (extension == ".stl")
   {
+    if (const MeshRegions regions(mesh); !regions.empty())
+    {
+      return writeStlSolids(mesh, regions, file);
+    }
     vtkNew<vtkSTLWriter> writer;
     writer->SetFileTypeToBinary();
     return writeByVTK(writer.Get(), mesh, file);

@@ -29,7 +29,9 @@ namespace stipple
 [[nodiscard]] Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves);
 
 /// Writes binary where the format has it, in full precision where the format has it (all but STL).
-/// .vtp and .vtk keep all arrays. The format is that of `extension`.
+/// .vtp and .vtk keep all arrays; .obj (groups or materials), .stl (solids, as text) and .ply (a
+/// property of faces) the regions of vtkConformalAtlas::RegionArrayName. The format is that of
+/// `extension`.
 [[nodiscard]] Status writeMesh(
   vtkPolyData* mesh, const std::string& file, const std::string& extension);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyFile.h"
 
+#include "RegionFile.h"
 #include "TextNumbers.h"
 
 #include "vtkCellArray.h"
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -412,6 +414,51 @@ private:
   bool Swap = false;
   std::vector<Element> Elements;
 };
+
+/// The labels of a mesh's regions, as a property of faces: numbers as they are, words counted.
+class FaceLabels
+{
+public:
+  explicit FaceLabels(vtkPolyData* mesh)
+    : Regions(mesh)
+  {
+    vtkDataArray* numbers = mesh->GetCellData()->GetArray(this->Regions.array().c_str());
+    for (std::size_t r = 0; r < this->Regions.names().size(); ++r)
+    {
+      const std::vector<int>& cells = this->Regions.cells()[r];
+      const double label =
+        numbers ? numbers->GetComponent(cells.front(), 0) : static_cast<double>(r);
+      this->Labels.resize(static_cast<std::size_t>(mesh->GetNumberOfPolys()));
+      std::for_each(cells.begin(), cells.end(), [&](int cell) { this->Labels[cell] = label; });
+      this->AreInts = this->AreInts &&
+        std::abs(label) <= std::numeric_limits<std::int32_t>::max() && label == std::floor(label);
+    }
+  }
+  std::string header() const
+  {
+    std::string name = this->Regions.array();
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return this->Labels.empty()
+      ? std::string()
+      : (this->AreInts ? "property int " : "property double ") + name + '\n';
+  }
+  void write(std::ostream& stream, vtkIdType face) const
+  {
+    if (!this->Labels.empty())
+    {
+      const double number = this->Labels[face];
+      const auto integer = static_cast<std::int32_t>(this->AreInts ? number : 0.);
+      stream.write(this->AreInts ? reinterpret_cast<const char*>(&integer)
+                                 : reinterpret_cast<const char*>(&number),
+        this->AreInts ? sizeof(integer) : sizeof(number));
+    }
+  }
+
+private:
+  MeshRegions Regions;
+  std::vector<double> Labels; // by face
+  bool AreInts = true;
+};
 }
 
 Status readPly(const std::string& file, vtkPolyData* mesh)
@@ -425,10 +472,12 @@ Status readPly(const std::string& file, vtkPolyData* mesh)
 Status writePly(vtkPolyData* mesh, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary);
+  const FaceLabels labels(mesh);
   stream << "ply\nformat binary_" << (littleEndian() ? "little" : "big")
          << "_endian 1.0\ncomment Stipple\nelement vertex " << mesh->GetNumberOfPoints()
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\nend_header\n";
+         << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\n";
+  stream << labels.header() << "end_header\n";
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     double x[3];
@@ -446,6 +495,7 @@ Status writePly(vtkPolyData* mesh, const std::string& file)
       const auto id = static_cast<std::int32_t>(ids[k]);
       stream.write(reinterpret_cast<const char*>(&id), sizeof(id));
     }
+    labels.write(stream, f);
   }
   stream.close();
   return stream ? Status::success() : Status::error("cannot write '" + file + "'");

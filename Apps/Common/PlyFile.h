@@ -17,7 +17,8 @@ namespace stipple
 /// names; other elements and other lists are passed over.
 [[nodiscard]] Status readPly(const std::string& file, vtkPolyData* mesh);
 
-/// Binary, coordinates as doubles, no arrays. Faces have at most 255 corners.
+/// Binary, coordinates as doubles, no arrays but the labels of regions (see RegionFile.h). Faces
+/// have at most 255 corners.
 [[nodiscard]] Status writePly(vtkPolyData* mesh, const std::string& file);
 }
 

@@ -229,11 +229,15 @@ void measure(Report& report, vtkPolyData* input, vtkGeometryRemesher* remesher)
   const TriangleSurface mesh = fromPolyData(remesher->GetOutput());
   report.quality = measureQuality(mesh);
   report.distance = measureDistance(mesh, fromPolyData(input));
-  // The input as it was repaired: loose triangles have no topology to compare with.
+  // The input as it was repaired: loose triangles have no topology to compare with. Of a part, what
+  // was remeshed: the rest is the input's.
+  const MeshQuality remeshed = remesher->GetSelectionArrayName()
+    ? measureQuality(fromPolyData(remesher->GetOptimizer()->GetOutput()))
+    : report.quality;
   vtkConformalAtlas* atlas = remesher->GetAtlas();
-  report.distance.sameTopology = report.quality.components == atlas->GetNumberOfComponents() &&
-    report.quality.boundaryLoops == atlas->GetNumberOfBoundaryLoops() &&
-    report.quality.euler == atlas->GetEulerCharacteristic();
+  report.distance.sameTopology = remeshed.components == atlas->GetNumberOfComponents() &&
+    remeshed.boundaryLoops == atlas->GetNumberOfBoundaryLoops() &&
+    remeshed.euler == atlas->GetEulerCharacteristic();
 }
 
 void tell(const Report& report)

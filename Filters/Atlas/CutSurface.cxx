@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CutSurface.h"
 
+#include <algorithm>
+
 namespace stipple
 {
 CutSurface::CutSurface(TriangleSurface surface, std::vector<int> sourceCells)
@@ -11,6 +13,7 @@ CutSurface::CutSurface(TriangleSurface surface, std::vector<int> sourceCells)
   this->numberOfOriginalPoints = static_cast<int>(this->points.size());
   this->cut.assign(this->twin.size(), 0);
   this->sharp.assign(this->twin.size(), 0);
+  this->keep.assign(this->twin.size(), Keep::Nothing);
   for (std::size_t h = 0; h < this->twin.size(); ++h)
   {
     this->cut[h] = this->twin[h] < 0;
@@ -33,6 +36,15 @@ void CutSurface::setSharp(int h, bool isSharp)
   if (this->twin[h] >= 0)
   {
     this->sharp[this->twin[h]] = isSharp;
+  }
+}
+
+void CutSurface::setKeep(int h, Keep least)
+{
+  this->keep[h] = std::max(this->keep[h], least);
+  if (this->twin[h] >= 0)
+  {
+    this->keep[this->twin[h]] = this->keep[h];
   }
 }
 
@@ -67,14 +79,18 @@ int CutSurface::splitEdge(int h, double t)
     this->twin.resize(added + 3);
     this->cut.resize(added + 3, 0);
     this->sharp.resize(added + 3, 0);
+    this->keep.resize(added + 3, Keep::Nothing);
     this->cut[added] = this->cut[g];
     this->sharp[added] = this->sharp[g];
+    this->keep[added] = this->keep[g];
     this->link(added + 1, this->twin[n]);
     this->cut[added + 1] = this->cut[n];
     this->sharp[added + 1] = this->sharp[n];
+    this->keep[added + 1] = this->keep[n];
     this->link(added + 2, n);
     this->cut[n] = 0;
     this->sharp[n] = 0;
+    this->keep[n] = Keep::Nothing;
     return added;
   };
   const int g = this->twin[h];

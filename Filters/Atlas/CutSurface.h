@@ -4,6 +4,7 @@
 #ifndef stipple_CutSurface_h
 #define stipple_CutSurface_h
 
+#include "FeatureGraph.h"
 #include "StippleFiltersAtlasModule.h"
 #include "TriangleSurface.h"
 
@@ -21,6 +22,7 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   };
   std::vector<char> cut;   ///< by halfedge, equal on twins; boundary edges are always cut
   std::vector<char> sharp; ///< by halfedge, equal on twins
+  std::vector<Keep> keep;  ///< by halfedge, equal on twins: of edges that users name
   std::vector<int> sourceCell;
   int numberOfOriginalPoints = 0;
   std::vector<EdgePoint> inserted; ///< of point numberOfOriginalPoints + i
@@ -30,6 +32,9 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
 
   void setCut(int h, bool isCut);
   void setSharp(int h, bool isSharp);
+  /// The edge is a feature that is to be kept so far at least.
+  void setKeep(int h, Keep least);
+  bool isFeature(int h) const { return this->sharp[h] != 0 || this->keep[h] != Keep::Nothing; }
   using TriangleSurface::isBoundary;
   bool isBoundary(int h) const { return this->twin[h] < 0; }
 

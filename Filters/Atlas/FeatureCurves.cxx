@@ -109,7 +109,7 @@ public:
       {
         if (this->Surface.head(h) == to)
         {
-          this->Surface.setSharp(h, true);
+          this->mark(h);
           return true;
         }
         const int e = nextHalfedge(h);
@@ -137,24 +137,30 @@ public:
         const int against = this->incomingFrom(at, to);
         if (against >= 0)
         {
-          this->Surface.setSharp(against, true);
+          this->mark(against);
         }
         return against >= 0;
       }
       if (bestT < Nearest || bestT > 1 - Nearest)
       {
         const int along = bestT < Nearest ? previousHalfedge(best) : nextHalfedge(best);
-        this->Surface.setSharp(along, true);
+        this->mark(along);
         at = bestT < Nearest ? this->Surface.tail(best) : this->Surface.head(best);
         continue;
       }
       at = this->split(best, bestT);
-      this->Surface.setSharp(nextHalfedge(best), true);
+      this->mark(nextHalfedge(best));
     }
     return true;
   }
 
 private:
+  void mark(int h)
+  {
+    this->Surface.setSharp(h, true);
+    this->Surface.setKeep(h, Keep::Line);
+  }
+
   static constexpr double Nearest = 1e-3; // of an edge: closer to a vertex is at the vertex
 
   Vec3 barycentricIn(int face, const Vec3& x) const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureGraphBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stipple
@@ -16,6 +17,8 @@ struct GraphEdge
   int b;
   BackboneType type;
   bool cut; ///< charts end here, also along a sharp edge
+  Keep keep;
+  bool isBent; ///< sharp or boundary: the surface has it, not only its regions
   int other(int p) const { return this->a == p ? this->b : this->a; }
 };
 
@@ -31,20 +34,106 @@ std::vector<GraphEdge> graphEdges(const CutSurface& surface)
     }
     if (t < 0)
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Boundary, true });
-    }
-    else if (surface.sharp[h])
-    {
       edges.push_back(
-        { surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0 });
+        { surface.tail(h), surface.head(h), BackboneType::Boundary, true, surface.keep[h], true });
+    }
+    else if (surface.isFeature(h))
+    {
+      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0,
+        surface.keep[h], surface.sharp[h] != 0 });
     }
     else if (surface.cut[h])
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Seam, true });
+      edges.push_back(
+        { surface.tail(h), surface.head(h), BackboneType::Seam, true, Keep::Nothing, false });
     }
   }
   return edges;
 }
+
+/// Tells how lines of features turn.
+class Turns
+{
+public:
+  Turns(const CutSurface& surface, const std::vector<GraphEdge>& edges)
+    : Surface(surface)
+    , Edges(edges)
+    , At(surface.points.size())
+  {
+    for (std::size_t e = 0; e < edges.size(); ++e)
+    {
+      if (edges[e].type != BackboneType::Seam)
+      {
+        this->At[edges[e].a].push_back(static_cast<int>(e));
+        this->At[edges[e].b].push_back(static_cast<int>(e));
+      }
+    }
+  }
+
+  const std::vector<int>& at(int p) const { return this->At[p]; }
+
+  /// Of a point between two edges: whether the line turns there by more than the angle with this
+  /// cosine. Borders of regions go to and fro with the input's edges where these run across them:
+  /// only what several edges tell is a turn.
+  bool isCorner(int p, double cosine) const
+  {
+    const GraphEdge& first = this->Edges[this->At[p][0]];
+    const GraphEdge& second = this->Edges[this->At[p][1]];
+    const bool isEnd =
+      p < this->Surface.numberOfOriginalPoints && std::max(first.keep, second.keep) == Keep::Edges;
+    if (first.type != second.type || isEnd)
+    {
+      return true;
+    }
+    if (!this->turns(p, first.other(p), second.other(p), cosine))
+    {
+      return false;
+    }
+    const bool isFlat = !first.isBent && !second.isBent;
+    for (int step = 1; isFlat && step <= StepsOfBorder; ++step)
+    {
+      if (!this->turns(p, this->pointAfter(p, 0, step), this->pointAfter(p, 1, step), cosine))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  static constexpr int StepsOfBorder = 3; // to and fro takes two
+
+  bool turns(int p, int before, int after, double cosine) const
+  {
+    const Vec3& x = this->Surface.points[p];
+    const Vec3 u = (x - this->Surface.points[before]).normalized();
+    const Vec3 v = (this->Surface.points[after] - x).normalized();
+    return u.dot(v) < cosine;
+  }
+
+  /// The input's vertex so many steps from a point along one of its two edges, or where the line
+  /// ends before. Points that were put on the border's edges are no steps.
+  int pointAfter(int p, int side, int steps) const
+  {
+    int e = this->At[p][side];
+    int q = this->Edges[e].other(p);
+    while (this->At[q].size() == 2 && q != p)
+    {
+      steps -= q < this->Surface.numberOfOriginalPoints ? 1 : 0;
+      if (steps <= 0)
+      {
+        break;
+      }
+      e = this->At[q][0] == e ? this->At[q][1] : this->At[q][0];
+      q = this->Edges[e].other(q);
+    }
+    return q;
+  }
+
+  const CutSurface& Surface;
+  const std::vector<GraphEdge>& Edges;
+  std::vector<std::vector<int>> At; // a point's features
+};
 }
 
 FeatureGraph buildFeatureGraph(
@@ -60,6 +149,7 @@ FeatureGraph buildFeatureGraph(
     at[edges[e].a].push_back(static_cast<int>(e));
     at[edges[e].b].push_back(static_cast<int>(e));
   }
+  const Turns turns(surface, edges);
   const double straight = std::cos(cornerAngle * Pi / 180);
   std::vector<char> isTip(n, 0);
   for (int p : tips)
@@ -69,38 +159,22 @@ FeatureGraph buildFeatureGraph(
   std::vector<char> isNode(n, 0);
   for (std::size_t p = 0; p < n; ++p)
   {
-    std::vector<int> feature;
-    for (int e : at[p])
-    {
-      if (edges[e].type != BackboneType::Seam)
-      {
-        feature.push_back(e);
-      }
-    }
-    if (feature.size() == 2)
-    {
-      const Vec3& x = surface.points[p];
-      const Vec3 u =
-        (x - surface.points[edges[feature[0]].other(static_cast<int>(p))]).normalized();
-      const Vec3 v =
-        (surface.points[edges[feature[1]].other(static_cast<int>(p))] - x).normalized();
-      graph.isCorner[p] = u.dot(v) < straight || edges[feature[0]].type != edges[feature[1]].type;
-    }
-    else
-    {
-      graph.isCorner[p] = !feature.empty() || (isTip[p] && !at[p].empty());
-    }
+    const std::size_t features = turns.at(static_cast<int>(p)).size();
+    graph.isCorner[p] = features == 2 ? turns.isCorner(static_cast<int>(p), straight)
+                                      : features > 0 || (isTip[p] && !at[p].empty());
     // Also where a cut that runs along a sharp line ends: beyond it the line lies inside a chart.
     isNode[p] = graph.isCorner[p] || (!at[p].empty() && at[p].size() != 2) ||
       (at[p].size() == 2 &&
         (edges[at[p][0]].type != edges[at[p][1]].type ||
-          edges[at[p][0]].cut != edges[at[p][1]].cut));
+          edges[at[p][0]].cut != edges[at[p][1]].cut ||
+          edges[at[p][0]].keep != edges[at[p][1]].keep));
   }
 
   std::vector<char> used(edges.size(), 0);
   const auto follow = [&](int start, int first) {
     Backbone backbone;
     backbone.type = edges[first].type;
+    backbone.keep = edges[first].keep;
     backbone.points = { start };
     int e = first;
     int p = start;

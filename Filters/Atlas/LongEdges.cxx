@@ -27,7 +27,7 @@ int splitLongEdges(CutSurface& surface, double longest, int mostPoints)
   std::priority_queue<std::pair<double, int>> edges;
   const auto add = [&](int h) {
     const double length = lengthOf(h);
-    if (length > longest)
+    if (length > longest && surface.keep[h] != Keep::Edges)
     {
       edges.emplace(length, -std::max(h, surface.twin[h]));
     }

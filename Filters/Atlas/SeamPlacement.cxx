@@ -214,7 +214,8 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
 
 /// Moves the zeros of a function that pass close by a vertex onto it, so that cutting along them
 /// leaves no thin triangle; and those that cross a long sharp edge onto its nearer end: where a
-/// seam crosses a crease there is a fixed sample, which should not come close to a corner.
+/// seam crosses a crease there is a fixed sample, which should not come close to a corner, and must
+/// not on edges that are kept one by one.
 void snapToVertices(
   const CutSurface& surface, const ChartMesh& mesh, double longEdge, std::vector<double>& value)
 {
@@ -229,8 +230,9 @@ void snapToVertices(
       if (a * b < 0)
       {
         const int h = 3 * mesh.faces[i] + k;
-        const bool isLong = surface.sharp[h] &&
-          (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm() > longEdge;
+        const bool isLong = surface.keep[h] == Keep::Edges ||
+          (surface.sharp[h] &&
+            (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm() > longEdge);
         const double nearest = isLong ? 0.5 : Nearest;
         const double at = a / (a - b);
         if (at < nearest)

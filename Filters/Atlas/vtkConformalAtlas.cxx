@@ -10,6 +10,7 @@
 #include "FeatureGraphBuilder.h"
 #include "FilterInputs.h"
 #include "LongEdges.h"
+#include "RegionArrays.h"
 #include "SurfaceRepair.h"
 #include "UserArrays.h"
 
@@ -27,48 +28,79 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkConformalAtlas);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureEdges, vtkIdTypeArray);
+vtkCxxSetObjectMacro(vtkConformalAtlas, FixedEdges, vtkIdTypeArray);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureCurves, vtkPolyData);
 vtkCxxSetObjectMacro(vtkConformalAtlas, Constraints, vtkPoints);
 vtkCxxSetObjectMacro(vtkConformalAtlas, ChartConstraints, vtkDoubleArray);
 
 namespace
 {
-/// Marks the user's edges as sharp.
-stipple::Status tagFeatureEdges(
-  vtkIdTypeArray* edges, const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
+/// Marks edges that users name by the input's points. `what` they are called in errors.
+stipple::Status keepEdges(vtkIdTypeArray* edges, const std::string& what, stipple::Keep keep,
+  const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
 {
   if (edges->GetNumberOfComponents() != 2)
   {
-    return stipple::Status::error("Feature edges need two components, the ids of the points that "
-                                  "they join, not " +
+    return stipple::Status::error(what +
+      " edges need two components, the ids of the points that "
+      "they join, not " +
       std::to_string(edges->GetNumberOfComponents()) + ".");
   }
-  const auto first = surface.vertexHalfedges();
+  // By the input's point that a vertex was made of: one that was split is several vertices.
+  std::map<std::pair<int, int>, std::vector<int>> halfedges;
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    halfedges[std::minmax(
+                repaired.sourcePoint[surface.tail(h)], repaired.sourcePoint[surface.head(h)])]
+      .push_back(h);
+  }
   const auto number = static_cast<vtkIdType>(repaired.pointOfInput.size());
-  const auto vertex = [&](vtkIdType id) {
-    return stipple::Vertex(id >= 0 && id < number ? repaired.pointOfInput[id] : -1);
+  const auto source = [&](vtkIdType id) {
+    const int p = id >= 0 && id < number ? repaired.pointOfInput[id] : -1;
+    return p < 0 ? -1 : repaired.sourcePoint[p];
   };
   for (vtkIdType i = 0; i < edges->GetNumberOfTuples(); ++i)
   {
     const vtkIdType a = edges->GetTypedComponent(i, 0);
     const vtkIdType b = edges->GetTypedComponent(i, 1);
-    const stipple::Vertex p = vertex(a);
-    const stipple::Vertex q = vertex(b);
-    stipple::Halfedge h;
-    if (p.valid() && q.valid())
+    const auto found = halfedges.find(std::minmax(source(a), source(b)));
+    if (found == halfedges.end())
     {
-      h = stipple::findHalfedge(surface, first, p, q);
-      h = h.valid() ? h : stipple::findHalfedge(surface, first, q, p);
-    }
-    if (!h.valid())
-    {
-      return stipple::Status::error("Feature edge " + std::to_string(i) + " joins the points " +
+      return stipple::Status::error(what + " edge " + std::to_string(i) + " joins the points " +
         std::to_string(a) + " and " + std::to_string(b) + ", which no edge of the input joins.");
     }
-    surface.setSharp(h.index(), true);
+    for (const int h : found->second)
+    {
+      surface.setSharp(h, true);
+      surface.setKeep(h, keep);
+    }
+  }
+  return stipple::Status::success();
+}
+
+/// Marks the edges between regions.
+stipple::Status markRegionBorders(
+  vtkPolyData* input, const char* name, stipple::CutSurface& surface)
+{
+  vtkAbstractArray* labels = nullptr;
+  if (stipple::Status status = stipple::findRegions(input, name, labels); !status.ok())
+  {
+    return status;
+  }
+  const std::vector<int> region = stipple::numberRegions(labels);
+  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  {
+    const int twin = surface.twin[h];
+    if (twin > h && region[surface.sourceCell[h / 3]] != region[surface.sourceCell[twin / 3]])
+    {
+      surface.setKeep(h, stipple::Keep::Border);
+    }
   }
   return stipple::Status::success();
 }
@@ -101,7 +133,9 @@ vtkConformalAtlas::vtkConformalAtlas()
 
 vtkConformalAtlas::~vtkConformalAtlas()
 {
+  this->SetRegionArrayName(nullptr);
   this->SetFeatureEdges(nullptr);
+  this->SetFixedEdges(nullptr);
   this->SetFeatureCurves(nullptr);
   this->SetConstraints(nullptr);
   this->SetChartConstraints(nullptr);
@@ -110,6 +144,11 @@ vtkConformalAtlas::~vtkConformalAtlas()
 vtkIdTypeArray* vtkConformalAtlas::GetFeatureEdges() const
 {
   return this->FeatureEdges;
+}
+
+vtkIdTypeArray* vtkConformalAtlas::GetFixedEdges() const
+{
+  return this->FixedEdges;
 }
 
 vtkPolyData* vtkConformalAtlas::GetFeatureCurves() const
@@ -131,8 +170,9 @@ vtkMTimeType vtkConformalAtlas::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
   for (vtkObject* object :
-    { static_cast<vtkObject*>(this->FeatureEdges), static_cast<vtkObject*>(this->FeatureCurves),
-      static_cast<vtkObject*>(this->Constraints), static_cast<vtkObject*>(this->ChartConstraints) })
+    { static_cast<vtkObject*>(this->FeatureEdges), static_cast<vtkObject*>(this->FixedEdges),
+      static_cast<vtkObject*>(this->FeatureCurves), static_cast<vtkObject*>(this->Constraints),
+      static_cast<vtkObject*>(this->ChartConstraints) })
   {
     if (object)
     {
@@ -233,6 +273,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   }
 
   stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->Self->CornerAngle, tips);
+  graph.regionArray = this->Self->RegionArrayName ? this->Self->RegionArrayName : "";
   if (stipple::Status status = this->constrain(surface, flat, tips, graph); !status.ok())
   {
     return status;
@@ -272,7 +313,26 @@ stipple::Status vtkConformalAtlas::Work::markFeatures(const stipple::RepairedSur
   stipple::detectFeatures(surface, detection);
   if (this->Self->FeatureEdges)
   {
-    if (stipple::Status status = tagFeatureEdges(this->Self->FeatureEdges, repaired, surface);
+    if (stipple::Status status =
+          keepEdges(this->Self->FeatureEdges, "Feature", stipple::Keep::Line, repaired, surface);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  if (this->Self->FixedEdges)
+  {
+    if (stipple::Status status =
+          keepEdges(this->Self->FixedEdges, "Fixed", stipple::Keep::Edges, repaired, surface);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  if (this->Self->RegionArrayName)
+  {
+    if (stipple::Status status =
+          markRegionBorders(this->Input, this->Self->RegionArrayName, surface);
         !status.ok())
     {
       return status;
@@ -321,9 +381,12 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumFeatureLength: " << this->MinimumFeatureLength << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "FeatureEdges: " << this->FeatureEdges << "\n";
+  os << indent << "FixedEdges: " << this->FixedEdges << "\n";
   os << indent << "FeatureCurves: " << this->FeatureCurves << "\n";
   os << indent << "ChartConstraints: " << this->ChartConstraints << "\n";
   os << indent << "Constraints: " << this->Constraints << "\n";
+  os << indent << "RegionArrayName: " << (this->RegionArrayName ? this->RegionArrayName : "(none)")
+     << "\n";
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "MaximumDensityRatio: " << this->MaximumDensityRatio << "\n";
   os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";

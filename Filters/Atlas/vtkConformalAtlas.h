@@ -27,8 +27,10 @@
  *
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),
- * "Closed" (int). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner" (int), and for
- * constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
+ * "Keep" (int: what a coarser mesh must keep of it: 0 nothing, for features that were found, 1 that
+ * it parts regions, 2 all, for what was asked for, 3 all, and edge by edge), "Closed" (int). Field array, with regions:
+ * "RegionArrayName" (string). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner"
+ * (int), and for constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
  *
  * Sections 2.1, 2.2, 2.4 and 2.5 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing",
  * SIGGRAPH 2002.
@@ -107,6 +109,15 @@ public:
 
   ///@{
   /**
+   * Edges that meshes have as they are: two components, the input's point ids. Both ends become
+   * vertices, and no other vertex comes between them. The default is none.
+   */
+  virtual void SetFixedEdges(vtkIdTypeArray* edges);
+  vtkIdTypeArray* GetFixedEdges() const;
+  ///@}
+
+  ///@{
+  /**
    * Curves to keep as features: the polylines of a vtkPolyData. Their points are moved to the
    * nearest place on the surface and become vertices of the charts; between two of them a curve
    * runs where the plane through both and the surface's normal cuts the surface, so that they
@@ -115,6 +126,17 @@ public:
    */
   virtual void SetFeatureCurves(vtkPolyData* curves);
   vtkPolyData* GetFeatureCurves() const;
+  ///@}
+
+  ///@{
+  /**
+   * The input's cell array of labels, of any type and one component, by which the surface has
+   * regions: cells of one label. Their borders are kept as features, straightened where a mesh is
+   * coarser than they are, and the mesh's cells have exact labels. An array that is missing is an
+   * error. The default is nullptr: no regions.
+   */
+  vtkSetStringMacro(RegionArrayName);
+  vtkGetStringMacro(RegionArrayName);
   ///@}
 
   ///@{
@@ -254,9 +276,11 @@ private:
   double MinimumFeatureLength = 0.02;
   double CornerAngle = 60;
   vtkIdTypeArray* FeatureEdges = nullptr;
+  vtkIdTypeArray* FixedEdges = nullptr;
   vtkPolyData* FeatureCurves = nullptr;
   vtkPoints* Constraints = nullptr;
   vtkDoubleArray* ChartConstraints = nullptr;
+  char* RegionArrayName = nullptr;
   int NumberOfCharts = 1;
   double MaximumDensityRatio = 100;
   int RefinementLevel = 0;

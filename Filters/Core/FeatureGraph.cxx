@@ -3,6 +3,7 @@
 #include "FeatureGraph.h"
 
 #include "AtlasSurface.h"
+#include "RegionArrays.h"
 #include "UserArrays.h"
 
 #include "vtkCellArray.h"
@@ -59,6 +60,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   auto chartCellId = namedArray<vtkIdTypeArray>("ChartCellId");
   auto bary = namedArray<vtkDoubleArray>("BarycentricCoordinates", 3);
   auto type = namedArray<vtkIntArray>("BackboneType");
+  auto keep = namedArray<vtkIntArray>("Keep");
   auto closed = namedArray<vtkIntArray>("Closed");
 
   vtkNew<vtkCellArray> verts;
@@ -72,6 +74,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     chartCellId->InsertNextValue(c.chartCell);
     bary->InsertNextTuple(c.bary.data());
     type->InsertNextValue(static_cast<int>(BackboneType::Constraint));
+    keep->InsertNextValue(static_cast<int>(Keep::Line));
     closed->InsertNextValue(0);
   }
   std::map<int, vtkIdType> pointOf;
@@ -101,6 +104,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     }
     lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     type->InsertNextValue(static_cast<int>(b.type));
+    keep->InsertNextValue(static_cast<int>(b.keep));
     closed->InsertNextValue(b.closed ? 1 : 0);
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
@@ -113,7 +117,12 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   output->GetPointData()->AddArray(chartCellId);
   output->GetPointData()->AddArray(bary);
   output->GetCellData()->AddArray(type);
+  output->GetCellData()->AddArray(keep);
   output->GetCellData()->AddArray(closed);
+  if (!graph.regionArray.empty())
+  {
+    setRegionArrayName(output, graph.regionArray);
+  }
   return output;
 }
 
@@ -188,11 +197,13 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
   vtkDataArray* isCorner = nullptr;
   vtkDataArray* type = nullptr;
   vtkDataArray* closed = nullptr;
+  vtkDataArray* keep = nullptr;
   for (const Status& status : { findArray(lines->GetPointData(), "SurfacePointId", 1,
                                   numberOfPoints, owner, Remedy, surfacePointId),
          findArray(lines->GetPointData(), "IsCorner", 1, numberOfPoints, owner, Remedy, isCorner),
          findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, Remedy, type),
          findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, Remedy, closed),
+         findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, Remedy, keep),
          checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
          checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
   {
@@ -220,6 +231,13 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       return badId(type, cell, name, 3);
     }
     b.type = static_cast<BackboneType>(kind);
+    constexpr int Keeps = static_cast<int>(Keep::Edges) + 1;
+    const int kept = indexBelow(keep->GetComponent(cell, 0), Keeps);
+    if (kept < 0)
+    {
+      return badId(keep, cell, name, Keeps);
+    }
+    b.keep = static_cast<Keep>(kept);
     b.closed = closed->GetComponent(cell, 0) != 0;
     if (n < (b.closed ? 3 : 2))
     {
@@ -238,6 +256,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
     }
     graph.backbones.push_back(std::move(b));
   }
+  graph.regionArray = regionArrayName(lines);
   return Status::success();
 }
 }

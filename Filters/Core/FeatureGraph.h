@@ -11,6 +11,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -28,6 +29,15 @@ enum class BackboneType : int
                  ///< vertex
 };
 
+/// What must be left of a backbone by a mesh that is coarser than it.
+enum class Keep : int
+{
+  Nothing = 0, ///< a feature that was found: it may be merged with others
+  Border = 1,  ///< between regions: it may be straightened, but regions stay apart
+  Line = 2,    ///< what users name: all of it
+  Edges = 3    ///< all of its edges, one by one: no vertex comes between the input's
+};
+
 /// A chain of edges of the cut surface. Backbones end at nodes and meet nowhere else, so that on
 /// each of its sides a backbone lies in one chart.
 struct Backbone
@@ -35,6 +45,7 @@ struct Backbone
   BackboneType type = BackboneType::Sharp;
   bool closed = false;     ///< a cycle without a node
   std::vector<int> points; ///< surface point ids; a closed backbone does not repeat its first
+  Keep keep = Keep::Nothing;
   int numberOfSegments() const
   {
     return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1);
@@ -57,6 +68,7 @@ struct STIPPLEFILTERSCORE_EXPORT FeatureGraph
   std::vector<ConstraintPoint> constraints;
   std::vector<char> isCorner; ///< by surface point id: valence 1 or > 2 of feature edges, or a
                               ///< sharp turn
+  std::string regionArray;    ///< the cell array whose regions have borders here; may be empty
 
   /// Ends of open backbones, ascending, each once: corners, and the junctions where seams end.
   std::vector<int> nodes() const;

@@ -4,6 +4,7 @@
 
 #include "FilterInputs.h"
 #include "MeshCreation.h"
+#include "RegionTransfer.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -53,8 +54,9 @@ int vtkCDTRemesh::RequestData(
     if (status.ok())
     {
       const auto mesh = stipple::meshToPolyData(*atlas, samples, triangles);
-      const auto lines = stipple::featureLines(
-        atlas->graph(), stipple::backboneChains(atlas->graph(), samples), mesh, true);
+      const auto chains = stipple::backboneChains(atlas->graph(), samples);
+      stipple::transferRegions(*atlas, chains, mesh);
+      const auto lines = stipple::featureLines(atlas->graph(), chains, mesh, true);
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(mesh);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
     }

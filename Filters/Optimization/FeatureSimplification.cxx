@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace stipple
@@ -62,7 +62,9 @@ public:
         this->ChainsOf[chain[i].vertex].push_back(static_cast<int>(b));
         if (i > 0)
         {
-          this->Creases.insert(pairOf(chain[i - 1].vertex, chain[i].vertex));
+          const VertexPair edge = pairOf(chain[i - 1].vertex, chain[i].vertex);
+          Keep& keep = this->Creases.try_emplace(edge, Keep::Nothing).first->second;
+          keep = std::max(keep, mesh.atlas().graph().backbones[b].keep);
         }
       }
     }
@@ -76,6 +78,12 @@ public:
   const std::vector<int>& about(Vertex v) const { return this->About[v]; }
   const std::vector<int>& chainsOf(Vertex v) const { return this->ChainsOf[v]; }
   bool isCrease(Vertex a, Vertex b) const { return this->Creases.count(pairOf(a, b)) > 0; }
+  /// What is to be kept of an edge.
+  Keep keep(Vertex a, Vertex b) const
+  {
+    const auto found = this->Creases.find(pairOf(a, b));
+    return found == this->Creases.end() ? Keep::Nothing : found->second;
+  }
 
   /// The vertices that edges join to one, ascending.
   std::vector<Vertex> ring(Vertex v) const
@@ -125,6 +133,28 @@ public:
     return static_cast<int>(
       std::count_if(ring.begin(), ring.end(), [&](Vertex u) { return this->isCrease(u, v); }));
   }
+  /// Whether lines that must stay do, and regions stay apart, when v has gone to u: v may lie
+  /// inside a border that leads to u, with nothing of it on the triangles that go.
+  bool keepsLines(Vertex v, Vertex u) const
+  {
+    int kept = 0;
+    for (const Vertex w : this->ring(v))
+    {
+      if (this->keep(v, w) >= Keep::Line)
+      {
+        return false;
+      }
+      kept += this->keep(v, w) == Keep::Border ? 1 : 0;
+    }
+    const std::vector<int> gone = this->beside(v, u);
+    return kept == 0 ||
+      (kept == 2 && this->keep(v, u) == Keep::Border &&
+        std::all_of(gone.begin(), gone.end(), [&](int t) {
+          const auto [a, b, c] = this->Triangles[t];
+          const Vertex w(a + b + c - v.index() - u.index());
+          return !this->isCrease(v, w) && !this->isCrease(u, w);
+        }));
+  }
   bool isOnBoundary(Vertex v) const
   {
     const std::vector<Vertex> ring = this->ring(v);
@@ -151,9 +181,14 @@ public:
   {
     for (const Vertex w : this->ring(v))
     {
-      if (this->Creases.erase(pairOf(v, w)) > 0 && w != u)
+      if (const auto own = this->Creases.find(pairOf(v, w)); own != this->Creases.end())
       {
-        this->Creases.insert(pairOf(u, w));
+        if (w != u)
+        {
+          Keep& keep = this->Creases.try_emplace(pairOf(u, w), Keep::Nothing).first->second;
+          keep = std::max(keep, own->second);
+        }
+        this->Creases.erase(pairOf(v, w));
       }
     }
     for (const int t : std::vector<int>(this->About[v]))
@@ -180,8 +215,8 @@ public:
     this->put(own, replaced(beyond, q, v));
     this->put(other, replaced(beyond, p, v));
     this->Creases.erase(pairOf(p, q));
-    this->Creases.insert(pairOf(p, v));
-    this->Creases.insert(pairOf(v, q));
+    this->Creases.try_emplace(pairOf(p, v), Keep::Nothing);
+    this->Creases.try_emplace(pairOf(v, q), Keep::Nothing);
     std::vector<int> chains = this->ChainsOf[p];
     makeUnique(chains);
     for (const int b : chains)
@@ -256,7 +291,7 @@ private:
   std::vector<Chain> Chains;
   ElementArray<Vertex, std::vector<int>> About;    // of its triangles
   ElementArray<Vertex, std::vector<int>> ChainsOf; // of a vertex; some of them more than once
-  std::set<VertexPair> Creases;
+  std::map<VertexPair, Keep> Creases;
 };
 
 class Simplification
@@ -471,7 +506,8 @@ private:
     const bool mayGo = !this->Mesh.isConstraint(v) && !isTip &&
       creases <= this->Now.numberOfCreases(u) && (creases > 0 || !this->Mesh.isFree(u)) &&
       this->length(v, u) <= this->spacingAt(v);
-    if (!mayGo || !this->Now.mayCollapse(v, u) || !this->staysOpen(v, u))
+    if (!mayGo || !this->Now.keepsLines(v, u) || !this->Now.mayCollapse(v, u) ||
+      !this->staysOpen(v, u))
     {
       return Never;
     }
@@ -526,7 +562,8 @@ private:
   void bend(Vertex p, Vertex q, Vertex v)
   {
     const std::vector<int> pair = this->Now.beside(p, q);
-    if (this->Mesh.isFree(v) || !this->Now.isCrease(p, q) || pair.size() != 2)
+    if (this->Mesh.isFree(v) || !this->Now.isCrease(p, q) ||
+      this->Now.keep(p, q) != Keep::Nothing || pair.size() != 2)
     {
       return;
     }

@@ -7,6 +7,7 @@
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
 #include "PolyDataConversion.h"
+#include "RegionTransfer.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -104,6 +105,7 @@ void vtkRemeshOptimizer::Internals::write(const stipple::OptimizedMesh& mesh,
       chains.back().push_back(v.vertex.index());
     }
   }
+  stipple::transferRegions(*this->Atlas, chains, result);
   const auto lines = stipple::featureLines(this->Atlas->graph(), chains, result, false);
   vtkPolyData::GetData(output, 0)->ShallowCopy(result);
   vtkPolyData::GetData(output, 1)->ShallowCopy(lines);

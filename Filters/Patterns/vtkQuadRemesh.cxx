@@ -5,6 +5,7 @@
 #include "FilterInputs.h"
 #include "MeshCreation.h"
 #include "QuadPattern.h"
+#include "RegionTransfer.h"
 
 #include "vtkCellArray.h"
 #include "vtkInformation.h"
@@ -83,8 +84,9 @@ int vtkQuadRemesh::RequestData(
     }
     const auto result = stipple::meshToPolyData(*atlas, mesh.samples, triangles);
     setPolygons(mesh, result);
-    const auto lines = stipple::featureLines(
-      atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, true);
+    const auto chains = stipple::backboneChains(atlas->graph(), mesh.samples);
+    stipple::transferRegions(*atlas, chains, result);
+    const auto lines = stipple::featureLines(atlas->graph(), chains, result, true);
     vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
     vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
     return status;

@@ -5,6 +5,7 @@
 #include "FilterInputs.h"
 #include "MeshCreation.h"
 #include "PolyDataConversion.h"
+#include "RegionTransfer.h"
 #include "SemiRegularSubdivision.h"
 
 #include "vtkCellData.h"
@@ -98,8 +99,9 @@ int vtkSemiRegularSubdivision::RequestData(
     {
       const auto result = stipple::meshToPolyData(*atlas, mesh.samples, mesh.triangles);
       addHierarchy(mesh, result);
-      const auto lines = stipple::featureLines(
-        atlas->graph(), stipple::backboneChains(atlas->graph(), mesh.samples), result, false);
+      const auto chains = stipple::backboneChains(atlas->graph(), mesh.samples);
+      stipple::transferRegions(*atlas, chains, result);
+      const auto lines = stipple::featureLines(atlas->graph(), chains, result, false);
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
     }

@@ -207,6 +207,19 @@ public:
     return o;
   }
 
+  template <typename Class>
+  void arrayName(const char* name, const char* help, const char* stage, const char* property,
+    void (Class::*set)(const char*))
+  {
+    Option& o = this->add(Kind::Text, name, "NAME", help);
+    o.stage = stage;
+    o.property = property;
+    o.apply = [set](vtkAlgorithm* algorithm, const Option&, const OptionValue& value) {
+      const auto& array = std::get<std::string>(value);
+      (static_cast<Class*>(algorithm)->*set)(array.empty() ? nullptr : array.c_str());
+    };
+  }
+
   void sampling();
   void features();
   void mesh();
@@ -226,18 +239,8 @@ void Maker::sampling()
     STIPPLE_ENUM(vtkControlMap, Importance));
   this->add(Kind::File, "importance_image", "FILE",
     "the image for the importance image (PNG, JPEG, TIFF, VTI, ...); bright attracts");
-  const auto arrayName = [this](const char* name, const char* help, const char* property,
-                           void (vtkControlMap::*set)(const char*)) {
-    Option& option = this->add(Kind::Text, name, "NAME", help);
-    option.stage = "vtkControlMap";
-    option.property = property;
-    option.apply = [set](vtkAlgorithm* stage, const Option&, const OptionValue& value) {
-      const auto& array = std::get<std::string>(value);
-      (static_cast<vtkControlMap*>(stage)->*set)(array.empty() ? nullptr : array.c_str());
-    };
-  };
-  arrayName("importance_array", "the input's point or cell array for the importance array",
-    "ImportanceArrayName", &vtkControlMap::SetImportanceArrayName);
+  this->arrayName("importance_array", "the input's point or cell array for the importance array",
+    "vtkControlMap", "ImportanceArrayName", &vtkControlMap::SetImportanceArrayName);
   this->choice("image_projection", "HOW", { "chart", "x", "y", "z" },
     "where the image lies: pasted in every chart, or projected along an axis through the whole "
     "surface",
@@ -278,10 +281,10 @@ void Maker::sampling()
   };
   length("edge_length", "L", "wanted length of edges; the number of points follows from it",
     "by the number of points", STIPPLE_NUMBER(vtkControlMap, EdgeLength));
-  arrayName("size_array",
+  this->arrayName("size_array",
     "the input's point or cell array of wanted lengths of edges, in place of "
     "an importance; the number of points follows unless it is given",
-    "SizeArrayName", &vtkControlMap::SetSizeArrayName);
+    "vtkControlMap", "SizeArrayName", &vtkControlMap::SetSizeArrayName);
   length("size_minimum", "L", "shortest edges wanted", "none",
     STIPPLE_NUMBER(vtkControlMap, SizeMinimum));
   length("size_maximum", "L", "longest edges wanted", "none",
@@ -328,6 +331,13 @@ void Maker::features()
     "polylines on the surface that become features; densely pointed where it is folded");
   o->endings = { ".vtp", ".vtk", ".obj" };
   o->places = Option::CommandLine | Option::Python;
+  this->arrayName("region_array",
+    "the input's cell array of labels: its regions' borders are kept, and cells labelled exactly",
+    "vtkConformalAtlas", "RegionArrayName", &vtkConformalAtlas::SetRegionArrayName);
+  this->arrayName("select_array",
+    "the input's cell array by which a part is remeshed, to N points besides those on its border: "
+    "cells that are 0 come out as they came in",
+    "vtkGeometryRemesher", "SelectionArrayName", &vtkGeometryRemesher::SetSelectionArrayName);
   const double any = Infinity;
   o = &this->rows("constraints", "FILE",
     { { "x", -any, any, false }, { "y", -any, any, false }, { "z", -any, any, false } },

@@ -8,6 +8,7 @@
 #include "OptionTable.h"
 #include "PolyDataConversion.h"
 #include "Progress.h"
+#include "SelectedPart.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
@@ -18,6 +19,7 @@
 #include "vtkErrorCode.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -94,6 +96,8 @@ struct vtkGeometryRemesher::Internals
 
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType InputTime = 0;
+  std::string Selection; ///< the array's name
+  stipple::SelectedPart Part;
 
   vtkGeometryRemesher* Self = nullptr;
   vtkNew<vtkCallbackCommand> Observer;
@@ -193,18 +197,35 @@ struct vtkGeometryRemesher::Internals
       [this](double) { return this->Self->GetAbortExecute() == 0; });
   }
 
-  /// Hands the input to the atlas if it is not the one of before.
-  void takeInput(vtkPolyData* input)
+  /// Hands the input, or the part of it that is selected, to the atlas if it is not the one of
+  /// before.
+  stipple::Status takeInput(vtkPolyData* input, const std::string& selection)
   {
-    if (this->Input == input && this->InputTime == input->GetMTime())
+    if (this->Input == input && this->InputTime == input->GetMTime() &&
+      this->Selection == selection)
     {
-      return;
+      return stipple::Status::success();
+    }
+    this->Input = nullptr;
+    this->Part = stipple::SelectedPart();
+    if (!selection.empty())
+    {
+      if (stipple::Status status = this->Part.split(input, selection); !status.ok())
+      {
+        return status;
+      }
     }
     vtkNew<vtkPolyData> copy; // the atlas must not lead upstream of this filter
-    copy->ShallowCopy(input);
+    copy->ShallowCopy(selection.empty() ? input : this->Part.part());
     this->Atlas->SetInputDataObject(0, copy);
+    if (!selection.empty() || !this->Selection.empty())
+    {
+      this->Atlas->SetFixedEdges(this->Part.borderEdges());
+    }
     this->Input = input;
     this->InputTime = input->GetMTime();
+    this->Selection = selection;
+    return stipple::Status::success();
   }
 
   /// The maps that control map and sampler read.
@@ -278,7 +299,10 @@ vtkGeometryRemesher::vtkGeometryRemesher()
   this->SetNumberOfOutputPorts(7);
 }
 
-vtkGeometryRemesher::~vtkGeometryRemesher() = default;
+vtkGeometryRemesher::~vtkGeometryRemesher()
+{
+  this->SetSelectionArrayName(nullptr);
+}
 
 int vtkGeometryRemesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -343,7 +367,13 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     {
       this->ErrorCode = INTERNAL_ERROR;
     }
-    const std::string& sentence = !s.StageError.empty() ? s.StageError : s.ExecutiveError;
+    std::string sentence = !s.StageError.empty() ? s.StageError : s.ExecutiveError;
+    if (const int least = this->GetLeastNumberOfPoints();
+        s.Part.numberOfBorderPoints() > 0 && this->ErrorCode == TOO_FEW_POINTS && least > 0)
+    {
+      sentence = "The selected part has no mesh of " + std::to_string(this->NumberOfPoints) +
+        " new points: ask for at least " + std::to_string(least) + ".";
+    }
     vtkErrorMacro(<< (!sentence.empty() ? sentence
                                         : "The " + std::string(AlgorithmNames[algorithm]) +
                         " failed without saying why."));
@@ -352,6 +382,19 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   this->UpdateProgress(std::max(this->GetProgress(), ProgressBegin[stage + 1]));
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
+}
+
+bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
+{
+  const std::string selection = this->SelectionArrayName ? this->SelectionArrayName : "";
+  const stipple::Status status = !selection.empty() && this->Pattern != TRIANGLES
+    ? stipple::Status::error("A selected part can be remeshed with the pattern TRIANGLES only.")
+    : this->Stages->takeInput(input, selection);
+  if (!status.ok())
+  {
+    stipple::endAfter(status, this, this->ErrorCode);
+  }
+  return status.ok();
 }
 
 bool vtkGeometryRemesher::RunStages()
@@ -396,7 +439,7 @@ bool vtkGeometryRemesher::RunMapsAndControl()
     (s.ControlMap->GetSizeArrayName() && this->NumberOfPoints == 0);
   // By lengths: about so many; the control says it exactly.
   int points = this->NumberOfPoints > 0
-    ? this->NumberOfPoints
+    ? this->NumberOfPoints + s.Part.numberOfBorderPoints()
     : static_cast<int>(std::min<vtkIdType>(s.Atlas->GetNumberOfSurfacePoints(), most));
   for (bool isFirst = true;; isFirst = false)
   {
@@ -472,8 +515,7 @@ int vtkGeometryRemesher::RequestData(
   {
     return 1;
   }
-  s.takeInput(input);
-  const bool done = this->RunStagesAndCheck();
+  const bool done = this->TakeInput(input) && this->RunStagesAndCheck();
   if (done)
   {
     vtkAlgorithm* last = s.InOrder[this->Pattern == QUADS ? QuadMeshing
@@ -486,6 +528,26 @@ int vtkGeometryRemesher::RequestData(
     for (int port = 0; port < 7; ++port)
     {
       vtkDataObject::GetData(outputVector, port)->ShallowCopy(results[port]);
+    }
+    if (s.Part.part())
+    {
+      const stipple::Status status = s.Part.join(vtkPolyData::SafeDownCast(results[0]),
+        vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 0));
+      if (!status.ok())
+      {
+        stipple::endAfter(status, this, this->ErrorCode);
+        return 0;
+      }
+    }
+    // Names of regions, materials, units: what the input says of itself as a whole.
+    vtkFieldData* whole = vtkPolyData::GetData(outputVector)->GetFieldData();
+    for (int i = 0; i < input->GetFieldData()->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(i);
+      if (!array->GetName() || !whole->HasArray(array->GetName()))
+      {
+        whole->AddArray(array);
+      }
     }
     // On the way the active texture coordinates were the charts' parameters.
     vtkDataArray* texture = input->GetPointData()->GetTCoords();
@@ -501,7 +563,8 @@ int vtkGeometryRemesher::RequestData(
 
 int vtkGeometryRemesher::GetLeastNumberOfPoints()
 {
-  return this->Stages->Sampler->GetMinimumNumberOfSamples();
+  return std::max(0,
+    this->Stages->Sampler->GetMinimumNumberOfSamples() - this->Stages->Part.numberOfBorderPoints());
 }
 
 std::string vtkGeometryRemesher::GetOptionTable()
@@ -617,6 +680,9 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
+  os << indent
+     << "SelectionArrayName: " << (this->SelectionArrayName ? this->SelectionArrayName : "(none)")
+     << "\n";
   for (int a = 0; a < NumberOfAlgorithms; ++a)
   {
     os << indent << "The " << AlgorithmNames[a];

@@ -18,7 +18,8 @@
  * `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`,
  * `ArcLength`) say where on the input each point lies; the input's named arrays come along, active
  * for what they are active for there: float and double point arrays interpolated, other point
- * arrays by the nearest input point, cell arrays by the input cell below
+ * arrays by the nearest input point, cell arrays by the input cell below, but labels of regions
+ * exactly (see vtkConformalAtlas::RegionArrayName); field arrays as they are
  * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points,
  * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
@@ -144,6 +145,16 @@ public:
   void SetPresetToRib();
   ///@}
 
+  ///@{
+  /// The input's cell array of one number a cell by which a part is remeshed alone, to
+  /// NumberOfPoints new points besides those on its border: cells that are 0 come out as they came
+  /// in, the same points (each place once) and cells, first and in their order, and the mesh fits
+  /// to them without a gap. Their provenance is -1, and the charts' `SourceCellId` counts the cells
+  /// of the part. For TRIANGLES only. The default is nullptr: all is remeshed.
+  vtkSetStringMacro(SelectionArrayName);
+  vtkGetStringMacro(SelectionArrayName);
+  ///@}
+
   enum PatternType
   {
     TRIANGLES = 0,
@@ -238,6 +249,7 @@ private:
   vtkGeometryRemesher(const vtkGeometryRemesher&) = delete;
   void operator=(const vtkGeometryRemesher&) = delete;
 
+  bool TakeInput(vtkPolyData* input);
   bool RunStage(int algorithm);
   bool RunMapsAndControl();
   bool RunStages();
@@ -245,6 +257,7 @@ private:
 
   int NumberOfPoints = 0;
   int Pattern = TRIANGLES;
+  char* SelectionArrayName = nullptr;
   struct Internals;
   std::unique_ptr<Internals> Stages;
 };

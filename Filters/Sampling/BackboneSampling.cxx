@@ -62,6 +62,10 @@ BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<Con
   const double root = std::sqrt(scale);
   // Keeps the integral invertible where nothing is wanted, and is worth a billionth of a sample.
   const double least = length > 0 ? 1e-9 / length : 0.;
+  if (domain.graph().backbones[backbone].keep == Keep::Edges)
+  {
+    return { { 0, length }, { 0, least * length }, { 1 }, { 0 } };
+  }
   BackboneDensity result;
   result.arcLength = { 0 };
   result.wanted = { 0 };

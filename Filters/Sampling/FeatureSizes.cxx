@@ -269,11 +269,18 @@ private:
   void addGaps(int line, std::vector<SizeSource>& sources) const
   {
     const double length = this->Lines.length(line);
+    double spacing = 0;
     for (double s = 0; s < length;)
     {
       const BackbonePlace from = { line, s };
       const SurfacePlace place = this->placeAt(from);
-      const double spacing = this->Spacing(place);
+      // Where maps have a hole, as in a triangle without width, that of the place before.
+      const double here = this->Spacing(place);
+      spacing = here > 0 ? here : spacing;
+      if (!(spacing > 0))
+      {
+        return;
+      }
       const double reach = spacing * Constants::LargestSize / Constants::SizeOverGap;
       const double gap = std::min(this->gapBeside(from, 0, reach), this->gapBeside(from, 1, reach));
       this->add(place, spacing, Constants::SizeOverGap * gap, sources);

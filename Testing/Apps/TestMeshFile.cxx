@@ -3,18 +3,24 @@
 #include "MeshFile.h"
 #include "OffFile.h"
 #include "OutputFiles.h"
+#include "RegionArrays.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 using namespace stipple;
 namespace fs = std::filesystem;
@@ -68,6 +74,28 @@ vtkSmartPointer<vtkPolyData> makeTetrahedron()
   mesh->SetPolys(cells);
   mesh->GetPointData()->AddArray(marks);
   return mesh;
+}
+
+std::vector<int> labels(vtkPolyData* mesh, const std::string& name)
+{
+  std::vector<int> result;
+  vtkDataArray* array = mesh->GetCellData()->GetArray(name.c_str());
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    result.push_back(static_cast<int>(array->GetComponent(i, 0)));
+  }
+  return result;
+}
+
+std::vector<std::string> names(vtkPolyData* mesh, const std::string& name)
+{
+  std::vector<std::string> result;
+  auto* array = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(name.c_str()));
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    result.push_back(array->GetValue(i));
+  }
+  return result;
 }
 }
 
@@ -132,6 +160,88 @@ TEST_F(MeshFile, RoundTrips)
       EXPECT_EQ(marks->GetComponent(3, 0), 13.);
     }
   }
+}
+
+TEST_F(MeshFile, RegionsOfObj)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  ASSERT_TRUE(readMesh(this->write("a.obj",
+                         "mtllib a.mtl\n" + points +
+                           "f 1 3 2\ng left arm\nusemtl red\nf 1 2 4\r\n g body \nusemtl blue\nf "
+                           "1 4 3\ng left arm\nusemtl red\nf 2 3 4\n"),
+    mesh)
+                .ok());
+  EXPECT_EQ(labels(mesh, "GroupIds"), (std::vector<int>{ 0, 1, 2, 1 }));
+  EXPECT_EQ(names(mesh, "GroupNames"), (std::vector<std::string>{ "default", "left arm", "body" }));
+  EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 1, 2, 1 }));
+  EXPECT_EQ(names(mesh, "MaterialNames"), (std::vector<std::string>{ "default", "red", "blue" }));
+
+  // Objects, where there are no groups.
+  ASSERT_TRUE(readMesh(
+    this->write("o.obj", "o A\n" + points + "f 1 3 2\nf 1 2 4\no B\nf 1 4 3\nf 2 3 4\n"), mesh)
+                .ok());
+  EXPECT_EQ(labels(mesh, "GroupIds"), (std::vector<int>{ 0, 0, 1, 1 }));
+  EXPECT_EQ(names(mesh, "GroupNames"), (std::vector<std::string>{ "A", "B" }));
+}
+
+TEST_F(MeshFile, RegionsComeBackFromEveryFormatThatHasThem)
+{
+  for (const std::string& array : { "GroupIds", "MaterialIds", "SolidIds", "Part" })
+  {
+    const auto mesh = makeTetrahedron();
+    vtkNew<vtkIntArray> ids;
+    ids->SetName(array.c_str());
+    for (const int id : { 1, 0, 1, 0 })
+    {
+      ids->InsertNextValue(id);
+    }
+    mesh->GetCellData()->AddArray(ids);
+    vtkNew<vtkStringArray> words;
+    words->SetName(regionNamesOf(array).c_str());
+    words->InsertNextValue("the skin");
+    words->InsertNextValue("bone");
+    mesh->GetFieldData()->AddArray(words);
+    setRegionArrayName(mesh, array);
+    for (const auto& [extension, back] :
+      std::map<std::string, std::string>{ { ".obj", array == "MaterialIds" ? array : "GroupIds" },
+        { ".stl", "SolidIds" }, { ".ply", array }, { ".vtp", array }, { ".vtk", array } })
+    {
+      SCOPED_TRACE(array + extension);
+      const std::string file = this->Folder + "/mesh" + extension;
+      ASSERT_TRUE(writeMesh(mesh, file, extension).ok());
+      vtkSmartPointer<vtkPolyData> read;
+      ASSERT_TRUE(readMesh(file, read).ok());
+      ASSERT_EQ(read->GetNumberOfPolys(), 4);
+      const bool inOrder = extension == ".ply" || extension[1] == 'v'; // others: region by region
+      EXPECT_EQ(labels(read, back),
+        (inOrder ? std::vector<int>{ 1, 0, 1, 0 } : std::vector<int>{ 0, 0, 1, 1 }));
+      if (extension != ".ply")
+      {
+        EXPECT_EQ(
+          names(read, regionNamesOf(back)), (std::vector<std::string>{ "the skin", "bone" }));
+      }
+    }
+  }
+}
+
+TEST_F(MeshFile, OneSolidIsNoRegion)
+{
+  const auto mesh = makeTetrahedron();
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("SolidIds");
+  for (int i = 0; i < 4; ++i)
+  {
+    ids->InsertNextValue(0);
+  }
+  mesh->GetCellData()->AddArray(ids);
+  setRegionArrayName(mesh, "SolidIds");
+  const std::string file = this->Folder + "/mesh.stl";
+  ASSERT_TRUE(writeMesh(mesh, file, ".stl").ok());
+  vtkSmartPointer<vtkPolyData> read;
+  ASSERT_TRUE(readMesh(file, read).ok());
+  EXPECT_EQ(read->GetNumberOfPolys(), 4);
+  EXPECT_EQ(read->GetCellData()->GetNumberOfArrays(), 0);
 }
 
 TEST_F(MeshFile, PlyIsBinaryWithDoubles)

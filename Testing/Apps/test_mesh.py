@@ -179,6 +179,115 @@ class Sizes(MeshTest):
         self.assertLess(figures["1.5"]["hausdorff_pct"], figures["none"]["hausdorff_pct"])
 
 
+class Regions(MeshTest):
+    """Labels of cells: their borders stay, the cells' labels and their names come back."""
+
+    def cube(self):
+        """A cube whose sides are groups, and halves materials, as .obj."""
+        n = 8
+        points, sides = {}, []
+
+        def vertex(p):
+            return points.setdefault(p, len(points) + 1)
+
+        for axis in range(3):
+            for level in (0, n):
+                side = []
+                for i in range(n):
+                    for j in range(n):
+                        corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                        quad = [vertex((*c[:axis], level, *c[axis:])) for c in corners]
+                        if (level == 0) == (axis != 1):
+                            quad.reverse()
+                        side.append((i < n // 2, quad))
+                sides.append(side)
+        rows = [f"v {p[0] / n} {p[1] / n} {p[2] / n}" for p in points]
+        for k, side in enumerate(sides):
+            rows.append(f"g side {k}")
+            for low, quad in side:
+                rows += [f"usemtl {'low' if low else 'high'}", "f " + " ".join(map(str, quad))]
+        file = self.folder / "cube.obj"
+        file.write_text("\n".join(rows) + "\n")
+        return file
+
+    @staticmethod
+    def groups(path, key):
+        """Numbers of faces by name."""
+        count, name = {}, None
+        for line in path.read_text().splitlines():
+            if line.startswith(key + " "):
+                name = line[len(key) + 1 :]
+            elif line.startswith("f "):
+                count[name] = count.get(name, 0) + 1
+        return count
+
+    def test_groups_and_materials_come_back(self):
+        model, out = self.cube(), self.folder / "out.obj"
+        self.succeed(model, "-o", out, "--points", 1000, "--region-array", "GroupIds")
+        groups = self.groups(out, "g")
+        self.assertEqual(sorted(groups), [f"side {k}" for k in range(6)])
+        for name, count in groups.items():
+            self.assertAlmostEqual(count / 333, 1, delta=0.1, msg=name)
+        self.succeed(model, "-o", out, "--points", 1000, "--region-array", "MaterialIds", "--feature-angle", 180)
+        groups = self.groups(out, "usemtl")
+        self.assertEqual(sorted(groups), ["high", "low"])
+        self.assertAlmostEqual(groups["low"] / 998, 1, delta=0.05)
+
+    def test_solids_come_back(self):
+        model, solids, again = self.cube(), self.folder / "solids.stl", self.folder / "again.stl"
+        self.succeed(model, "-o", solids, "--points", 500, "--region-array", "GroupIds")
+        self.succeed(solids, "-o", again, "--points", 700, "--region-array", "SolidIds")
+        names = [line[6:] for line in again.read_text().splitlines() if line.startswith("solid ")]
+        self.assertEqual(names, [f"side {k}" for k in range(6)])
+
+    def test_without_the_option_files_are_as_before(self):
+        out = self.folder / "out.obj"
+        self.succeed(self.cube(), "-o", out, "--points", 300)
+        self.assertNotIn("\ng ", out.read_text())
+
+    def test_an_array_that_is_missing(self):
+        said = "no cell array 'Skin' of regions; it has MaterialIds, GroupIds"
+        self.fail_with(1, said, self.cube(), "-o", "x.ply", "--points", 300, "--region-array", "Skin")
+
+
+class Selection(MeshTest):
+    """A part is remeshed, the rest comes out as it came in."""
+
+    def bunny(self):
+        """The bunny as .ply, whose faces have a property that is 1 above its middle."""
+        points, faces = points_of(MODELS / "bunny00.off"), faces_of(MODELS / "bunny00.off")
+        heights = sorted(p[1] for p in points)
+        middle = heights[len(heights) // 2]
+        selected = [sum(points[i][1] for i in f) / 3 > middle for f in faces]
+        rows = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+        rows += [f"property double {axis}" for axis in "xyz"]
+        rows += [f"element face {len(faces)}", "property list uchar int vertex_indices", "property int upper"]
+        rows += ["end_header"] + [" ".join(map(repr, p)) for p in points]
+        rows += ["3 " + " ".join(map(str, f)) + f" {int(s)}" for f, s in zip(faces, selected)]
+        file = self.folder / "bunny.ply"
+        file.write_text("\n".join(rows) + "\n")
+        rest = [tuple(points[i] for i in f) for f, s in zip(faces, selected) if not s]
+        return file, rest
+
+    def test_the_rest_stays_and_the_mesh_fits(self):
+        model, rest = self.bunny()
+        out = self.folder / "out.off"
+        self.succeed(model, "-o", out, "--points", 800, "--select-array", "upper")
+        points, faces = points_of(out), faces_of(out)
+        self.assertEqual([tuple(points[i] for i in f) for f in faces[: len(rest)]], rest)
+        self.assertEqual(len(points), len({p for f in rest for p in f}) + 800)
+        self.assert_like(mesh_check(out, MODELS / "bunny00.off"), len(points))
+
+    def test_what_does_not_work(self):
+        model, _ = self.bunny()
+        out = self.folder / "x.off"
+        self.fail_with(1, "no cell array 'lower'", model, "-o", out, "--points", 800, "--select-array", "lower")
+        self.fail_with(
+            1, "TRIANGLES only", model, "-o", out, "--points", 800, "--select-array", "upper", "--pattern", "quads"
+        )
+        self.assertFalse(out.exists())
+
+
 class Coarse(MeshTest):
     """Few points, or few and slender triangles."""
 

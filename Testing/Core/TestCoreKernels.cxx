@@ -134,7 +134,7 @@ TEST(FeatureGraph, SaysWhichArraysItNeeds)
     data->GetPointData()->RemoveArray(name);
     EXPECT_NE(readFeatureGraph(data, someSurface(), read).message().find(name), std::string::npos);
   }
-  for (const char* name : { "BackboneType", "Closed" })
+  for (const char* name : { "BackboneType", "Keep", "Closed" })
   {
     const auto data = toPolyData(someGraph(), somePoints());
     data->GetCellData()->RemoveArray(name);

@@ -241,6 +241,7 @@ TEST_F(UserArrays, FeatureGraph)
     this->expectRefused(points, "ChartId", constraint, id);
     this->expectRefused(points, "ChartCellId", constraint, id);
     this->expectRefused(this->graph->GetCellData(), "BackboneType", line, id);
+    this->expectRefused(this->graph->GetCellData(), "Keep", line, id);
   }
   this->expectRefused(points, "BarycentricCoordinates", constraint, NaN, 1);
   this->expectRefused(points, "BarycentricCoordinates", constraint, 5., 2);
@@ -250,6 +251,7 @@ TEST_F(UserArrays, FeatureGraph)
     this->expectShape(points, name);
   }
   this->expectShape(this->graph->GetCellData(), "BackboneType");
+  this->expectShape(this->graph->GetCellData(), "Keep");
   this->expectShape(this->graph->GetCellData(), "Closed");
   for (const vtkIdType point : { -1, 1000000 })
   {

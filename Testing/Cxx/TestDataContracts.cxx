@@ -219,6 +219,7 @@ void checkGraph(vtkPolyData* graph, bool isSharp)
   array(graph->GetPointData(), "ChartCellId", VTK_ID_TYPE, 1, points);
   array(graph->GetPointData(), "BarycentricCoordinates", VTK_DOUBLE, 3, points);
   vtkDataArray* type = array(graph->GetCellData(), "BackboneType", VTK_INT, 1, cells);
+  array(graph->GetCellData(), "Keep", VTK_INT, 1, cells);
   vtkDataArray* closed = array(graph->GetCellData(), "Closed", VTK_INT, 1, cells);
   check(graph->GetNumberOfVerts() == 1, "one vertex cell for the one constraint");
   check(type->GetComponent(0, 0) == 3, "the vertex cell is of type constraint");

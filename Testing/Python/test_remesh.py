@@ -9,7 +9,7 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -39,6 +39,43 @@ class Lengths(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "growth"):
             stipple.remesh(shapes.sphere(), points=500, growth=1)
         stipple.remesh(shapes.sphere(), points=500, growth="none")
+
+
+class Regions(unittest.TestCase):
+    def test_labels_are_exact(self):
+        mesh = shapes.sphere()
+        points, triangles = shapes.arrays(mesh)
+        middle = points[triangles].mean(axis=1)
+        labels = numpy_to_vtk((middle[:, 2] > 0.2).astype(np.int32) + (middle[:, 0] > 0), deep=True)
+        labels.SetName("part")
+        mesh.GetCellData().AddArray(labels)
+        result = stipple.remesh(mesh, points=2000, region_array="part")
+        after = vtk_to_numpy(result.GetCellData().GetArray("part"))
+        points, triangles = shapes.arrays(result)
+        source = vtk_to_numpy(result.GetPointData().GetArray("SourceCellId"))
+        inside = vtk_to_numpy(result.GetPointData().GetArray("SampleKind")) == 0
+        wanted = vtk_to_numpy(labels)[source]
+        self.assertEqual(set(after), {0, 1, 2})
+        for corner in triangles.T:
+            self.assertTrue(np.all((wanted[corner] == after) | ~inside[corner]))
+
+    def test_an_array_that_is_missing(self):
+        with self.assertRaisesRegex(ValueError, "no array 'part'"):
+            stipple.remesh(shapes.sphere(), points=500, region_array="part")
+
+
+class Selection(unittest.TestCase):
+    def test_the_rest_stays(self):
+        mesh = shapes.sphere()
+        points, triangles = shapes.arrays(mesh)
+        select = (points[triangles].mean(axis=1)[:, 2] > 0.1).astype(np.int8)
+        array = numpy_to_vtk(select, deep=True)
+        array.SetName("upper")
+        mesh.GetCellData().AddArray(array)
+        after, faces = shapes.arrays(stipple.remesh(mesh, points=300, select_array="upper"))
+        rest = triangles[select == 0]
+        np.testing.assert_array_equal(after[faces[: len(rest)]], points[rest])
+        self.assertEqual(len(after), len(np.unique(rest)) + 300)
 
 
 class Result(unittest.TestCase):

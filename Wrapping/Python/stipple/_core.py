@@ -233,8 +233,9 @@ def remesh(mesh, given, progress=None):
     stages = _inner_algorithms(remesher)
     _apply(TABLE, given, [remesher, *stages])
     _set_importance(remesher.GetControlMap(), data, given)
-    if "size_array" in given:
-        _check_array(data, given["size_array"])
+    for name in ("size_array", "region_array", "select_array"):
+        if name in given:
+            _check_array(data, given[name])
     if "feature_curves" in given:
         remesher.GetAtlas().SetFeatureCurves(_curves(given["feature_curves"]))
     remesher.SetInputData(data)
