@@ -357,6 +357,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
 bool vtkGeometryRemesher::RunStages()
 {
   Internals& s = *this->Stages;
+  s.Atlas->SetMeasureNormalCurvature(s.ControlMap->GetCurvaturePoints() > 0.);
   if (!this->RunStage(ATLAS))
   {
     return false;
@@ -393,7 +394,8 @@ bool vtkGeometryRemesher::RunMapsAndControl()
   Internals& s = *this->Stages;
   const int most = this->GetNumberOfPointsMaxValue();
   const bool isByLength = s.ControlMap->GetEdgeLength() > 0. ||
-    (s.ControlMap->GetSizeArrayName() && this->NumberOfPoints == 0);
+    ((s.ControlMap->GetSizeArrayName() || s.ControlMap->GetCurvaturePoints() > 0.) &&
+      this->NumberOfPoints == 0);
   // By lengths: about so many; the control says it exactly.
   int points = this->NumberOfPoints > 0
     ? this->NumberOfPoints
