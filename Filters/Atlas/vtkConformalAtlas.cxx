@@ -10,6 +10,7 @@
 #include "FeatureGraphBuilder.h"
 #include "FilterInputs.h"
 #include "LongEdges.h"
+#include "NormalCurvature.h"
 #include "RegionArrays.h"
 #include "SurfaceRepair.h"
 #include "UserArrays.h"
@@ -103,6 +104,31 @@ stipple::Status markRegionBorders(
     }
   }
   return stipple::Status::success();
+}
+
+/// The input with the largest normal curvature of its cells, the mean by area of their triangles.
+vtkSmartPointer<vtkPolyData> withNormalCurvature(
+  vtkPolyData* input, const stipple::CutSurface& surface)
+{
+  const std::vector<double> curvature = stipple::largestNormalCurvature(surface);
+  const vtkIdType cells = input->GetNumberOfCells();
+  std::vector<double> area(static_cast<std::size_t>(cells), 0.);
+  vtkNew<vtkDoubleArray> ofCell;
+  ofCell->SetName("LargestNormalCurvature");
+  ofCell->SetNumberOfValues(cells);
+  ofCell->FillValue(0.);
+  for (const stipple::Face f : surface.faces())
+  {
+    const int cell = surface.sourceCell[f.index()];
+    const double before = area[cell];
+    area[cell] += surface.faceArea(f);
+    const double share = area[cell] > 0 ? 1. - before / area[cell] : 1.;
+    ofCell->SetValue(cell, (1. - share) * ofCell->GetValue(cell) + share * curvature[f.index()]);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(input);
+  result->GetCellData()->AddArray(ofCell);
+  return result;
 }
 }
 
@@ -251,6 +277,11 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   {
     return status;
   }
+  vtkSmartPointer<vtkPolyData> input = this->Input;
+  if (this->Self->MeasureNormalCurvature)
+  {
+    input = withNormalCurvature(this->Input, surface); // before edges are split, which lie flat
+  }
   const std::vector<int> tips = stipple::findTips(surface, detection);
   stipple::splitLongEdges(surface, stipple::longestEdgeForCharts(surface));
 
@@ -279,7 +310,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
     return status;
   }
   if (stipple::Status status = stipple::writeCharts(
-        this->Input, repaired, surface, flat, curvature, this->Charts, part(0.9, 1.));
+        input, repaired, surface, flat, curvature, this->Charts, part(0.9, 1.));
       !status.ok())
   {
     return status;
@@ -390,6 +421,7 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "MaximumDensityRatio: " << this->MaximumDensityRatio << "\n";
   os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";
+  os << indent << "MeasureNormalCurvature: " << this->MeasureNormalCurvature << "\n";
   os << indent << "BoundaryPlacement: " << this->BoundaryPlacement << "\n";
   os << indent << "DomainShape: " << (this->DomainShape == SQUARE ? "SQUARE" : "RECTANGLE") << "\n";
   os << indent << "NumberOfWeldedPoints: " << this->NumberOfWeldedPoints << "\n";

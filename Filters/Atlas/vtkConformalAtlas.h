@@ -19,7 +19,8 @@
  * "SurfacePointId" (vtkIdType, equal for the copies of a seam point), "GaussianCurvature",
  * "MeanCurvature" (double), and the input's point arrays, interpolated at points that cutting
  * inserted (integers: from the nearest corner of the input). Cell arrays: "SourceCellId"
- * (vtkIdType, the input cell), "AreaDistortion" (double, A3D / A2D), and the input's cell arrays.
+ * (vtkIdType, the input cell), "AreaDistortion" (double, A3D / A2D), "LargestNormalCurvature"
+ * (double, if asked for), and the input's cell arrays.
  * Field array: "ChartExtent" (double x2, the rectangle's width and height, of which the larger is
  * 1) and "DensityRatio" (double, see MaximumDensityRatio). An input array of one of these names, or
  * of one that the later stages give to their own arrays ("ChartId", "SampleKind", ...), is left
@@ -251,6 +252,18 @@ public:
 
   ///@{
   /**
+   * Whether charts have the cell array "LargestNormalCurvature": the larger of the principal
+   * curvatures' magnitudes, over the surface's unit of length, of the smooth pieces between creases
+   * and boundaries, the same on all of an input cell. vtkControlMap::CurvaturePoints reads it. The
+   * default is false.
+   */
+  vtkSetMacro(MeasureNormalCurvature, bool);
+  vtkGetMacro(MeasureNormalCurvature, bool);
+  vtkBooleanMacro(MeasureNormalCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
    * The charts of the last execution: the largest density ratio, and how many charts could not use
    * the conformal map without flips and took positive weights instead.
    */
@@ -286,6 +299,7 @@ private:
   int RefinementLevel = 0;
   int BoundaryPlacement = AREA_MEDIAN;
   int DomainShape = RECTANGLE;
+  bool MeasureNormalCurvature = false;
 
   vtkIdType NumberOfWeldedPoints = 0;
   vtkIdType NumberOfUnusedPoints = 0;

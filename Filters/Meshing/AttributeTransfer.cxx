@@ -19,7 +19,7 @@ namespace
 bool isInternal(const std::string& name)
 {
   return name.empty() || name == "UV" || name == "SurfacePointId" || name == "SourceCellId" ||
-    name == "AreaDistortion";
+    name == "AreaDistortion" || name == "LargestNormalCurvature";
 }
 
 /// The arrays of that name in all charts; empty if one chart lacks it or has another type of it.

@@ -285,12 +285,20 @@ void Maker::sampling()
     "the input's point or cell array of wanted lengths of edges, in place of "
     "an importance; the number of points follows unless it is given",
     "vtkControlMap", "SizeArrayName", &vtkControlMap::SetSizeArrayName);
+  o = &this->number(Kind::Number, "curvature_points", "K", "edges",
+    "so many a full turn of the surface, in place of an importance: lengths follow its curvature, "
+    "creases left out, up to the other lengths given; the number of points follows unless it is "
+    "given",
+    STIPPLE_NUMBER(vtkControlMap, CurvaturePoints));
+  o->low = 3;
+  o->automatic = "none";
   length("size_minimum", "L", "shortest edges wanted", "none",
     STIPPLE_NUMBER(vtkControlMap, SizeMinimum));
   length("size_maximum", "L", "longest edges wanted", "none",
     STIPPLE_NUMBER(vtkControlMap, SizeMaximum));
   o = &this->number(Kind::Number, "growth", "none|G", "",
-    "largest ratio of neighbouring edges where they are short because features are close",
+    "largest ratio of neighbouring edges where features are close, or the curvature asks for short "
+    "ones",
     STIPPLE_NUMBER(vtkControlMap, Growth));
   o->low = 1.1;
   o->automatic = o->automaticWord = "none";

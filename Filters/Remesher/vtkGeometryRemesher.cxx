@@ -400,6 +400,7 @@ bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
 bool vtkGeometryRemesher::RunStages()
 {
   Internals& s = *this->Stages;
+  s.Atlas->SetMeasureNormalCurvature(s.ControlMap->GetCurvaturePoints() > 0.);
   if (!this->RunStage(ATLAS))
   {
     return false;
@@ -436,7 +437,8 @@ bool vtkGeometryRemesher::RunMapsAndControl()
   Internals& s = *this->Stages;
   const int most = this->GetNumberOfPointsMaxValue();
   const bool isByLength = s.ControlMap->GetEdgeLength() > 0. ||
-    (s.ControlMap->GetSizeArrayName() && this->NumberOfPoints == 0);
+    ((s.ControlMap->GetSizeArrayName() || s.ControlMap->GetCurvaturePoints() > 0.) &&
+      this->NumberOfPoints == 0);
   // By lengths: about so many; the control says it exactly.
   int points = this->NumberOfPoints > 0
     ? this->NumberOfPoints + s.Part.numberOfBorderPoints()

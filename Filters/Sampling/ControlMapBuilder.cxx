@@ -3,6 +3,7 @@
 #include "ControlMapBuilder.h"
 
 #include "Atlas.h"
+#include "CurvatureSizes.h"
 #include "FloatValues.h"
 #include "Importance.h"
 #include "ImportanceSource.h"
@@ -179,7 +180,10 @@ struct ControlMapBuilder::Internals
   std::vector<float*> controls() const;
   Status fillControl(vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o,
     const Progress& progress, std::string& warning);
-  Status fillFromSizes(const std::string& array);
+  Status fillFromSizes(
+    vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o, const Progress& progress);
+  Status sizesOfCurvature(vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o,
+    const Progress& progress, std::vector<std::vector<float>>& sizes);
   Status applySizes(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph,
     const ControlMapOptions& o, const Progress& progress);
 };
@@ -617,13 +621,19 @@ Status ControlMapBuilder::Internals::applySizes(vtkPartitionedDataSetCollection*
   vtkPolyData* featureGraph, const ControlMapOptions& o, const Progress& progress)
 {
   this->sizes = {};
-  const bool isKnown =
-    o.sizing.numberOfSamples > 0 || o.sizing.edgeLength > 0 || !o.sizeArray.empty();
+  SizingOptions sizing = o.sizing;
+  if (o.curvaturePoints > 0)
+  {
+    sizing.edgeLength = 0; // it is one of the lengths
+  }
+  const bool isKnown = sizing.numberOfSamples > 0 || sizing.edgeLength > 0 ||
+    !o.sizeArray.empty() || o.curvaturePoints > 0;
   if (!isKnown)
   {
     return o.sizing.smallest > 0 || o.sizing.largest > 0
       ? Status::error("SizeMinimum and SizeMaximum bound lengths of edges, which are not known "
-                      "without NumberOfSamples, EdgeLength or a SizeArray: set one.")
+                      "without NumberOfSamples, EdgeLength, CurvaturePoints or a SizeArray: set "
+                      "one.")
       : Status::success();
   }
   const bool grows = o.sizing.growth > 1. && featureGraph;
@@ -648,26 +658,67 @@ Status ControlMapBuilder::Internals::applySizes(vtkPartitionedDataSetCollection*
   {
     images[c].control = this->charts[c].values();
   }
-  return applySizing(whole.get(), images, o.sizing, progress, this->controls(), this->sizes);
+  return applySizing(whole.get(), images, sizing, progress, this->controls(), this->sizes);
 }
 
-/// The control that wants the lengths of an array.
-Status ControlMapBuilder::Internals::fillFromSizes(const std::string& array)
+Status ControlMapBuilder::Internals::sizesOfCurvature(
+  vtkPartitionedDataSetCollection* surfaceCharts, const ControlMapOptions& o,
+  const Progress& progress, std::vector<std::vector<float>>& sizes)
 {
-  for (const ControlChart& chart : this->charts)
+  if (Status status = this->readSurface(surfaceCharts, "CurvaturePoints"); !status.ok())
   {
-    vtkDataArray* sizes = chart.map->GetPointData()->GetArray(array.c_str());
-    if (!sizes || sizes->GetNumberOfTuples() != chart.map->GetNumberOfPoints() ||
-      sizes->GetNumberOfComponents() != 1)
+    return status;
+  }
+  if (Status status = this->readFaces(); !status.ok())
+  {
+    return status;
+  }
+  CurvatureSizeOptions options;
+  options.pointsPerTurn = o.curvaturePoints;
+  options.smallest = o.sizing.smallest;
+  options.growth = o.sizing.growth;
+  for (const double bound : { o.sizing.largest, o.sizing.edgeLength })
+  {
+    options.largest = bound > 0 ? std::min(options.largest, bound) : options.largest;
+  }
+  if (o.sizeArray.empty() && std::isinf(options.largest))
+  {
+    options.largest = largestOfTurn(o.curvaturePoints, this->diagonal);
+  }
+  return curvatureSizes(this->atlas->surface(), this->views(), options, progress, sizes);
+}
+
+/// The control that wants the lengths of an array, of the curvature, or the smaller ones.
+Status ControlMapBuilder::Internals::fillFromSizes(vtkPartitionedDataSetCollection* surfaceCharts,
+  const ControlMapOptions& o, const Progress& progress)
+{
+  const std::string& array = o.sizeArray;
+  std::vector<std::vector<float>> bent;
+  if (o.curvaturePoints > 0)
+  {
+    if (Status status = this->sizesOfCurvature(surfaceCharts, o, progress, bent); !status.ok())
+    {
+      return status;
+    }
+  }
+  for (std::size_t c = 0; c < this->charts.size(); ++c)
+  {
+    const ControlChart& chart = this->charts[c];
+    vtkDataArray* sizes =
+      array.empty() ? nullptr : chart.map->GetPointData()->GetArray(array.c_str());
+    if (!array.empty() &&
+      (!sizes || sizes->GetNumberOfTuples() != chart.map->GetNumberOfPoints() ||
+        sizes->GetNumberOfComponents() != 1))
     {
       return Status::error("The maps have no point array " + array +
         " of one component, the SizeArray: select it in vtkGeometryMapRenderer.");
     }
-    const FloatValues values(sizes);
+    const auto values = sizes ? std::make_unique<FloatValues>(sizes) : nullptr;
     float* v = chart.values();
     for (std::size_t i = 0; i < chart.size; ++i)
     {
-      const float size = values.data()[i];
+      const float own = values ? values->data()[i] : bent[c][i];
+      const float size = bent.empty() || !(own > bent[c][i]) ? own : bent[c][i];
       const float area = chart.area->data()[i];
       if (area > 0 && !(size > 0 && std::isfinite(size)))
       {
@@ -704,9 +755,9 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
   {
     return status;
   }
-  Status status = o.sizeArray.empty()
+  Status status = o.sizeArray.empty() && o.curvaturePoints <= 0
     ? d.fillControl(surfaceCharts, o, partOf(progress, 0., 0.8), warning)
-    : d.fillFromSizes(o.sizeArray);
+    : d.fillFromSizes(surfaceCharts, o, partOf(progress, 0., 0.8));
   if (status.ok())
   {
     status = d.applySizes(surfaceCharts, featureGraph, o, partOf(progress, 0.8, 1.));

@@ -39,6 +39,7 @@ struct ControlMapOptions
   std::vector<BrushStroke> strokes;
   double minimumDensity = 0.02; ///< part of the largest, 0 to 1
   std::string sizeArray;        ///< lengths of edges, in place of an importance
+  double curvaturePoints = 0;   ///< the same from curvature, edges a full turn; 0: none
   SizingOptions sizing;
 };
 

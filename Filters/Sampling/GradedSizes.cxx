@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GradedSizes.h"
 
+#include "SurfaceRefinement.h"
+
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace stipple
@@ -86,5 +91,35 @@ double GradedSizes::at(const Vec3& place, double most) const
     stack[open++] = firstNearer ? box.child : box.child + 1;
   }
   return most;
+}
+
+void forEachPixelSize(const AtlasSurface& surface, const std::vector<ControlImage>& images,
+  const GradedSizes& sizes, const std::function<void(std::size_t, std::size_t, double)>& visit)
+{
+  const RefinedSurface refined = refine(surface, images, [&](const Vec3& p, const Vec3& q) {
+    const double length = (p - q).norm();
+    return length > sizes.smallest() && length > sizes.at(0.5 * (p + q), length);
+  });
+  std::vector<double> size(refined.points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      size[p] = sizes.at(refined.points[p], std::numeric_limits<double>::max());
+    }
+  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(images.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType c = begin; c < end; ++c)
+      {
+        const auto places = placePixels(surface, refined, static_cast<int>(c), images[c]);
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          const Triangle& t = refined.triangles[places[i].triangle];
+          const auto& bary = places[i].bary;
+          visit(static_cast<std::size_t>(c), i,
+            bary[0] * size[t[0]] + bary[1] * size[t[1]] + bary[2] * size[t[2]]);
+        }
+      }
+    });
 }
 }

@@ -4,9 +4,11 @@
 #ifndef stipple_GradedSizes_h
 #define stipple_GradedSizes_h
 
-#include "Geometry.h"
+#include "AtlasSurface.h"
+#include "ControlImage.h"
 #include "StippleFiltersSamplingModule.h"
 
+#include <functional>
 #include <vector>
 
 namespace stipple
@@ -50,6 +52,13 @@ private:
   std::vector<Box> Boxes;
   double Slope;
 };
+
+/// Calls visit(chart, pixel, size) with the sizes at all pixels of the charts' images (with
+/// faceIndex), interpolated on triangles as large as edges will be: the error on them is a part of
+/// what sizes grow by. Charts are visited in parallel.
+STIPPLEFILTERSSAMPLING_EXPORT void forEachPixelSize(const AtlasSurface& surface,
+  const std::vector<ControlImage>& images, const GradedSizes& sizes,
+  const std::function<void(std::size_t, std::size_t, double)>& visit);
 }
 
 #endif

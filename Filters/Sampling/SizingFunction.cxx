@@ -6,7 +6,6 @@
 #include "GradedSizes.h"
 #include "ReportingThread.h"
 #include "SamplingConstants.h"
-#include "SurfaceRefinement.h"
 
 #include "vtkSMPTools.h"
 
@@ -142,33 +141,16 @@ void Sizing::grow(const Atlas& atlas, const Stop& stop)
   {
     return;
   }
-  // Triangles as large as edges will be: the sizes' error on them is a part of their growth.
-  const RefinedSurface refined =
-    refine(atlas.surface(), this->Images, [&](const Vec3& p, const Vec3& q) {
-      const double length = (p - q).norm();
-      return length > sizes.smallest() && length > sizes.at(0.5 * (p + q), length);
-    });
-  std::vector<double> size(refined.points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType p = begin; p < end; ++p)
-    {
-      size[p] = sizes.at(refined.points[p], Unbounded);
-    }
-  });
   this->Least.resize(this->Images.size());
-  forEachChart(this->Images.size(), [&](std::size_t c) {
-    const ControlImage& image = this->Images[c];
-    const auto places = placePixels(atlas.surface(), refined, static_cast<int>(c), image);
-    this->Least[c].resize(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      const Triangle& t = refined.triangles[places[i].triangle];
-      const auto& bary = places[i].bary;
-      const double here = bary[0] * size[t[0]] + bary[1] * size[t[1]] + bary[2] * size[t[2]];
+  for (std::size_t c = 0; c < this->Least.size(); ++c)
+  {
+    this->Least[c].resize(this->Images[c].numberOfPixels());
+  }
+  forEachPixelSize(
+    atlas.surface(), this->Images, sizes, [&](std::size_t c, std::size_t i, double size) {
       this->Least[c][i] =
-        static_cast<float>(densityOfEdges(here) * std::max(0.f, image.areaDistortion[i]));
-    }
-  });
+        static_cast<float>(densityOfEdges(size) * std::max(0.f, this->Images[c].areaDistortion[i]));
+    });
 }
 
 Sizing::Count Sizing::count(double scale) const

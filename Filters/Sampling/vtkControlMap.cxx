@@ -219,6 +219,7 @@ int vtkControlMap::RequestData(
   options.gradation = this->Gradation;
   options.minimumDensity = this->MinimumDensity;
   options.sizeArray = this->SizeArrayName ? this->SizeArrayName : "";
+  options.curvaturePoints = this->CurvaturePoints;
   options.sizing.numberOfSamples = this->NumberOfSamples;
   options.sizing.edgeLength = this->EdgeLength;
   options.sizing.smallest = this->SizeMinimum;
@@ -274,6 +275,7 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumDensity: " << this->MinimumDensity << "\n";
   os << indent << "SizeArrayName: " << (this->SizeArrayName ? this->SizeArrayName : "(none)")
      << "\n";
+  os << indent << "CurvaturePoints: " << this->CurvaturePoints << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizeMinimum: " << this->SizeMinimum << "\n";
   os << indent << "SizeMaximum: " << this->SizeMaximum << "\n";

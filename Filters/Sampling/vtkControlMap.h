@@ -211,9 +211,25 @@ public:
 
   ///@{
   /**
+   * So many edges a full turn, in place of an importance: where the larger of the principal
+   * curvatures' magnitudes is k, edges of the length 2 pi / (CurvaturePoints k) are wanted, over
+   * each of which the surface turns by 2 pi / CurvaturePoints. Creases are no curvature. Lengths
+   * are at most those of the SizeArray, EdgeLength and SizeMaximum; without any of these, those of
+   * CurvaturePoints about a sphere as large as the bounding box, pi times its diagonal over
+   * CurvaturePoints. From the short ones they grow by Growth. With NumberOfSamples they are in
+   * proportion to that. Needs the charts on port 1 with the array that
+   * vtkConformalAtlas::MeasureNormalCurvature makes, and the map `FaceIndex`. 0: none. At least 0;
+   * the default is 0.
+   */
+  vtkSetClampMacro(CurvaturePoints, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvaturePoints, double);
+  ///@}
+
+  ///@{
+  /**
    * How many samples there will be: it makes lengths of edges of the control, as two equilateral
-   * triangles a sample have them. 0: not known, as many as EdgeLength or SizeArrayName asks for. At
-   * least 0; the default is 0. vtkGeometryRemesher sets it.
+   * triangles a sample have them. 0: not known, as many as EdgeLength, CurvaturePoints or
+   * SizeArrayName asks for. At least 0; the default is 0. vtkGeometryRemesher sets it.
    */
   vtkSetClampMacro(NumberOfSamples, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfSamples, int);
@@ -222,8 +238,8 @@ public:
   ///@{
   /**
    * The length of edges, in the surface's unit, where NumberOfSamples is 0: as many samples are
-   * wanted as a uniform mesh with such edges has, and more where SizeMaximum or Growth ask for
-   * shorter ones. 0: none. At least 0; the default is 0.
+   * wanted as a uniform mesh with such edges has, and more where SizeMaximum, Growth or
+   * CurvaturePoints ask for shorter ones. 0: none. At least 0; the default is 0.
    */
   vtkSetClampMacro(EdgeLength, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
@@ -243,13 +259,14 @@ public:
 
   ///@{
   /**
-   * Largest ratio of the lengths of neighbouring edges where edges must be short: where creases and
-   * boundaries are closer to one another than edges would be long, edges are made as short as
-   * triangles need to fit in between (a third of that length at least), and grow from there. The
-   * rest gets longer ones, so that the number of samples stays; where that would make them longer
-   * by more than this ratio, nothing is done. 0 (or up to 1): none. Needs the feature graph on port
-   * 2, the charts on port 1, and one of NumberOfSamples, EdgeLength and SizeArrayName. In the range
-   * 0 to 4; the default is 1.5.
+   * Largest ratio of the lengths of neighbouring edges where edges must be short. CurvaturePoints
+   * asks for that, and features do: where creases and boundaries are closer to one another than
+   * edges would be long, edges are made as short as triangles need to fit in between (a third of
+   * that length at least), and grow from there. The rest gets longer ones, so that the number of
+   * samples stays; where that would make them longer by more than this ratio, nothing is done. 0
+   * (or up to 1): none. Needs the charts on port 1, for features the feature graph on port 2, and
+   * one of NumberOfSamples, EdgeLength, CurvaturePoints and SizeArrayName. In the range 0 to 4; the
+   * default is 1.5.
    */
   vtkSetClampMacro(Growth, double, 0., 4.);
   vtkGetMacro(Growth, double);
@@ -257,7 +274,7 @@ public:
 
   /**
    * How many samples the control of the last update wants, not rounded: NumberOfSamples, or what
-   * EdgeLength or SizeArrayName asks for; 0 without any of them.
+   * EdgeLength, CurvaturePoints or SizeArrayName asks for; 0 without any of them.
    */
   double GetNumberOfWantedSamples();
   /// Whether Growth made a difference to the last update.
@@ -287,6 +304,7 @@ private:
   double Gradation = 0.;
   double MinimumDensity = 0.02;
   char* SizeArrayName = nullptr;
+  double CurvaturePoints = 0.;
   int NumberOfSamples = 0;
   double EdgeLength = 0.;
   double SizeMinimum = 0.;

@@ -107,22 +107,25 @@ class Sizes(MeshTest):
                 lengths = [length for _, length in self.edges(MODELS / f"{name}.off", "--edge-length", length)]
                 self.assertAlmostEqual(self.median(lengths) / length, 1, delta=0.05)
 
-    def sphere(self):
+    def sphere(self, n=60, sides=120):
         """A sphere with the wanted lengths .01 to .2 from pole to pole, as .vtk."""
-        n = 60
 
         def radius(i):
             return math.sin(math.pi * i / n) if 0 < i < n else 0.0  # poles are one point each
 
         points = [
-            (radius(i) * math.cos(math.pi * j / n), radius(i) * math.sin(math.pi * j / n), math.cos(math.pi * i / n))
+            (
+                radius(i) * math.cos(2 * math.pi * j / sides),
+                radius(i) * math.sin(2 * math.pi * j / sides),
+                math.cos(math.pi * i / n),
+            )
             for i in range(n + 1)
-            for j in range(2 * n)
+            for j in range(sides)
         ]
         faces = []
         for i in range(n):
-            for j in range(2 * n):
-                a, b, c, d = (2 * n * k + m % (2 * n) for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            for j in range(sides):
+                a, b, c, d = (sides * k + m % sides for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
                 faces += [(a, b, c)] * (i + 1 < n) + [(a, c, d)] * (i > 0)
         rows = ["# vtk DataFile Version 3.0", "sphere", "ASCII", "DATASET POLYDATA", f"POINTS {len(points)} double"]
         rows += [" ".join(map(repr, p)) for p in points]
@@ -155,6 +158,57 @@ class Sizes(MeshTest):
         self.fail_with(1, "no array 'width'", model, "-o", "x.ply", "--size-array", "width")
         self.fail_with(1, "points, more than 10000000", model, "-o", "x.ply", "--edge-length", 1e-9)
         self.fail_with(2, "exclude each other", model, "-o", "x.ply", "--points", 9000, "--edge-length", 0.1)
+
+    def test_so_many_edges_a_turn_whatever_the_triangles(self):
+        wanted = 2 * math.pi / 40
+        for n, sides in ((60, 120), (24, 200), (60, 30)):
+            with self.subTest(n=n, sides=sides):
+                lengths = [d for _, d in self.edges(self.sphere(n, sides), "--curvature-points", 40)]
+                self.assertAlmostEqual(self.median(lengths) / wanted, 1, delta=0.05)
+
+    def test_creases_are_no_curvature(self):
+        """A cylinder of few and slender triangles: the lengths of its mantle, which grow on the caps."""
+        sides, radius, wanted = 60, 0.5, 2 * math.pi * 0.5 / 40
+        around = [(radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides))
+                  for i in range(sides)]
+        model = self.folder / "cylinder.off"
+        faces = [(i, (i + 1) % sides, sides + (i + 1) % sides, sides + i) for i in range(sides)]
+        faces += [tuple(reversed(range(sides))), tuple(range(sides, 2 * sides))]
+        write_off(model, [(x, y, z) for z in (-1, 1) for x, y in around], faces)
+        edges = self.edges(model, "--curvature-points", 40)
+        mantle = [d for p, d in edges if abs(p[2]) < 0.9]
+        self.assertAlmostEqual(self.median(mantle) / wanted, 1, delta=0.05)
+        self.assertGreater(min(mantle), 0.5 * wanted)
+        caps = [d for p, d in edges if abs(p[2]) > 0.999 and math.hypot(*p[:2]) < 0.2]
+        self.assertGreater(self.median(caps), 1.5 * wanted)
+
+    def test_flat_places_have_the_other_lengths_or_those_of_a_sphere_about_all(self):
+        model = self.cube()
+        default = math.pi * math.sqrt(3) / 30
+        for options, wanted in (
+            ((), default),
+            (("--size-maximum", 0.1), 0.1),
+            (("--edge-length", 0.08), 0.08),
+            (("--edge-length", 0.08, "--size-minimum", 0.1), 0.1),
+        ):
+            with self.subTest(options=options):
+                lengths = [d for _, d in self.edges(model, "--curvature-points", 30, *options)]
+                self.assertAlmostEqual(self.median(lengths) / wanted, 1, delta=0.05)
+        # The smaller of two: the array's on one half of the sphere, the curvature's on the other.
+        edges = self.edges(self.sphere(), "--size-array", "length", "--curvature-points", 100)
+        self.assertAlmostEqual(self.median([d for p, d in edges if p[2] < -0.5]) / (2 * math.pi / 100), 1, delta=0.05)
+        ratios = [d / self.wanted(p[2] / math.hypot(*p)) for p, d in edges if p[2] > 0.5]
+        self.assertAlmostEqual(sum(ratios) / len(ratios), 1, delta=0.05)
+
+    def test_with_a_number_lengths_are_in_proportion(self):
+        """On a sphere they are even; the number is exact."""
+        edges = self.edges(self.sphere(), "--curvature-points", 40, "--points", 3000)
+        lengths = [d for _, d in edges]
+        self.assertEqual(len(points_of(self.folder / "out.off")), 3000)
+        even = math.sqrt(4 * math.pi / 3000 * 2 / math.sqrt(3))
+        self.assertAlmostEqual(self.median(lengths) / even, 1, delta=0.05)
+        self.fail_with(2, "curvature-points", self.cube(), "-o", "x.ply", "--curvature-points", 2)
+        self.fail_with(1, "points, more than 10000000", self.sphere(), "-o", "x.ply", "--curvature-points", 1e6)
 
     def test_edges_grow_from_a_thin_rim(self):
         """A plate of 2 x 2 x .02: edges on its rim are short, and longer away from it, so that it need not be simplified."""

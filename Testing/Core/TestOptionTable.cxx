@@ -156,6 +156,8 @@ TEST(OptionTable, RowsSayWhatTheyTake)
   EXPECT_EQ(row("growth").initialText(), "1.5") << "not what 0 stands for";
   EXPECT_EQ(row("growth").wanted(), "none or a number from 1.1 to 4");
   EXPECT_EQ(row("size_minimum").initialText(), "none");
+  EXPECT_EQ(row("curvature_points").range(), "3 or more edges");
+  EXPECT_EQ(row("curvature_points").initialText(), "none");
   EXPECT_EQ(row("edge_length").range(), "above 0 in the input's unit");
   EXPECT_EQ(row("domain_shape").range(), "rectangle or square");
   EXPECT_EQ(row("domain_shape").initialText(), "rectangle");

@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths of edges near features, and how they grow from there.
+// Lengths of edges near features and by curvature, and how they grow from there.
+#include "CurvatureSizes.h"
 #include "FeatureSizes.h"
 #include "GradedSizes.h"
 #include "SizingFunction.h"
 #include "StraightWalk.h"
 #include "SyntheticControl.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -142,6 +149,76 @@ TEST(GradedSizes, IsTheLeastOverAllSources)
   }
   EXPECT_TRUE(GradedSizes({}, 0.5).empty());
   EXPECT_EQ(GradedSizes({}, 0.5).at(Vec3::Zero(), 3.), 3.);
+}
+
+TEST(CurvatureSizes, AreThoseOfATurnAndGrowFromThere)
+{
+  Builder builder;
+  cube(builder, 8, false);
+  synthetic::Atlas& made = builder.finish();
+  stipple::Atlas::Pointer flat;
+  ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, flat).ok());
+  const ControlMaps maps(flat->surface(), 64);
+  const double pi = std::acos(-1.);
+  CurvatureSizeOptions options;
+  options.pointsPerTurn = 20.;
+  options.largest = 0.5;
+  std::vector<std::vector<float>> sizes;
+  EXPECT_EQ(curvatureSizes(flat->surface(), maps.images, options, nullptr, sizes).code(),
+    StatusCode::BadInput)
+    << "without the array";
+
+  // Bent where x is above .75, with edges of .1.
+  const auto isBent = [](const Vec3& p) { return p.x() > 0.75; };
+  for (int c = 0; c < flat->surface().numberOfCharts(); ++c)
+  {
+    vtkNew<vtkDoubleArray> curvature;
+    curvature->SetName("LargestNormalCurvature");
+    for (const Face f : flat->surface().faces(Chart(c)))
+    {
+      const Vec3 middle = flat->surface().position(f, Vec3::Constant(1. / 3.));
+      curvature->InsertNextValue(isBent(middle) ? pi : 0.);
+    }
+    chartOf(made.charts, c)->GetCellData()->AddArray(curvature);
+    chartOf(made.charts, c)->Modified();
+  }
+  stipple::Atlas::Pointer atlas;
+  ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, atlas).ok());
+  const AtlasSurface& s = atlas->surface();
+  for (const double growth : { 0., 1.5 })
+  {
+    options.growth = growth;
+    ASSERT_TRUE(curvatureSizes(s, maps.images, options, nullptr, sizes).ok());
+    for (int c = 0; c < s.numberOfCharts(); ++c)
+    {
+      for (std::size_t i = 0; i < sizes[c].size(); i += 5)
+      {
+        const Vec3 p = maps.position(s, c, static_cast<int>(i));
+        const double away = p.x() - 0.75;
+        if (isBent(p))
+        {
+          EXPECT_NEAR(sizes[c][i], 0.1, 1e-6);
+        }
+        else if (growth == 0.)
+        {
+          EXPECT_NEAR(sizes[c][i], 0.5, 1e-6);
+        }
+        else // linear in the distance, but for the distance of the places that it grows from
+        {
+          EXPECT_NEAR(sizes[c][i], std::min(0.5, 0.1 - 0.5 * away), 0.03) << away;
+        }
+      }
+    }
+  }
+  options.smallest = 0.2;
+  ASSERT_TRUE(curvatureSizes(s, maps.images, options, nullptr, sizes).ok());
+  for (const std::vector<float>& chart : sizes)
+  {
+    EXPECT_GE(*std::min_element(chart.begin(), chart.end()), 0.2f);
+  }
+  const auto stop = [](double) { return false; };
+  EXPECT_TRUE(curvatureSizes(s, maps.images, options, stop, sizes).isAbort());
+  EXPECT_NEAR(largestOfTurn(20., 2.), 2. * pi / 20., 1e-12) << "about a sphere of that diameter";
 }
 
 TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)

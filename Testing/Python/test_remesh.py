@@ -23,6 +23,17 @@ class Lengths(unittest.TestCase):
         lengths = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2)
         self.assertAlmostEqual(np.median(lengths) / 0.1, 1, delta=0.05)
 
+    def test_so_many_edges_a_turn(self):
+        mesh = stipple.remesh(shapes.sphere(), curvature_points=40)
+        self.assertFalse(mesh.GetCellData().HasArray("LargestNormalCurvature"), "it stays inside")
+        points, triangles = stipple.remesh(shapes.arrays(shapes.sphere()), curvature_points=40)
+        self.assertEqual(len(points), mesh.GetNumberOfPoints())
+        lengths = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2)
+        radius = np.linalg.norm(points, axis=1).max()
+        self.assertAlmostEqual(np.median(lengths) / (2 * np.pi * radius / 40), 1, delta=0.05)
+        with self.assertRaisesRegex(ValueError, "curvature_points must be at least 3"):
+            stipple.remesh(shapes.sphere(), curvature_points=1)
+
     def test_what_does_not_go_together(self):
         with self.assertRaisesRegex(ValueError, "exclude"):
             stipple.remesh(shapes.sphere(), points=500, edge_length=0.1)
