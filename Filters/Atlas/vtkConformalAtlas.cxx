@@ -8,7 +8,7 @@
 #include "FeatureCurves.h"
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 #include "LongEdges.h"
 #include "NormalCurvature.h"
 #include "RegionArrays.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeometryMapRenderer.h"
 
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 #include "MapCatalogue.h"
 #include "MapSizing.h"
 

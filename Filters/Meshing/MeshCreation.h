@@ -12,6 +12,17 @@
 
 namespace stipple
 {
+/// What the filters of vtkAtlasMeshAlgorithm are asked for.
+struct MeshRequest
+{
+  const Atlas& atlas;
+  vtkPolyData* given;                 ///< port 0
+  const std::vector<Sample>& samples; ///< its points
+  const Progress& progress;
+  vtkPolyData* mesh;  ///< output
+  vtkPolyData* lines; ///< output: its edges along backbones
+};
+
 /// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all
 /// edges of the backbones, and the topology of the surface. Samples that have no such mesh are too
 /// few points; atFault is then the chart that another sample inside would help, or none.

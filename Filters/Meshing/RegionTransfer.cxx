@@ -7,10 +7,13 @@
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 namespace stipple
 {
@@ -58,8 +61,7 @@ private:
 
 /// For every cell of the mesh a face of the surface in the cell's region; -1 for those of
 /// components without borders, which lie in one region.
-std::vector<int> facesInRegions(
-  const Atlas& atlas, const std::vector<std::vector<int>>& chains, vtkCellArray* polygons)
+std::vector<int> facesInRegions(const Atlas& atlas, vtkPolyData* lines, vtkCellArray* polygons)
 {
   const CellsByEdge cells(polygons);
   std::vector<int> face(static_cast<std::size_t>(polygons->GetNumberOfCells()), -1);
@@ -71,23 +73,31 @@ std::vector<int> facesInRegions(
       next.push_back(cell);
     }
   };
-  std::unordered_map<std::uint64_t, char> isWall;
-  for (std::size_t b = 0; b < chains.size(); ++b)
+  std::unordered_set<std::uint64_t> walls;
+  vtkDataArray* backbones = lines->GetCellData()->GetArray("BackboneId");
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
   {
-    const BackboneTrace& trace = atlas.traces()[b];
-    const bool isKept = atlas.graph().backbones[b].keep != Keep::Nothing;
-    for (std::size_t i = 1; isKept && i < chains[b].size(); ++i)
+    const auto b = static_cast<std::size_t>(backbones->GetComponent(line, 0));
+    if (atlas.graph().backbones[b].keep == Keep::Nothing)
     {
-      const int from = chains[b][i - 1];
-      const int to = chains[b][i];
-      isWall[CellsByEdge::key(from, to)] = isWall[CellsByEdge::key(to, from)] = 1;
+      continue;
+    }
+    const BackboneTrace& trace = atlas.traces()[b];
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(line, size, ids);
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      const vtkIdType from = ids[i - 1];
+      const vtkIdType to = ids[i];
+      walls.insert({ CellsByEdge::key(from, to), CellsByEdge::key(to, from) });
       // The label is the same all along a side: a third region would end the backbone.
       for (const int side : { 0, 1 })
       {
         if (!trace.halfedge[side].empty())
         {
-          const int cell = side == 0 ? cells.cell(from, to) : cells.cell(to, from);
-          reach(cell, trace.halfedge[side].front() / 3);
+          reach(side == 0 ? cells.cell(from, to) : cells.cell(to, from),
+            trace.halfedge[side].front() / 3);
         }
       }
     }
@@ -97,7 +107,7 @@ std::vector<int> facesInRegions(
     const int cell = next.back();
     next.pop_back();
     cells.forEachEdge(cell, [&](vtkIdType a, vtkIdType b) {
-      if (isWall.count(CellsByEdge::key(a, b)) == 0)
+      if (walls.count(CellsByEdge::key(a, b)) == 0)
       {
         reach(cells.cell(b, a), face[cell]);
       }
@@ -107,8 +117,7 @@ std::vector<int> facesInRegions(
 }
 }
 
-void transferRegions(
-  const Atlas& atlas, const std::vector<std::vector<int>>& chains, vtkPolyData* mesh)
+void transferRegions(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh)
 {
   const std::string& name = atlas.graph().regionArray;
   vtkAbstractArray* labels =
@@ -119,7 +128,7 @@ void transferRegions(
   }
   setRegionArrayName(mesh, name);
   const AtlasSurface& surface = atlas.surface();
-  const std::vector<int> faces = facesInRegions(atlas, chains, mesh->GetPolys());
+  const std::vector<int> faces = facesInRegions(atlas, lines, mesh->GetPolys());
   for (std::size_t cell = 0; cell < faces.size(); ++cell)
   {
     if (const Face face(faces[cell]); face.valid())

@@ -7,8 +7,6 @@
 #include "Atlas.h"
 #include "StippleFiltersMeshingModule.h"
 
-#include <vector>
-
 class vtkPolyData;
 
 namespace stipple
@@ -16,10 +14,9 @@ namespace stipple
 /// Corrects the mesh's labels of regions, if the atlas has any, and names their array in its field
 /// data. A cell beside a kept backbone has the label that the surface has on that side of it; and
 /// so do the cells that are connected to it across edges that are on none, for all borders of
-/// regions are kept backbones. chains: the mesh's points along every backbone (see
-/// backboneChains()).
+/// regions are kept backbones. lines: those of the mesh along backbones (see featureLines()).
 STIPPLEFILTERSMESHING_EXPORT void transferRegions(
-  const Atlas& atlas, const std::vector<std::vector<int>>& chains, vtkPolyData* mesh);
+  const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh);
 }
 
 #endif

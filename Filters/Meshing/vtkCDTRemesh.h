@@ -35,30 +35,24 @@
 #define vtkCDTRemesh_h
 
 #include "StippleFiltersMeshingModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkAtlasMeshAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-class STIPPLEFILTERSMESHING_EXPORT vtkCDTRemesh : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSMESHING_EXPORT vtkCDTRemesh : public vtkAtlasMeshAlgorithm
 {
 public:
   static vtkCDTRemesh* New();
-  vtkTypeMacro(vtkCDTRemesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkCDTRemesh, vtkAtlasMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkCDTRemesh();
-  ~vtkCDTRemesh() override;
+  vtkCDTRemesh() = default;
+  ~vtkCDTRemesh() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
   vtkCDTRemesh(const vtkCDTRemesh&) = delete;
   void operator=(const vtkCDTRemesh&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Implementation;
 };
 
 #endif

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRemeshOptimizer.h"
 
-#include "FilterInputs.h"
 #include "LeastSquaresPlacement.h"
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
 #include "PolyDataConversion.h"
-#include "RegionTransfer.h"
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -18,82 +15,75 @@
 
 vtkStandardNewMacro(vtkRemeshOptimizer);
 
-struct vtkRemeshOptimizer::Internals
-{
-  stipple::Atlas::Pointer Atlas;
-  stipple::DensityField Density;
-  stipple::OptimizerOptions Options;
-
-  /// The density may be null.
-  stipple::Status optimize(const stipple::FilterInputs& inputs,
-    vtkPartitionedDataSetCollection* density, const stipple::Progress& progress,
-    std::vector<stipple::Sample>& samples, stipple::OptimizedMesh& mesh);
-  void write(const stipple::OptimizedMesh& mesh, const std::vector<stipple::Sample>& samples,
-    bool leastSquares, vtkInformationVector* output) const;
-};
-
 vtkRemeshOptimizer::vtkRemeshOptimizer()
-  : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(2);
 }
-
-vtkRemeshOptimizer::~vtkRemeshOptimizer() = default;
 
 int vtkRemeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-    port == 1 || port == 3 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
   if (port == 3)
   {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
   }
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
-stipple::Status vtkRemeshOptimizer::Internals::optimize(const stipple::FilterInputs& inputs,
-  vtkPartitionedDataSetCollection* density, const stipple::Progress& progress,
-  std::vector<stipple::Sample>& samples, stipple::OptimizedMesh& mesh)
+int vtkRemeshOptimizer::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->NumberOfSimplifiedFeatures = 0;
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
+{
+  using Options = stipple::OptimizerOptions;
+  Options options;
+  options.swaps = static_cast<Options::Swaps>(this->Connectivity);
+  options.moves = static_cast<Options::Moves>(this->Smoothing);
+  options.iterations = this->NumberOfIterations;
+  options.ribs = this->Ribs;
+  options.errorReduction = 0.01 * this->ErrorReduction;
+  options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
+  options.featureTolerance = this->KeepBackbones ? 0. : this->FeatureTolerance;
+
+  auto* images = this->FollowDensity
+    ? vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0))
+    : nullptr;
+  stipple::DensityField density;
   stipple::TriangleSurface given;
-  stipple::Status status = inputs.read(this->Atlas, samples);
+  stipple::OptimizedMesh mesh;
+  stipple::Status status = density.read(images, request.atlas.surface());
   if (status.ok())
   {
-    status = this->Density.read(density, this->Atlas->surface());
+    status = stipple::readPolyData(request.given, given);
   }
   if (status.ok())
   {
-    status = stipple::readPolyData(inputs.samples(), given);
-  }
-  if (status.ok())
-  {
-    status = mesh.build(*this->Atlas, this->Density, samples, given.triangles);
+    status = mesh.build(request.atlas, density, request.samples, given.triangles);
   }
   if (status.ok())
   {
     status = stipple::optimizeMesh(
-      mesh, this->Options, [&](double fraction) { return progress(0.05 + 0.9 * fraction); });
+      mesh, options, [&](double fraction) { return request.progress(0.05 + 0.9 * fraction); });
   }
-  if (status.ok() && this->Options.moves != stipple::OptimizerOptions::Moves::None &&
-    this->Options.iterations > 0)
+  if (!status.ok())
   {
-    samples = mesh.samples();
+    return status;
   }
-  return status;
-}
-
-void vtkRemeshOptimizer::Internals::write(const stipple::OptimizedMesh& mesh,
-  const std::vector<stipple::Sample>& samples, bool leastSquares,
-  vtkInformationVector* output) const
-{
-  const auto result = stipple::meshToPolyData(*this->Atlas, samples, mesh.triangles());
-  if (leastSquares)
+  this->NumberOfSimplifiedFeatures = mesh.numberOfChanges();
+  const bool hasMoved = options.moves != Options::Moves::None && options.iterations > 0;
+  request.mesh->ShallowCopy(stipple::meshToPolyData(
+    request.atlas, hasMoved ? mesh.samples() : request.samples, mesh.triangles()));
+  if (this->Placement == LEAST_SQUARES)
   {
     const std::vector<stipple::Vec3> positions = stipple::leastSquaresPositions(mesh);
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      result->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
+      request.mesh->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
     }
   }
   std::vector<std::vector<int>> chains;
@@ -105,43 +95,9 @@ void vtkRemeshOptimizer::Internals::write(const stipple::OptimizedMesh& mesh,
       chains.back().push_back(v.vertex.index());
     }
   }
-  stipple::transferRegions(*this->Atlas, chains, result);
-  const auto lines = stipple::featureLines(this->Atlas->graph(), chains, result, false);
-  vtkPolyData::GetData(output, 0)->ShallowCopy(result);
-  vtkPolyData::GetData(output, 1)->ShallowCopy(lines);
-}
-
-int vtkRemeshOptimizer::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  const stipple::FilterInputs inputs(inputVector);
-  auto* density =
-    this->FollowDensity ? vtkPartitionedDataSetCollection::GetData(inputVector[3]) : nullptr;
-  using Options = stipple::OptimizerOptions;
-  Options& options = this->Implementation->Options;
-  options.swaps = static_cast<Options::Swaps>(this->Connectivity);
-  options.moves = static_cast<Options::Moves>(this->Smoothing);
-  options.iterations = this->NumberOfIterations;
-  options.ribs = this->Ribs;
-  options.errorReduction = 0.01 * this->ErrorReduction;
-  options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
-  options.featureTolerance = this->KeepBackbones ? 0. : this->FeatureTolerance;
-  this->NumberOfSimplifiedFeatures = 0;
-  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
-    stipple::Status status = stipple::Status::success();
-    if (!inputs.isEmpty())
-    {
-      std::vector<stipple::Sample> samples;
-      stipple::OptimizedMesh mesh;
-      status = this->Implementation->optimize(inputs, density, progress, samples, mesh);
-      if (status.ok())
-      {
-        this->NumberOfSimplifiedFeatures = mesh.numberOfChanges();
-        this->Implementation->write(mesh, samples, this->Placement == LEAST_SQUARES, outputVector);
-      }
-    }
-    return status;
-  });
+  request.lines->ShallowCopy(
+    stipple::featureLines(request.atlas.graph(), chains, request.mesh, false));
+  return status;
 }
 
 void vtkRemeshOptimizer::SetPreset(bool followDensity, bool ribs)

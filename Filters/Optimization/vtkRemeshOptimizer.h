@@ -37,15 +37,13 @@
 #define vtkRemeshOptimizer_h
 
 #include "StippleFiltersOptimizationModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkAtlasMeshAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-class STIPPLEFILTERSOPTIMIZATION_EXPORT vtkRemeshOptimizer : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSOPTIMIZATION_EXPORT vtkRemeshOptimizer : public vtkAtlasMeshAlgorithm
 {
 public:
   static vtkRemeshOptimizer* New();
-  vtkTypeMacro(vtkRemeshOptimizer, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkRemeshOptimizer, vtkAtlasMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ConnectivityType
@@ -203,10 +201,11 @@ public:
 
 protected:
   vtkRemeshOptimizer();
-  ~vtkRemeshOptimizer() override;
+  ~vtkRemeshOptimizer() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
   vtkRemeshOptimizer(const vtkRemeshOptimizer&) = delete;
@@ -225,8 +224,6 @@ private:
   bool FollowDensity = true;
   bool Ribs = false;
   int Placement = ON_SURFACE;
-  struct Internals;
-  std::unique_ptr<Internals> Implementation;
 };
 
 #endif

@@ -30,30 +30,24 @@
 #define vtkQuadRemesh_h
 
 #include "StippleFiltersPatternsModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkAtlasMeshAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-class STIPPLEFILTERSPATTERNS_EXPORT vtkQuadRemesh : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSPATTERNS_EXPORT vtkQuadRemesh : public vtkAtlasMeshAlgorithm
 {
 public:
   static vtkQuadRemesh* New();
-  vtkTypeMacro(vtkQuadRemesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkQuadRemesh, vtkAtlasMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkQuadRemesh();
-  ~vtkQuadRemesh() override;
+  vtkQuadRemesh() = default;
+  ~vtkQuadRemesh() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
   vtkQuadRemesh(const vtkQuadRemesh&) = delete;
   void operator=(const vtkQuadRemesh&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Implementation;
 };
 
 #endif

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSemiRegularSubdivision.h"
 
-#include "FilterInputs.h"
 #include "MeshCreation.h"
 #include "PolyDataConversion.h"
-#include "RegionTransfer.h"
 #include "SemiRegularSubdivision.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -19,27 +15,6 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkSemiRegularSubdivision);
-
-struct vtkSemiRegularSubdivision::Internals
-{
-  stipple::Atlas::Pointer Atlas;
-};
-
-vtkSemiRegularSubdivision::vtkSemiRegularSubdivision()
-  : Implementation(new Internals)
-{
-  this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(2);
-}
-
-vtkSemiRegularSubdivision::~vtkSemiRegularSubdivision() = default;
-
-int vtkSemiRegularSubdivision::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-    port == 1 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
-  return 1;
-}
 
 namespace
 {
@@ -72,41 +47,25 @@ void addHierarchy(const stipple::SubdividedMesh& mesh, vtkPolyData* data)
 }
 }
 
-int vtkSemiRegularSubdivision::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+stipple::Status vtkSemiRegularSubdivision::MakeMesh(stipple::MeshRequest& request)
 {
-  const stipple::FilterInputs inputs(inputVector);
-  return stipple::execute(this, this->ErrorCode, [&](const stipple::Progress& progress) {
-    if (inputs.isEmpty())
-    {
-      return stipple::Status::success();
-    }
-    stipple::Atlas::Pointer& atlas = this->Implementation->Atlas;
-    std::vector<stipple::Sample> samples;
-    stipple::SubdividedMesh mesh;
-    stipple::TriangleSurface given;
-    stipple::Status status = inputs.read(atlas, samples);
-    if (status.ok())
-    {
-      status = stipple::readPolyData(inputs.samples(), given);
-    }
-    if (status.ok())
-    {
-      status = stipple::subdivideSemiRegularly(*atlas, samples, given.triangles,
-        this->NumberOfSubdivisions, this->NumberOfIterations, mesh, progress);
-    }
-    if (status.ok())
-    {
-      const auto result = stipple::meshToPolyData(*atlas, mesh.samples, mesh.triangles);
-      addHierarchy(mesh, result);
-      const auto chains = stipple::backboneChains(atlas->graph(), mesh.samples);
-      stipple::transferRegions(*atlas, chains, result);
-      const auto lines = stipple::featureLines(atlas->graph(), chains, result, false);
-      vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines);
-    }
-    return status;
-  });
+  stipple::TriangleSurface given;
+  stipple::SubdividedMesh mesh;
+  stipple::Status status = stipple::readPolyData(request.given, given);
+  if (status.ok())
+  {
+    status = stipple::subdivideSemiRegularly(request.atlas, request.samples, given.triangles,
+      this->NumberOfSubdivisions, this->NumberOfIterations, mesh, request.progress);
+  }
+  if (status.ok())
+  {
+    const stipple::FeatureGraph& graph = request.atlas.graph();
+    request.mesh->ShallowCopy(stipple::meshToPolyData(request.atlas, mesh.samples, mesh.triangles));
+    addHierarchy(mesh, request.mesh);
+    request.lines->ShallowCopy(stipple::featureLines(
+      graph, stipple::backboneChains(graph, mesh.samples), request.mesh, false));
+  }
+  return status;
 }
 
 void vtkSemiRegularSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -30,15 +30,13 @@
 #define vtkSemiRegularSubdivision_h
 
 #include "StippleFiltersPatternsModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkAtlasMeshAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-class STIPPLEFILTERSPATTERNS_EXPORT vtkSemiRegularSubdivision : public vtkPolyDataAlgorithm
+class STIPPLEFILTERSPATTERNS_EXPORT vtkSemiRegularSubdivision : public vtkAtlasMeshAlgorithm
 {
 public:
   static vtkSemiRegularSubdivision* New();
-  vtkTypeMacro(vtkSemiRegularSubdivision, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSemiRegularSubdivision, vtkAtlasMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -58,11 +56,10 @@ public:
   ///@}
 
 protected:
-  vtkSemiRegularSubdivision();
-  ~vtkSemiRegularSubdivision() override;
+  vtkSemiRegularSubdivision() = default;
+  ~vtkSemiRegularSubdivision() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
   vtkSemiRegularSubdivision(const vtkSemiRegularSubdivision&) = delete;
@@ -70,8 +67,6 @@ private:
 
   int NumberOfSubdivisions = 2;
   int NumberOfIterations = 10;
-  struct Internals;
-  std::unique_ptr<Internals> Implementation;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceQuality.h"
 
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
 

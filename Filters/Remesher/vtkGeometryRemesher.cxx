@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeometryRemesher.h"
 
-#include "FilterInputs.h"
+#include "Atlas.h"
+#include "FilterExecution.h"
 #include "MeshCheck.h"
 #include "MessageText.h"
 #include "OptionTable.h"

@@ -3,7 +3,7 @@
 #include "vtkControlMap.h"
 
 #include "ControlMapBuilder.h"
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkErrorDiffusionSampler.h"
 
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 #include "SurfaceSampler.h"
 
 #include "vtkDoubleArray.h"

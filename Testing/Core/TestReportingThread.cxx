@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What an algorithm says of its end, and work that reports and stops.
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 #include "ReportingThread.h"
 
 #include "vtkCallbackCommand.h"

@@ -4,6 +4,7 @@
 #include "Check.h"
 #include "SyntheticAtlas.h"
 
+#include "vtkAtlasMeshAlgorithm.h"
 #include "vtkCDTRemesh.h"
 #include "vtkCellArray.h"
 #include "vtkQuadRemesh.h"
@@ -17,8 +18,7 @@ namespace
 using namespace stipple;
 using test::check;
 
-template <typename Filter>
-void connect(Filter* filter, synthetic::Atlas& atlas, vtkPolyData* input)
+void connect(vtkAtlasMeshAlgorithm* filter, synthetic::Atlas& atlas, vtkPolyData* input)
 {
   filter->SetInputData(0, input);
   filter->SetInputData(1, atlas.charts.Get());

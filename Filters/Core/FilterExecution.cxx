@@ -1,34 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FilterInputs.h"
+#include "FilterExecution.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
-#include "vtkPartitionedDataSetCollection.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 
 namespace stipple
 {
-FilterInputs::FilterInputs(vtkInformationVector** ports)
-  : Samples(vtkPolyData::GetData(ports[0]))
-  , Charts(vtkPartitionedDataSetCollection::GetData(ports[1]))
-  , FeatureGraph(vtkPolyData::GetData(ports[2]))
-{
-}
-
-bool FilterInputs::isEmpty() const
-{
-  return !this->Samples || !this->Charts || this->Samples->GetNumberOfPoints() == 0;
-}
-
-Status FilterInputs::read(Atlas::Pointer& atlas, std::vector<Sample>& samples) const
-{
-  Status status = Atlas::read(this->Charts, this->FeatureGraph, atlas);
-  return status.ok() ? readSamples(this->Samples, *atlas, samples) : status;
-}
-
 Progress progressOf(vtkAlgorithm* filter)
 {
   return [filter](double fraction) {

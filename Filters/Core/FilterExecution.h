@@ -1,37 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What every filter of this folder does in RequestData before and after its algorithm.
-#ifndef stipple_FilterInputs_h
-#define stipple_FilterInputs_h
+// What every filter does in RequestData before and after its algorithm.
+#ifndef stipple_FilterExecution_h
+#define stipple_FilterExecution_h
 
-#include "Atlas.h"
 #include "ReportingThread.h"
-#include "SampleSet.h"
 
 class vtkAlgorithm;
-class vtkInformationVector;
-class vtkPartitionedDataSetCollection;
-class vtkPolyData;
 
 namespace stipple
 {
-/// Input ports 0 to 2: samples or a mesh whose points are samples, charts, feature graph.
-class FilterInputs
-{
-public:
-  explicit FilterInputs(vtkInformationVector** ports);
-
-  /// Whether there is nothing to do.
-  bool isEmpty() const;
-  vtkPolyData* samples() const { return this->Samples; }
-  Status read(Atlas::Pointer& atlas, std::vector<Sample>& samples) const;
-
-private:
-  vtkPolyData* Samples;
-  vtkPartitionedDataSetCollection* Charts;
-  vtkPolyData* FeatureGraph;
-};
-
 /// Reports to a filter, and stops when it is to abort. The fraction never falls: who tries
 /// something again waits.
 Progress progressOf(vtkAlgorithm* filter);
