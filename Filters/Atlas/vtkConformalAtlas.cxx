@@ -68,7 +68,7 @@ stipple::Status tagFeatureEdges(
       return stipple::Status::error("Feature edge " + std::to_string(i) + " joins the points " +
         std::to_string(a) + " and " + std::to_string(b) + ", which no edge of the input joins.");
     }
-    surface.setSharp(h.index(), true);
+    surface.setSharp(h, true);
   }
   return stipple::Status::success();
 }
