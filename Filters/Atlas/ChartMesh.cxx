@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMesh.h"
 
+#include "FaceSets.h"
+
 #include <algorithm>
 
 namespace stipple
@@ -9,62 +11,64 @@ namespace stipple
 namespace
 {
 /// Sorts faces that are all different: marked and collected where that is faster.
-void sortFaces(std::vector<int>& faces, std::size_t numberOfFaces)
+void sortFaces(const TriangleSurface& surface, std::vector<Face>& faces)
 {
-  if (faces.size() * 16 < numberOfFaces)
+  if (faces.size() * 16 < surface.triangles.size())
   {
     std::sort(faces.begin(), faces.end());
     return;
   }
-  std::vector<char> isThere(numberOfFaces, 0);
-  for (int f : faces)
+  ElementArray<Face, char> isThere(surface.triangles.size(), 0);
+  for (const Face f : faces)
   {
     isThere[f] = 1;
   }
   faces.clear();
-  for (std::size_t f = 0; f < numberOfFaces; ++f)
+  for (const Face f : surface.faces())
   {
     if (isThere[f])
     {
-      faces.push_back(static_cast<int>(f));
+      faces.push_back(f);
     }
   }
 }
 }
 
-ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
+ChartMesh extractChart(const CutSurface& surface, std::vector<Face> faces)
 {
   ChartMesh chart;
-  sortFaces(faces, surface.triangles.size());
+  sortFaces(surface, faces);
   chart.faces = std::move(faces);
   const int n = static_cast<int>(chart.faces.size());
   // Where the surface's faces are in the chart; what is left from another chart is never read.
-  thread_local std::vector<int> localFace;
+  thread_local ElementArray<Face, int> localFace;
   localFace.resize(std::max(localFace.size(), surface.triangles.size()));
   for (int i = 0; i < n; ++i)
   {
     localFace[chart.faces[i]] = i;
   }
   chart.triangles.assign(n, { -1, -1, -1 });
+  const auto vertexAt = [&](Halfedge h) -> int& { // its tail
+    return chart.triangles[localFace[faceOf(h)]][cornerOf(h)];
+  };
   int cutHalfedges = 0;
-  int firstBoundaryHalfedge = -1;
-  for (int i = 0; i < n; ++i)
+  Halfedge firstOnBoundary;
+  for (const Face face : chart.faces)
   {
-    for (int k = 0; k < 3; ++k)
+    for (const Halfedge corner : halfedgesOf(face))
     {
-      const int corner = 3 * chart.faces[i] + k;
       cutHalfedges += surface.cut[corner];
-      if (surface.cut[corner] && firstBoundaryHalfedge < 0)
+      if (surface.cut[corner] && !firstOnBoundary.valid())
       {
-        firstBoundaryHalfedge = corner;
+        firstOnBoundary = corner;
       }
-      if (chart.triangles[i][k] >= 0)
+      if (vertexAt(corner) >= 0)
       {
         continue;
       }
       // A vertex is a fan of corners: turn clockwise to its first, then counterclockwise through
       // all.
-      int h = corner;
+      Halfedge h = corner;
       while (!surface.cut[h])
       {
         h = nextHalfedge(surface.twin[h]);
@@ -73,14 +77,14 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
           break;
         }
       }
-      const int start = h;
+      const Halfedge start = h;
       const int vertex = chart.numberOfVertices();
-      chart.vertices.push_back(surface.tail(h));
+      chart.vertices.push_back(surface.tail(h).index());
       chart.onBoundary.push_back(surface.cut[start]);
       while (true)
       {
-        chart.triangles[localFace[h / 3]][h % 3] = vertex;
-        const int previous = previousHalfedge(h);
+        vertexAt(h) = vertex;
+        const Halfedge previous = previousHalfedge(h);
         if (surface.cut[previous])
         {
           break;
@@ -94,57 +98,21 @@ ChartMesh extractChart(const CutSurface& surface, std::vector<int> faces)
     }
   }
   chart.euler = chart.numberOfVertices() - (3 * n + cutHalfedges) / 2 + n;
-  if (firstBoundaryHalfedge >= 0)
+  if (firstOnBoundary.valid())
   {
-    int h = firstBoundaryHalfedge;
+    Halfedge h = firstOnBoundary;
     do
     {
-      chart.boundary.push_back(chart.triangles[localFace[h / 3]][h % 3]);
-      h = nextHalfedge(h);
-      while (!surface.cut[h])
-      {
-        h = nextHalfedge(surface.twin[h]);
-      }
-    } while (h != firstBoundaryHalfedge);
+      chart.boundary.push_back(vertexAt(h));
+      h = surface.nextOnBoundary(h);
+    } while (h != firstOnBoundary);
     chart.boundaryLoops = static_cast<int>(chart.boundary.size()) == cutHalfedges ? 1 : 2;
   }
   return chart;
 }
 
-std::vector<std::vector<int>> chartFaces(const CutSurface& surface)
+std::vector<std::vector<Face>> chartFaces(const CutSurface& surface)
 {
-  std::vector<std::vector<int>> charts;
-  std::vector<int> chartOf(surface.triangles.size(), -1);
-  std::vector<int> faces;
-  for (int start = 0; start < surface.numberOfFaces(); ++start)
-  {
-    if (chartOf[start] >= 0)
-    {
-      continue;
-    }
-    const int chart = static_cast<int>(charts.size());
-    faces = { start };
-    chartOf[start] = chart;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int h = 3 * faces[i] + k;
-        const int neighbour = surface.cut[h] ? -1 : surface.twin[h] / 3;
-        if (neighbour >= 0 && chartOf[neighbour] < 0)
-        {
-          chartOf[neighbour] = chart;
-          faces.push_back(neighbour);
-        }
-      }
-    }
-    charts.emplace_back();
-    charts.back().reserve(faces.size());
-  }
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
-  {
-    charts[chartOf[f]].push_back(f);
-  }
-  return charts;
+  return FaceSets(surface, [&](Halfedge h) { return !surface.cut[h]; }).faces();
 }
 }

@@ -11,7 +11,7 @@ namespace stipple
 {
 struct STIPPLEFILTERSATLAS_EXPORT ChartMesh
 {
-  std::vector<int> faces;          ///< faces of the surface, ascending
+  std::vector<Face> faces;         ///< faces of the surface, ascending
   std::vector<Triangle> triangles; ///< the chart's own vertices
   std::vector<int> vertices;    ///< surface point of every vertex; a point on a cut may occur twice
   std::vector<char> onBoundary; ///< by vertex
@@ -23,12 +23,25 @@ struct STIPPLEFILTERSATLAS_EXPORT ChartMesh
   int numberOfVertices() const { return static_cast<int>(this->vertices.size()); }
 };
 
+/// Values of a chart's vertices, at the halfedges that leave them.
+template <typename T>
+void spread(const ChartMesh& chart, const std::vector<T>& value, ElementArray<Halfedge, T>& at)
+{
+  for (std::size_t i = 0; i < chart.faces.size(); ++i)
+  {
+    for (const Halfedge h : halfedgesOf(chart.faces[i]))
+    {
+      at[h] = value[chart.triangles[i][cornerOf(h)]];
+    }
+  }
+}
+
 /// The chart made of the given faces, which are connected and bounded by cut edges.
 STIPPLEFILTERSATLAS_EXPORT ChartMesh extractChart(
-  const CutSurface& surface, std::vector<int> faces);
+  const CutSurface& surface, std::vector<Face> faces);
 
 /// Faces of every chart (connected across edges that are not cut), charts by their smallest face.
-STIPPLEFILTERSATLAS_EXPORT std::vector<std::vector<int>> chartFaces(const CutSurface& surface);
+STIPPLEFILTERSATLAS_EXPORT std::vector<std::vector<Face>> chartFaces(const CutSurface& surface);
 }
 
 #endif

@@ -25,13 +25,16 @@ namespace
 void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells, const Stop& stop)
 {
   VoronoiDiagram diagram(surface, stop);
-  std::vector<int> all(surface.numberOfFaces());
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<Face> all;
+  for (const Face f : surface.faces())
+  {
+    all.push_back(f);
+  }
   int cells = 0;
-  for (const std::vector<int>& component : chartFaces(surface))
+  for (const std::vector<Face>& component : chartFaces(surface))
   {
     diagram.addSite(component.front(), cells);
-    const int far = diagram.farthest(component);
+    const Face far = diagram.farthest(component);
     diagram.forget(component);
     diagram.addSite(far, cells++);
   }
@@ -40,9 +43,9 @@ void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells, const Stop& sto
     diagram.addSite(diagram.farthest(all), cells++);
   }
   diagram.removeSpikes(all);
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    if (!surface.cut[h] && diagram.cell(surface.twin[h] / 3) != diagram.cell(h / 3))
+    if (!surface.cut[h] && diagram.cell(faceOf(surface.twin[h])) != diagram.cell(faceOf(h)))
     {
       surface.setCut(h, true);
     }
@@ -52,12 +55,12 @@ void cutIntoVoronoiCells(CutSurface& surface, int numberOfCells, const Stop& sto
 /// Splits a region in two, between a triangle (the densest, or the one farthest from the region's
 /// first) and the triangle that is farthest from it. Both parts are smaller than the region was.
 /// Returns the new region.
-int bisect(ChartRegions& regions, int region, int first)
+int bisect(ChartRegions& regions, int region, Face first = {})
 {
   regions.closeSlits(region);
-  const std::vector<int>& faces = regions.faces(region);
+  const std::vector<Face>& faces = regions.faces(region);
   VoronoiDiagram diagram(regions.surface(), regions.stop());
-  if (first < 0)
+  if (!first.valid())
   {
     diagram.addSite(faces.front(), 0);
     first = diagram.farthest(faces);
@@ -68,7 +71,7 @@ int bisect(ChartRegions& regions, int region, int first)
   const auto sides = [&] {
     std::vector<char> side(faces.size());
     std::transform(
-      faces.begin(), faces.end(), side.begin(), [&](int f) { return diagram.cell(f) == 1; });
+      faces.begin(), faces.end(), side.begin(), [&](Face f) { return diagram.cell(f) == 1; });
     return side;
   };
   std::vector<char> side = sides();
@@ -88,7 +91,7 @@ void bisectToDisk(ChartRegions& regions, int region)
 {
   while (!regions.isStopped() && !regions.mesh(region).isDisk())
   {
-    bisect(regions, region, -1);
+    bisect(regions, region);
   }
 }
 
@@ -98,18 +101,21 @@ void openToDisk(ChartRegions& regions, int region, const ChartPartitionOptions& 
 {
   const CutSurface& surface = regions.surface();
   const ChartMesh mesh = regions.mesh(region);
-  const std::vector<int>& faces = regions.faces(region);
-  const auto isAtCrease = [&](int f) {
-    return (surface.sharp[3 * f] && surface.cut[3 * f]) ||
-      (surface.sharp[3 * f + 1] && surface.cut[3 * f + 1]) ||
-      (surface.sharp[3 * f + 2] && surface.cut[3 * f + 2]);
+  const std::vector<Face>& faces = regions.faces(region);
+  const auto isAtCrease = [&](Face f) {
+    bool found = false;
+    for (const Halfedge h : halfedgesOf(f))
+    {
+      found = found || (surface.sharp[h] && surface.cut[h]);
+    }
+    return found;
   };
   const bool unrolls = isNearlyDevelopable(surface, mesh);
   if (mesh.boundaryLoops < 2 || !(unrolls || std::any_of(faces.begin(), faces.end(), isAtCrease)))
   {
     return;
   }
-  const std::vector<int> opened = joinLoops(regions, region);
+  const std::vector<Halfedge> opened = joinLoops(regions, region);
   if (regions.mesh(region).isDisk())
   {
     if (unrolls)
@@ -269,13 +275,13 @@ private:
 void splitLongestBoundaryEdge(ChartRegions& regions, int region)
 {
   const CutSurface& surface = regions.surface();
-  int longest = -1;
+  Halfedge longest;
   double length = -1;
-  for (int f : regions.faces(region))
+  for (const Face f : regions.faces(region))
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
-      const double l = (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+      const double l = surface.edgeLength(h);
       if (surface.cut[h] && l > length)
       {
         longest = h;
@@ -411,32 +417,24 @@ private:
       return;
     }
     FlatChart& chart = this->Charts[r];
-    std::vector<Vec2>& at = this->UV;
-    at.resize(3 * this->Regions.surface().triangles.size());
-    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        at[3 * chart.mesh.faces[i] + k] = chart.map.uv[chart.mesh.triangles[i][k]];
-      }
-    }
+    ElementArray<Halfedge, Vec2>& at = this->UV;
+    at.resize(this->Regions.surface().numberOfHalfedges());
+    spread(chart.mesh, chart.map.uv, at);
     for (const ChartRegions::Split& split : this->Regions.splits(r))
     {
-      const int next = nextHalfedge(split.halfedge);
+      const Vec2& tail = at[split.halfedge];
+      const Vec2& head = at[nextHalfedge(split.halfedge)];
       // In this form a coordinate that both ends share is kept to the bit.
-      const Vec2 middle = at[split.halfedge] + split.t * (at[next] - at[split.halfedge]);
-      at[3 * split.added] = middle;
-      at[3 * split.added + 1] = at[next];
-      at[3 * split.added + 2] = at[previousHalfedge(split.halfedge)];
-      at[next] = middle;
+      const Vec2 middle = tail + split.t * (head - tail);
+      followSplit(at, split.halfedge, split.added, middle);
     }
     chart.mesh = this->Regions.mesh(r);
     chart.map.uv.resize(chart.mesh.vertices.size());
     for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
     {
-      for (int k = 0; k < 3; ++k)
+      for (const Halfedge h : halfedgesOf(chart.mesh.faces[i]))
       {
-        chart.map.uv[chart.mesh.triangles[i][k]] = at[3 * chart.mesh.faces[i] + k];
+        chart.map.uv[chart.mesh.triangles[i][cornerOf(h)]] = at[h];
       }
     }
     measureMap(this->Regions.surface(), chart.mesh, chart.map);
@@ -493,7 +491,7 @@ private:
     {
       return Status::success(); // denser than the bound, but a map
     }
-    int densest = -1;
+    Face densest;
     if (map.valid)
     {
       densest =
@@ -511,7 +509,7 @@ private:
   }
 
   /// Splits a region at a triangle, into disks with smooth seams of their own. Returns all parts.
-  std::vector<int> split(int r, int densest)
+  std::vector<int> split(int r, Face densest)
   {
     const int first = bisect(this->Regions, r, densest);
     bisectToDisk(this->Regions, r);
@@ -547,16 +545,16 @@ private:
       return {};
     }
     CutSurface& surface = this->Regions.surface();
-    for (int h : seam->halfedges)
+    for (const Halfedge h : seam->halfedges)
     {
       surface.setCut(h, false);
     }
-    std::vector<int> faces = this->Regions.faces(a);
+    std::vector<Face> faces = this->Regions.faces(a);
     faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
     this->Merged.mesh = extractChart(surface, std::move(faces));
     this->Merged.map =
       mapToRectangle(surface, this->Merged.mesh, { this->Options.square }, this->Regions.stop());
-    for (int h : seam->halfedges)
+    for (const Halfedge h : seam->halfedges)
     {
       surface.setCut(h, true);
     }
@@ -588,7 +586,7 @@ private:
       return true;
     }
     const auto quantile = [&](const FlatChart& chart) {
-      return densityQuantile(surface, chart.mesh, chart.map, 0.1 * NegligibleArea);
+      return densityQuantile(chart.map, 0.1 * NegligibleArea);
     };
     const double merged = quantile(this->Merged);
     return merged <= 0.3 * bound || merged <= quantile(this->Charts[a]) ||
@@ -598,7 +596,7 @@ private:
   ChartRegions& Regions;
   const ChartPartitionOptions& Options;
   FlatChart Merged;
-  std::vector<Vec2> UV; // by halfedge, of its tail; scratch
+  ElementArray<Halfedge, Vec2> UV; // of its tail; scratch
   std::vector<FlatChart> Charts;
   std::vector<History> Histories;
 };

@@ -11,13 +11,13 @@ namespace stipple
 double SeamArc::length(const TriangleSurface& surface) const
 {
   return std::accumulate(this->halfedges.begin(), this->halfedges.end(), 0.,
-    [&](double sum, int h) { return sum + surface.edgeLength(Halfedge(h)); });
+    [&](double sum, Halfedge h) { return sum + surface.edgeLength(h); });
 }
 
 bool SeamArc::isSharp(const CutSurface& surface) const
 {
   return std::all_of(
-    this->halfedges.begin(), this->halfedges.end(), [&](int h) { return surface.sharp[h]; });
+    this->halfedges.begin(), this->halfedges.end(), [&](Halfedge h) { return surface.sharp[h]; });
 }
 
 const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)
@@ -37,7 +37,7 @@ ChartRegions::ChartRegions(CutSurface& surface, Stop stop)
 {
   for (int r = 0; r < this->size(); ++r)
   {
-    for (int f : this->Faces[r])
+    for (const Face f : this->Faces[r])
     {
       this->Owner[f] = r;
     }
@@ -47,7 +47,7 @@ ChartRegions::ChartRegions(CutSurface& surface, Stop stop)
 double ChartRegions::area(int region) const
 {
   double sum = 0;
-  for (int f : this->Faces[region])
+  for (const Face f : this->Faces[region])
   {
     sum += this->Surface.faceArea(f);
   }
@@ -57,36 +57,36 @@ double ChartRegions::area(int region) const
 int ChartRegions::numberOfInputTriangles(int region) const
 {
   return static_cast<int>(std::count_if(this->Faces[region].begin(), this->Faces[region].end(),
-    [this](int f) { return f < this->NumberOfInputTriangles; }));
+    [this](Face f) { return f.index() < this->NumberOfInputTriangles; }));
 }
 
-int ChartRegions::splitEdge(int h, double t)
+int ChartRegions::splitEdge(Halfedge h, double t)
 {
-  const int g = this->Surface.twin[h];
-  const auto adopt = [&](int halfedge, double where) {
-    const int region = this->Owner[halfedge / 3];
-    const int added = static_cast<int>(this->Owner.size());
+  const Halfedge g = this->Surface.twin[h];
+  const auto adopt = [&](Halfedge halfedge, double where) {
+    const int region = this->Owner[faceOf(halfedge)];
+    const Face added(static_cast<int>(this->Owner.size()));
     this->Faces[region].push_back(added);
     this->Owner.push_back(region);
     this->Splits[region].push_back({ halfedge, where, added });
   };
   adopt(h, t);
-  if (g >= 0)
+  if (g.valid())
   {
     adopt(g, 1 - t);
   }
   return this->Surface.splitEdge(h, t);
 }
 
-void ChartRegions::cutOpen(int h)
+void ChartRegions::cutOpen(Halfedge h)
 {
   this->Surface.setCut(h, true);
-  this->Reshaped[this->Owner[h / 3]] = 1;
+  this->Reshaped[this->Owner[faceOf(h)]] = 1;
 }
 
-std::vector<int> ChartRegions::cutAlong(const ChartMesh& mesh, const std::vector<int>& path)
+std::vector<Halfedge> ChartRegions::cutAlong(const ChartMesh& mesh, const std::vector<int>& path)
 {
-  std::vector<int> opened;
+  std::vector<Halfedge> opened;
   std::vector<int> after(mesh.vertices.size(), -1); // on the path
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
   {
@@ -98,7 +98,7 @@ std::vector<int> ChartRegions::cutAlong(const ChartMesh& mesh, const std::vector
     {
       if (after[mesh.triangles[i][k]] == mesh.triangles[i][nextCorner(k)])
       {
-        opened.push_back(3 * mesh.faces[i] + k);
+        opened.push_back(halfedgeOf(mesh.faces[i], k));
         this->cutOpen(opened.back());
       }
     }
@@ -106,9 +106,9 @@ std::vector<int> ChartRegions::cutAlong(const ChartMesh& mesh, const std::vector
   return opened;
 }
 
-void ChartRegions::closeCuts(int region, const std::vector<int>& halfedges)
+void ChartRegions::closeCuts(int region, const std::vector<Halfedge>& halfedges)
 {
-  for (const int h : halfedges)
+  for (const Halfedge h : halfedges)
   {
     this->Surface.setCut(h, false);
   }
@@ -117,36 +117,21 @@ void ChartRegions::closeCuts(int region, const std::vector<int>& halfedges)
 
 void ChartRegions::closeSlits(int region)
 {
-  // The only cut at a vertex inside the surface is the end of a slit.
-  const auto isEnd = [this](int h) {
-    int cuts = 0;
-    int g = h;
-    do
-    {
-      cuts += this->Surface.cut[g];
-      if (this->Surface.twin[g] < 0)
-      {
-        return false;
-      }
-      g = nextHalfedge(this->Surface.twin[g]);
-    } while (g != h);
-    return cuts == 1;
-  };
-  for (int f : this->Faces[region])
+  for (const Face f : this->Faces[region])
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
-      int slit = h;
-      // Every turn removes a cut.
-      while (
-        slit >= 0 && this->Surface.cut[slit] && this->ownerAcross(slit) == region && isEnd(slit))
+      Halfedge slit = h;
+      // The only cut at a vertex is the end of a slit. Every turn removes a cut.
+      while (slit.valid() && this->Surface.cut[slit] && this->ownerAcross(slit) == region &&
+        this->Surface.numberOfCutsAround(slit) == 1)
       {
         this->Surface.setCut(slit, false);
         this->Reshaped[region] = 1;
         // The slit now ends at the head: find the cut there.
-        const int start = nextHalfedge(slit);
-        int g = start;
-        slit = -1;
+        const Halfedge start = nextHalfedge(slit);
+        Halfedge g = start;
+        slit = {};
         do
         {
           if (this->Surface.cut[g])
@@ -164,37 +149,24 @@ void ChartRegions::closeSlits(int region)
 void ChartRegions::splitChords(int region)
 {
   const ChartMesh chart = this->mesh(region);
-  std::vector<char> onBoundary(3 * this->Owner.size(), 0); // by the halfedge that leaves the vertex
-  for (std::size_t i = 0; i < chart.faces.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      onBoundary[3 * chart.faces[i] + k] = chart.onBoundary[chart.triangles[i][k]];
-    }
-  }
+  ElementArray<Halfedge, char> onBoundary(this->Surface.numberOfHalfedges(), 0); // the tail
+  spread(chart, chart.onBoundary, onBoundary);
   // Faces that splits add join the list and are looked at in their turn. That comes to an end: a
   // split puts its point inside, so that each leaves a chord less.
   for (std::size_t i = 0; i < this->Faces[region].size(); ++i)
   {
-    for (int k = 0; k < 3; ++k)
+    for (const Halfedge h : halfedgesOf(this->Faces[region][i]))
     {
-      const int h = 3 * this->Faces[region][i] + k;
       if (this->Surface.cut[h] || !onBoundary[h] || !onBoundary[nextHalfedge(h)])
       {
         continue;
       }
-      const int g = this->Surface.twin[h];
-      const int added = 3 * this->Surface.numberOfFaces();
+      const Halfedge g = this->Surface.twin[h];
+      const Face added(this->Surface.numberOfFaces());
       this->splitEdge(h, 0.5);
-      onBoundary.resize(3 * this->Owner.size(), 0);
-      int to = added;
-      for (int side : { h, g })
-      {
-        onBoundary[to + 1] = onBoundary[nextHalfedge(side)];
-        onBoundary[to + 2] = onBoundary[previousHalfedge(side)];
-        onBoundary[nextHalfedge(side)] = 0;
-        to += 3;
-      }
+      onBoundary.resize(this->Surface.numberOfHalfedges(), 0);
+      followSplit(onBoundary, h, added, char(0));
+      followSplit(onBoundary, g, Face(added.index() + 1), char(0));
     }
   }
 }
@@ -208,9 +180,9 @@ int ChartRegions::divide(int region, const std::vector<char>& side)
   return this->size() - 1;
 }
 
-std::vector<int> ChartRegions::shareOut(int a, int b, const std::vector<char>& side)
+std::vector<Halfedge> ChartRegions::shareOut(int a, int b, const std::vector<char>& side)
 {
-  std::vector<int> all = std::move(this->Faces[a]);
+  std::vector<Face> all = std::move(this->Faces[a]);
   all.insert(all.end(), this->Faces[b].begin(), this->Faces[b].end());
   this->Faces[a].clear();
   this->Faces[b].clear();
@@ -220,10 +192,10 @@ std::vector<int> ChartRegions::shareOut(int a, int b, const std::vector<char>& s
     this->Faces[region].push_back(all[i]);
     this->Owner[all[i]] = region;
   }
-  std::vector<int> opened;
-  for (int f : this->Faces[a])
+  std::vector<Halfedge> opened;
+  for (const Face f : this->Faces[a])
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
       if (!this->Surface.cut[h] && this->ownerAcross(h) == b)
       {
@@ -240,7 +212,7 @@ std::vector<int> ChartRegions::shareOut(int a, int b, const std::vector<char>& s
 void ChartRegions::merge(int a, int b, const SeamArc& seam)
 {
   const auto give = [this](int from, int to) {
-    for (int f : this->Faces[from])
+    for (const Face f : this->Faces[from])
     {
       this->Owner[f] = to;
     }
@@ -248,7 +220,7 @@ void ChartRegions::merge(int a, int b, const SeamArc& seam)
       this->Faces[to].end(), this->Faces[from].begin(), this->Faces[from].end());
     this->Faces[from].clear();
   };
-  for (int h : seam.halfedges)
+  for (const Halfedge h : seam.halfedges)
   {
     this->Surface.setCut(h, false);
   }
@@ -266,22 +238,12 @@ void ChartRegions::merge(int a, int b, const SeamArc& seam)
   this->Splits.pop_back();
 }
 
-int ChartRegions::nextOnBoundary(int h) const
-{
-  int g = nextHalfedge(h);
-  while (!this->Surface.cut[g])
-  {
-    g = nextHalfedge(this->Surface.twin[g]);
-  }
-  return g;
-}
-
 std::vector<SeamArc> ChartRegions::arcs(int a, int b) const
 {
-  std::vector<int> seam;
-  for (int f : this->Faces[a])
+  std::vector<Halfedge> seam;
+  for (const Face f : this->Faces[a])
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
       if (this->Surface.cut[h] && this->ownerAcross(h) == b)
       {
@@ -293,14 +255,14 @@ std::vector<SeamArc> ChartRegions::arcs(int a, int b) const
   // An arc goes on where both regions' boundaries do.
   std::vector<int> after(seam.size(), -1);
   std::vector<char> hasBefore(seam.size(), 0);
-  const auto place = [&](int h) {
+  const auto place = [&](Halfedge h) {
     return static_cast<int>(std::lower_bound(seam.begin(), seam.end(), h) - seam.begin());
   };
   for (std::size_t i = 0; i < seam.size(); ++i)
   {
-    const int next = this->nextOnBoundary(seam[i]);
+    const Halfedge next = this->Surface.nextOnBoundary(seam[i]);
     if (this->ownerAcross(next) == b &&
-      this->nextOnBoundary(this->Surface.twin[next]) == this->Surface.twin[seam[i]])
+      this->Surface.nextOnBoundary(this->Surface.twin[next]) == this->Surface.twin[seam[i]])
     {
       after[i] = place(next);
       hasBefore[after[i]] = 1;
@@ -332,9 +294,9 @@ std::vector<SeamArc> ChartRegions::arcs(int a, int b) const
 std::vector<int> ChartRegions::neighbours(int region) const
 {
   std::set<int> found;
-  for (int f : this->Faces[region])
+  for (const Face f : this->Faces[region])
   {
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
       if (this->Surface.cut[h] && this->ownerAcross(h) >= 0 && this->ownerAcross(h) != region)
       {

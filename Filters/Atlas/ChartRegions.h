@@ -12,7 +12,7 @@ namespace stipple
 /// A seam between two regions: halfedges of the first, in order, each with the second across it.
 struct STIPPLEFILTERSATLAS_EXPORT SeamArc
 {
-  std::vector<int> halfedges;
+  std::vector<Halfedge> halfedges;
   bool closed = false; ///< it is the whole boundary of both regions
 
   double length(const TriangleSurface& surface) const;
@@ -37,12 +37,12 @@ public:
   CutSurface& surface() { return this->Surface; }
   const CutSurface& surface() const { return this->Surface; }
   int size() const { return static_cast<int>(this->Faces.size()); }
-  const std::vector<int>& faces(int region) const { return this->Faces[region]; }
-  int owner(int face) const { return this->Owner[face]; }
+  const std::vector<Face>& faces(int region) const { return this->Faces[region]; }
+  int owner(Face face) const { return this->Owner[face]; }
   /// Region on the other side of a halfedge's edge, -1 beyond the surface's boundary.
-  int ownerAcross(int h) const
+  int ownerAcross(Halfedge h) const
   {
-    return this->Surface.twin[h] < 0 ? -1 : this->Owner[this->Surface.twin[h] / 3];
+    return this->Surface.isBoundary(h) ? -1 : this->Owner[faceOf(this->Surface.twin[h])];
   }
   ChartMesh mesh(int region) const { return extractChart(this->Surface, this->Faces[region]); }
   double area(int region) const;
@@ -54,9 +54,9 @@ public:
   /// head, the corner across.
   struct Split
   {
-    int halfedge;
+    Halfedge halfedge;
     double t;
-    int added;
+    Face added;
   };
   /// Whether a region's extent or cuts changed since its mark was cleared; a new region is marked.
   bool isReshaped(int region) const { return this->Reshaped[region]; }
@@ -69,14 +69,14 @@ public:
   }
 
   /// CutSurface::splitEdge; the halves stay with their triangle's region. Returns the new point.
-  int splitEdge(int h, double t);
+  int splitEdge(Halfedge h, double t);
   /// Cuts an edge inside a region.
-  void cutOpen(int h);
+  void cutOpen(Halfedge h);
   /// Cuts a region open along a path of edges, given by the vertices of the region's mesh. Returns
   /// a halfedge of each.
-  std::vector<int> cutAlong(const ChartMesh& mesh, const std::vector<int>& path);
+  std::vector<Halfedge> cutAlong(const ChartMesh& mesh, const std::vector<int>& path);
   /// Takes cuts inside a region back.
-  void closeCuts(int region, const std::vector<int>& halfedges);
+  void closeCuts(int region, const std::vector<Halfedge>& halfedges);
   /// Removes the cuts into the region that end inside it: they do not make it a disk.
   void closeSlits(int region);
   /// Splits every edge inside the region that joins two of its boundary's vertices: on a convex
@@ -88,14 +88,12 @@ public:
   int divide(int region, const std::vector<char>& side);
   /// Shares the triangles of two regions out anew: side by triangle of faces(a), then of faces(b);
   /// side 0 becomes a. Cuts the edges between them that are not; returns a halfedge of each.
-  std::vector<int> shareOut(int a, int b, const std::vector<char>& side);
+  std::vector<Halfedge> shareOut(int a, int b, const std::vector<char>& side);
 
   /// Gives the triangles of b to a, closes a seam between them, and the last region takes b's
   /// number. Other seams between the two stay cut.
   void merge(int a, int b, const SeamArc& seam);
 
-  /// The halfedge after h on the boundary of h's region.
-  int nextOnBoundary(int h) const;
   /// The seams between two regions, from their smallest halfedge on.
   std::vector<SeamArc> arcs(int a, int b) const;
   /// The regions beside a region, ascending.
@@ -105,8 +103,8 @@ private:
   CutSurface& Surface;
   Stop WantsStop;
   int NumberOfInputTriangles;
-  std::vector<int> Owner;
-  std::vector<std::vector<int>> Faces;
+  ElementArray<Face, int> Owner;
+  std::vector<std::vector<Face>> Faces;
   std::vector<char> Reshaped;
   std::vector<std::vector<Split>> Splits;
 };

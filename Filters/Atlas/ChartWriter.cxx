@@ -238,10 +238,10 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
     for (vtkIdType f = 0; f < cells; ++f)
     {
       const Triangle& t = mesh.triangles[f];
-      cellIds->SetId(f, surface.sourceCell[mesh.faces[f]]);
-      sourceCellId->SetValue(f, surface.sourceCell[mesh.faces[f]]);
+      cellIds->SetId(f, surface.sourceCell[mesh.faces[f].index()]);
+      sourceCellId->SetValue(f, surface.sourceCell[mesh.faces[f].index()]);
       const double plane = 0.5 * orient2(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]);
-      distortion->SetValue(f, surface.faceArea(mesh.faces[f]) / plane);
+      distortion->SetValue(f, map.area[f] / plane);
     }
     for (int i = 0; i < input->GetCellData()->GetNumberOfArrays(); ++i)
     {
@@ -271,8 +271,8 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
 Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
   vtkPoints* points, std::vector<ConstraintPoint>& constraints)
 {
-  std::vector<int> chartOf(surface.triangles.size());
-  std::vector<int> cellOf(surface.triangles.size());
+  ElementArray<Face, int> chartOf(surface.triangles.size());
+  ElementArray<Face, int> cellOf(surface.triangles.size());
   for (std::size_t c = 0; c < flat.size(); ++c)
   {
     for (std::size_t i = 0; i < flat[c].mesh.faces.size(); ++i)
@@ -300,7 +300,7 @@ Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>
     int sub = 0;
     double squared = 0;
     locator->FindClosestPoint(x.data(), c.position.data(), cell, face, sub, squared);
-    const int f = static_cast<int>(face);
+    const Face f(static_cast<int>(face));
     c.bary = clampedBarycentric(barycentricInSpace(
       c.position, surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)));
     c.chart = chartOf[f];

@@ -73,14 +73,15 @@ std::vector<double> areas(const TriangleSurface& surface, const ChartMesh& chart
 {
   std::vector<double> area(chart.faces.size());
   std::transform(chart.faces.begin(), chart.faces.end(), area.begin(),
-    [&](int f) { return surface.faceArea(f); });
+    [&](Face f) { return surface.faceArea(f); });
   return area;
 }
 }
 
 void measureMap(const TriangleSurface& surface, const ChartMesh& chart, ConformalMap& map)
 {
-  const std::vector<double> area = areas(surface, chart);
+  map.area = areas(surface, chart);
+  const std::vector<double>& area = map.area;
   map.valid = isValid(chart, map.uv);
   const std::size_t n = area.size();
   map.density.resize(n);
@@ -98,13 +99,12 @@ void measureMap(const TriangleSurface& surface, const ChartMesh& chart, Conforma
   {
     d *= plane / total;
   }
-  map.densityRatio = densityQuantile(surface, chart, map, NegligibleArea);
+  map.densityRatio = densityQuantile(map, NegligibleArea);
 }
 
-double densityQuantile(
-  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMap& map, double share)
+double densityQuantile(const ConformalMap& map, double share)
 {
-  const std::vector<double> area = areas(surface, chart);
+  const std::vector<double>& area = map.area;
   const double total = std::accumulate(area.begin(), area.end(), 0.);
   std::vector<int> order(area.size());
   std::iota(order.begin(), order.end(), 0);

@@ -24,6 +24,7 @@ struct ConformalMap
   bool valid = false;          ///< every triangle has positive area in the plane
   bool fallback = false;       ///< the cotangent map had flips; positive weights were used instead
   double densityRatio = 0;     ///< 99.9 % of the area has a density up to this multiple of the mean
+  std::vector<double> area;    ///< by chart triangle, on the surface
   std::vector<double> density; ///< by chart triangle, A3D / A2D over the chart's mean
 };
 
@@ -35,10 +36,9 @@ STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(const TriangleSurface& su
   const ChartMesh& chart, const ConformalMapOptions& options, const Stop& stop = {});
 
 /// The density that no more than a share of the chart's area exceeds, over the mean.
-STIPPLEFILTERSATLAS_EXPORT double densityQuantile(
-  const TriangleSurface& surface, const ChartMesh& chart, const ConformalMap& map, double share);
+STIPPLEFILTERSATLAS_EXPORT double densityQuantile(const ConformalMap& map, double share);
 
-/// Measures the map anew: valid, density and densityRatio from uv.
+/// Measures the map anew: valid, area, density and densityRatio from uv.
 STIPPLEFILTERSATLAS_EXPORT void measureMap(
   const TriangleSurface& surface, const ChartMesh& chart, ConformalMap& map);
 }

@@ -3,6 +3,7 @@
 #include "CreasePatches.h"
 
 #include "ConformalMap.h"
+#include "FaceSets.h"
 #include "ShortestPaths.h"
 
 #include <algorithm>
@@ -14,70 +15,33 @@ namespace stipple
 {
 namespace
 {
-/// Sets of triangles that are connected across some edges, numbered by their first triangle.
-template <typename IsOpen>
-std::vector<int> connectedSets(const CutSurface& surface, const IsOpen& isOpen)
-{
-  std::vector<int> set(surface.triangles.size(), -1);
-  std::vector<int> faces;
-  int sets = 0;
-  for (int start = 0; start < surface.numberOfFaces(); ++start)
-  {
-    if (set[start] >= 0)
-    {
-      continue;
-    }
-    set[start] = sets;
-    faces = { start };
-    while (!faces.empty())
-    {
-      const int f = faces.back();
-      faces.pop_back();
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const int g = surface.twin[h];
-        if (g >= 0 && isOpen(h) && set[g / 3] < 0)
-        {
-          set[g / 3] = sets;
-          faces.push_back(g / 3);
-        }
-      }
-    }
-    ++sets;
-  }
-  return set;
-}
-
 /// The patches, the negligible ones joined to their neighbours.
 class Patches
 {
 public:
   explicit Patches(const CutSurface& surface)
-    : OfFace(connectedSets(surface, [&](int h) { return !surface.sharp[h]; }))
+    : Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
+    , Joined(this->Sets.number)
+    , Area(this->Sets.number, 0.)
+    , LeastArea(this->Sets.number, 0.)
+    , Beside(this->Sets.number)
   {
-    const std::vector<int> component = connectedSets(surface, [](int) { return true; });
-    const std::size_t n =
-      this->OfFace.empty() ? 0 : *std::max_element(this->OfFace.begin(), this->OfFace.end()) + 1;
-    this->Joined.resize(n);
+    const FaceSets components(surface, [](Halfedge) { return true; });
     std::iota(this->Joined.begin(), this->Joined.end(), 0);
-    this->Area.resize(n, 0.);
-    this->LeastArea.resize(n, 0.);
-    this->Beside.resize(n);
-    std::vector<double> whole(n, 0.); // by component: there are not more of them than patches
-    for (int f = 0; f < surface.numberOfFaces(); ++f)
+    std::vector<double> whole(components.number, 0.);
+    for (const Face f : surface.faces())
     {
       const double area = surface.faceArea(f);
-      this->Area[this->OfFace[f]] += area;
-      whole[component[f]] += area;
+      this->Area[this->Sets.of[f]] += area;
+      whole[components.of[f]] += area;
     }
-    for (int f = 0; f < surface.numberOfFaces(); ++f)
+    for (const Face f : surface.faces())
     {
-      const int patch = this->OfFace[f];
-      this->LeastArea[patch] = NegligibleArea * whole[component[f]];
-      for (const Halfedge h : halfedgesOf(Face(f)))
+      const int patch = this->Sets.of[f];
+      this->LeastArea[patch] = NegligibleArea * whole[components.of[f]];
+      for (const Halfedge h : halfedgesOf(f))
       {
-        const int across =
-          surface.isBoundary(h) ? patch : this->OfFace[surface.twin[h].index() / 3];
+        const int across = surface.isBoundary(h) ? patch : this->Sets.of[faceOf(surface.twin[h])];
         if (across != patch)
         {
           this->Beside[patch][across] += surface.edgeLength(h);
@@ -87,7 +51,7 @@ public:
     this->joinNegligible();
   }
 
-  int operator()(int face) const { return this->find(this->OfFace[face]); }
+  int operator()(Face face) const { return this->find(this->Sets.of[face]); }
 
 private:
   int find(int patch) const
@@ -134,7 +98,7 @@ private:
     }
   }
 
-  std::vector<int> OfFace;
+  FaceSets Sets;
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
@@ -145,9 +109,9 @@ private:
 void cutAlongCreases(CutSurface& surface)
 {
   const Patches patch(surface);
-  for (int h = 0; h < surface.numberOfHalfedges(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    if (!surface.isBoundary(h) && patch(surface.twin[h] / 3) != patch(h / 3))
+    if (!surface.isBoundary(h) && patch(faceOf(surface.twin[h])) != patch(faceOf(h)))
     {
       surface.setCut(h, true);
     }
@@ -181,10 +145,10 @@ bool isNearlyDevelopable(const TriangleSurface& surface, const ChartMesh& chart)
   return 2 * Pi + negative <= MostSquaredStretch * (2 * Pi - positive);
 }
 
-std::vector<int> joinLoops(ChartRegions& regions, int region)
+std::vector<Halfedge> joinLoops(ChartRegions& regions, int region)
 {
   // It ends: a path from a loop to the nearest point of the others makes one of two.
-  std::vector<int> opened;
+  std::vector<Halfedge> opened;
   ChartMesh mesh = regions.mesh(region);
   while (mesh.boundaryLoops > 1 && !regions.isStopped())
   {
@@ -204,7 +168,7 @@ std::vector<int> joinLoops(ChartRegions& regions, int region)
         nearest = v;
       }
     }
-    const std::vector<int> cuts = regions.cutAlong(mesh, toFirst.path(nearest));
+    const std::vector<Halfedge> cuts = regions.cutAlong(mesh, toFirst.path(nearest));
     opened.insert(opened.end(), cuts.begin(), cuts.end());
     mesh = regions.mesh(region);
   }

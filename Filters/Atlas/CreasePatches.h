@@ -21,7 +21,7 @@ STIPPLEFILTERSATLAS_EXPORT bool isNearlyDevelopable(
 
 /// Cuts a region open from hole to hole along shortest edge paths, until it has one boundary loop.
 /// Returns a halfedge of each edge.
-STIPPLEFILTERSATLAS_EXPORT std::vector<int> joinLoops(ChartRegions& regions, int region);
+STIPPLEFILTERSATLAS_EXPORT std::vector<Halfedge> joinLoops(ChartRegions& regions, int region);
 }
 
 #endif

@@ -17,9 +17,9 @@ Curvature computeCurvature(const TriangleSurface& surface)
   std::vector<Vec3> meanNormal(n, Vec3::Zero());
   std::vector<Vec3> normal(n, Vec3::Zero());
   std::vector<char> onBoundary(n, 0);
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  for (const Face f : surface.faces())
   {
-    const Triangle& t = surface.triangles[f];
+    const Triangle& t = surface.triangle(f);
     const double area = surface.faceArea(f);
     const Vec3 faceNormal = surface.faceNormal(f);
     std::array<double, 3> cot;
@@ -29,8 +29,8 @@ Curvature computeCurvature(const TriangleSurface& surface)
     for (int k = 0; k < 3; ++k)
     {
       const Vec3& a = surface.point(f, k);
-      const Vec3& b = surface.point(f, (k + 1) % 3);
-      const Vec3& c = surface.point(f, (k + 2) % 3);
+      const Vec3& b = surface.point(f, nextCorner(k));
+      const Vec3& c = surface.point(f, previousCorner(k));
       cot[k] = cotangent(a, b, c, 1e3);
       angle[k] = std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
       squared[k] = (c - b).squaredNorm();
@@ -38,15 +38,15 @@ Curvature computeCurvature(const TriangleSurface& surface)
       {
         obtuse = k;
       }
-      if (surface.twin[3 * f + k] < 0)
+      if (surface.isBoundary(halfedgeOf(f, k)))
       {
-        onBoundary[t[k]] = onBoundary[t[(k + 1) % 3]] = 1;
+        onBoundary[t[k]] = onBoundary[t[nextCorner(k)]] = 1;
       }
     }
     for (int k = 0; k < 3; ++k)
     {
-      const int i = (k + 1) % 3;
-      const int j = (k + 2) % 3;
+      const int i = nextCorner(k);
+      const int j = previousCorner(k);
       result.gaussian[t[k]] -= angle[k];
       normal[t[k]] += angle[k] * faceNormal;
       // Voronoi area inside the triangle, or the safe share if the triangle is obtuse.
@@ -70,10 +70,10 @@ Curvature computeCurvature(const TriangleSurface& surface)
   }
   std::vector<double> sum(n, 0.);
   std::vector<int> count(n, 0);
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    const int a = surface.tail(h);
-    const int b = surface.head(h);
+    const int a = surface.tail(h).index();
+    const int b = surface.head(h).index();
     if (onBoundary[a] && !onBoundary[b])
     {
       sum[a] += result.mean[b];

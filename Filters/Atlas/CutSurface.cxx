@@ -14,90 +14,116 @@ CutSurface::CutSurface(TriangleSurface surface, std::vector<int> sourceCells)
   this->cut.assign(this->twin.size(), 0);
   this->sharp.assign(this->twin.size(), 0);
   this->keep.assign(this->twin.size(), Keep::Nothing);
-  for (std::size_t h = 0; h < this->twin.size(); ++h)
+  for (const Halfedge h : this->halfedges())
   {
-    this->cut[h] = this->twin[h] < 0;
+    this->cut[h] = this->isBoundary(h);
   }
 }
 
-void CutSurface::setCut(int h, bool isCut)
+void CutSurface::setCut(Halfedge h, bool isCut)
 {
-  const int t = this->twin[h];
-  this->cut[h] = isCut || t < 0;
-  if (t >= 0)
+  this->cut[h] = isCut || this->isBoundary(h);
+  if (!this->isBoundary(h))
   {
-    this->cut[t] = isCut;
+    this->cut[this->twin[h]] = isCut;
   }
 }
 
-void CutSurface::setSharp(int h, bool isSharp)
+void CutSurface::setSharp(Halfedge h, bool isSharp)
 {
   this->sharp[h] = isSharp;
-  if (this->twin[h] >= 0)
+  if (!this->isBoundary(h))
   {
     this->sharp[this->twin[h]] = isSharp;
   }
 }
 
-void CutSurface::setKeep(int h, Keep least)
+void CutSurface::setKeep(Halfedge h, Keep least)
 {
   this->keep[h] = std::max(this->keep[h], least);
-  if (this->twin[h] >= 0)
+  if (this->twin[h].valid())
   {
     this->keep[this->twin[h]] = this->keep[h];
   }
 }
 
-void CutSurface::link(int h, int t)
+void CutSurface::link(Halfedge h, Halfedge t)
 {
   this->twin[h] = t;
-  if (t >= 0)
+  if (t.valid())
   {
     this->twin[t] = h;
   }
 }
 
-int CutSurface::splitEdge(int h, double t)
+Halfedge CutSurface::nextOnBoundary(Halfedge h) const
 {
-  const int a = this->tail(h);
-  const int b = this->head(h);
+  Halfedge g = nextHalfedge(h);
+  while (!this->cut[g])
+  {
+    g = nextHalfedge(this->twin[g]);
+  }
+  return g;
+}
+
+int CutSurface::numberOfCutsAround(Halfedge h) const
+{
+  int cuts = 0;
+  Halfedge g = h;
+  do
+  {
+    cuts += this->cut[g];
+    if (this->isBoundary(g))
+    {
+      return cuts + 1;
+    }
+    g = nextHalfedge(this->twin[g]);
+  } while (g != h);
+  return cuts;
+}
+
+int CutSurface::splitEdge(Halfedge h, double t)
+{
+  const int a = this->tail(h).index();
+  const int b = this->head(h).index();
   const int m = static_cast<int>(this->points.size());
   this->points.push_back(Vec3((1 - t) * this->points[a] + t * this->points[b]));
   this->inserted.push_back({ a, b, t });
 
   // On each side the triangle keeps the half that begins at its halfedge's tail; the other half is
   // new.
-  const auto splitSide = [&](int g) {
-    const int f = g / 3;
-    const int k = g % 3;
-    const int n = nextHalfedge(g);
-    const int apex = this->triangles[f][(k + 2) % 3];
-    const int added = 3 * this->numberOfFaces();
-    this->triangles.push_back({ m, this->triangles[f][(k + 1) % 3], apex });
-    this->triangles[f][(k + 1) % 3] = m;
-    this->sourceCell.push_back(int(this->sourceCell[f]));
-    this->twin.resize(added + 3);
-    this->cut.resize(added + 3, 0);
-    this->sharp.resize(added + 3, 0);
-    this->keep.resize(added + 3, Keep::Nothing);
-    this->cut[added] = this->cut[g];
-    this->sharp[added] = this->sharp[g];
-    this->keep[added] = this->keep[g];
-    this->link(added + 1, this->twin[n]);
-    this->cut[added + 1] = this->cut[n];
-    this->sharp[added + 1] = this->sharp[n];
-    this->keep[added + 1] = this->keep[n];
-    this->link(added + 2, n);
+  const auto splitSide = [&](Halfedge g) {
+    const Face f = faceOf(g);
+    const Halfedge n = nextHalfedge(g);
+    const Face added(this->numberOfFaces());
+    this->triangles.push_back(
+      { m, this->head(g).index(), this->tail(previousHalfedge(g)).index() });
+    this->triangles[f.index()][cornerOf(n)] = m;
+    this->sourceCell.push_back(int(this->sourceCell[f.index()]));
+    this->twin.resize(this->numberOfHalfedges());
+    this->cut.resize(this->numberOfHalfedges(), 0);
+    this->sharp.resize(this->numberOfHalfedges(), 0);
+    this->keep.resize(this->numberOfHalfedges(), Keep::Nothing);
+    const Halfedge along = halfedgeOf(added, 0);
+    const Halfedge outside = halfedgeOf(added, 1);
+    this->cut[along] = this->cut[g];
+    this->sharp[along] = this->sharp[g];
+    this->keep[along] = this->keep[g];
+    this->link(outside, this->twin[n]);
+    this->cut[outside] = this->cut[n];
+    this->sharp[outside] = this->sharp[n];
+    this->keep[outside] = this->keep[n];
+    this->link(halfedgeOf(added, 2), n);
     this->cut[n] = 0;
     this->sharp[n] = 0;
     this->keep[n] = Keep::Nothing;
-    return added;
+    return along;
   };
-  const int g = this->twin[h];
-  const int h2 = splitSide(h); // m -> b
-  if (g >= 0)
+  const Halfedge g = this->twin[h];
+  const Halfedge h2 = splitSide(h); // m -> b
+  if (g.valid())
   {
-    const int g2 = splitSide(g); // m -> a
+    const Halfedge g2 = splitSide(g); // m -> a
     this->link(h, g2);
     this->link(g, h2);
   }

@@ -20,9 +20,9 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
     int b;
     double t;
   };
-  std::vector<char> cut;   ///< by halfedge, equal on twins; boundary edges are always cut
-  std::vector<char> sharp; ///< by halfedge, equal on twins
-  std::vector<Keep> keep;  ///< by halfedge, equal on twins: of edges that users name
+  ElementArray<Halfedge, char> cut; ///< by halfedge, equal on twins; boundary edges are always cut
+  ElementArray<Halfedge, char> sharp; ///< by halfedge, equal on twins
+  ElementArray<Halfedge, Keep> keep;  ///< by halfedge, equal on twins: of edges that users name
   std::vector<int> sourceCell;
   int numberOfOriginalPoints = 0;
   std::vector<EdgePoint> inserted; ///< of point numberOfOriginalPoints + i
@@ -30,21 +30,35 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   CutSurface() = default;
   CutSurface(TriangleSurface surface, std::vector<int> sourceCells);
 
-  void setCut(int h, bool isCut);
-  void setSharp(int h, bool isSharp);
+  void setCut(Halfedge h, bool isCut);
+  void setSharp(Halfedge h, bool isSharp);
   /// The edge is a feature that is to be kept so far at least.
-  void setKeep(int h, Keep least);
-  bool isFeature(int h) const { return this->sharp[h] != 0 || this->keep[h] != Keep::Nothing; }
-  using TriangleSurface::isBoundary;
-  bool isBoundary(int h) const { return this->twin[h] < 0; }
+  void setKeep(Halfedge h, Keep least);
+  bool isFeature(Halfedge h) const { return this->sharp[h] != 0 || this->keep[h] != Keep::Nothing; }
 
   /// Splits the edge of h at tail + t (head - tail); returns the new point. New triangles are
   /// appended and inherit source cell and marks; halfedge h then ends at the new point.
-  int splitEdge(int h, double t);
+  int splitEdge(Halfedge h, double t);
+
+  /// The halfedge after h on the boundary of h's chart.
+  Halfedge nextOnBoundary(Halfedge h) const;
+  /// Cuts around the tail of h, two or more at the surface's boundary.
+  int numberOfCutsAround(Halfedge h) const;
 
 private:
-  void link(int h, int t);
+  void link(Halfedge h, Halfedge t);
 };
+
+/// Carries a value at halfedges' tails over a split of the edge of h: h ends at the new point,
+/// which `added`, the half that was cut off, leaves.
+template <typename T>
+void followSplit(ElementArray<Halfedge, T>& at, Halfedge h, Face added, const T& atNewPoint)
+{
+  at[halfedgeOf(added, 0)] = atNewPoint;
+  at[halfedgeOf(added, 1)] = at[nextHalfedge(h)];
+  at[halfedgeOf(added, 2)] = at[previousHalfedge(h)];
+  at[nextHalfedge(h)] = atNewPoint;
+}
 }
 
 #endif

@@ -4,10 +4,11 @@
 
 #include "ShortestPaths.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace stipple
 {
@@ -17,29 +18,19 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The densest triangles of the connected parts of the chart that are denser than the bound: of the
 /// largest parts, as many as hold all but a sliver of the area that is too dense. Largest first.
-std::vector<int> densestTriangles(
-  const TriangleSurface& surface, const FlatChart& chart, double bound)
+std::vector<int> densestTriangles(const FlatChart& chart, double bound)
 {
   constexpr double sliver = 5e-4; // of the chart's area; the bound leaves 1e-3 out of account
   const ChartMesh& mesh = chart.mesh;
   const std::vector<double>& density = chart.map.density;
-  std::vector<int> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v)
-    {
-      parent[v] = parent[parent[v]];
-      v = parent[v];
-    }
-    return v;
-  };
+  boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());
   const int n = static_cast<int>(mesh.triangles.size());
   for (int i = 0; i < n; ++i)
   {
     if (density[i] > bound)
     {
-      parent[root(mesh.triangles[i][0])] = root(mesh.triangles[i][1]);
-      parent[root(mesh.triangles[i][1])] = root(mesh.triangles[i][2]);
+      sets.union_set(mesh.triangles[i][0], mesh.triangles[i][1]);
+      sets.union_set(mesh.triangles[i][1], mesh.triangles[i][2]);
     }
   }
   struct Part
@@ -52,12 +43,12 @@ std::vector<int> densestTriangles(
   double dense = 0;
   for (int i = 0; i < n; ++i)
   {
-    const double area = surface.faceArea(mesh.faces[i]);
+    const double area = chart.map.area[i];
     total += area;
     if (density[i] > bound)
     {
       dense += area;
-      Part& part = parts[root(mesh.triangles[i][0])];
+      Part& part = parts[sets.find_set(mesh.triangles[i][0])];
       part.area += area;
       if (part.densest < 0 || density[i] > density[part.densest])
       {
@@ -91,30 +82,24 @@ public:
     : Regions(regions)
     , Region(region)
     , Surface(regions.surface())
-    , UV(3 * regions.surface().triangles.size(), Vec2::Zero())
+    , UV(regions.surface().numberOfHalfedges(), Vec2::Zero())
   {
-    for (std::size_t i = 0; i < chart.mesh.faces.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        this->UV[3 * chart.mesh.faces[i] + k] = chart.map.uv[chart.mesh.triangles[i][k]];
-      }
-    }
+    spread(chart.mesh, chart.map.uv, this->UV);
   }
 
   /// Cuts along a path from inside the chart to its boundary, or to the next cut, with as few
   /// straight lines as are not much longer than the path. False if the path starts on a cut.
   bool cut(const FlatChart& chart, const ShortestPaths& paths, const std::vector<int>& path)
   {
-    int h = this->halfedgeFrom(chart.mesh.vertices[path.front()]);
-    if (this->numberOfCutsAround(h) > 0)
+    Halfedge h = this->halfedgeFrom(chart.mesh.vertices[path.front()]);
+    if (this->Surface.numberOfCutsAround(h) > 0)
     {
       return false;
     }
     constexpr double longest = 1.1; // times the path
     std::size_t from = 0;
     // A line ends at a later vertex of the path than the one before, at the next one at the latest.
-    while (h >= 0 && from + 1 < path.size())
+    while (h.valid() && from + 1 < path.size())
     {
       std::size_t to = path.size() - 1;
       while (to > from + 1 &&
@@ -131,51 +116,51 @@ public:
 
 private:
   /// A halfedge of the region that leaves a point.
-  int halfedgeFrom(int point) const
+  Halfedge halfedgeFrom(int point) const
   {
-    for (int f : this->Regions.faces(this->Region))
+    for (const Face f : this->Regions.faces(this->Region))
     {
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      for (const Halfedge h : halfedgesOf(f))
       {
-        if (this->Surface.tail(h) == point)
+        if (this->Surface.tail(h).index() == point)
         {
           return h;
         }
       }
     }
-    return -1;
+    return {};
   }
 
-  /// Cuts from the tail of h straight to a vertex. Returns a halfedge from there, or -1 if it ran
-  /// into another cut.
-  int cutLine(int h, const Vec2& target, int point)
+  /// Cuts from the tail of h straight to a vertex. Returns a halfedge from there, or none if it
+  /// ran into another cut.
+  Halfedge cutLine(Halfedge h, const Vec2& target, int point)
   {
     // A straight line crosses a triangle once, and each step crosses one; steps beyond that are
     // rounding's, in triangles next to without area.
-    for (int left = this->Surface.numberOfFaces(); left > 0 && h >= 0; --left)
+    for (int left = this->Surface.numberOfFaces(); left > 0 && h.valid(); --left)
     {
       h = this->step(h, target);
-      if (h < 0 || this->numberOfCutsAround(h) != 1)
+      if (!h.valid() || this->Surface.numberOfCutsAround(h) != 1)
       {
-        return -1;
+        return {};
       }
-      if (this->Surface.tail(h) == point)
+      if (this->Surface.tail(h).index() == point)
       {
         return h;
       }
     }
-    return -1;
+    return {};
   }
 
   /// Length in space of the straight line of the plane from the tail of h to a target, as far as
   /// the next cut.
-  double lineLength(int h, const Vec2& target) const
+  double lineLength(Halfedge h, const Vec2& target) const
   {
-    const int first = this->towards(h, target);
+    const Halfedge first = this->towards(h, target);
     const Vec2 start = this->UV[first];
-    Vec3 last = this->Surface.points[this->Surface.tail(first)];
+    Vec3 last = this->Surface.point(this->Surface.tail(first));
     double length = 0;
-    int e = nextHalfedge(first); // the edge that the line leaves the triangle by
+    Halfedge e = nextHalfedge(first); // the edge that the line leaves the triangle by
     for (int left = this->Surface.numberOfFaces(); left > 0; --left) // it crosses each once
     {
       const Vec2& a = this->UV[e];
@@ -184,45 +169,28 @@ private:
       const double toA = orient2(start, a, target);
       const double toB = orient2(start, target, b);
       const double t = toA + toB > 0 ? std::clamp(toA / (toA + toB), 0., 1.) : 0.5;
-      const Vec3 there = (1 - t) * this->Surface.points[this->Surface.tail(e)] +
-        t * this->Surface.points[this->Surface.head(e)];
+      const Vec3 there = (1 - t) * this->Surface.point(this->Surface.tail(e)) +
+        t * this->Surface.point(this->Surface.head(e));
       length += (there - last).norm();
       last = there;
       if (inside || this->Surface.cut[e])
       {
         return length;
       }
-      const int across = this->Surface.twin[e]; // from b to a
+      const Halfedge across = this->Surface.twin[e]; // from b to a
       const Vec2& apex = this->UV[previousHalfedge(across)];
       e = orient2(start, target, apex) > 0 ? nextHalfedge(across) : previousHalfedge(across);
     }
     return Infinity;
   }
 
-  /// Cuts around the tail of h.
-  int numberOfCutsAround(int h) const
-  {
-    int cuts = 0;
-    int g = h;
-    do
-    {
-      cuts += this->Surface.cut[g];
-      if (this->Surface.twin[g] < 0)
-      {
-        return cuts + 1;
-      }
-      g = nextHalfedge(this->Surface.twin[g]);
-    } while (g != h);
-    return cuts;
-  }
-
   /// The triangle around the tail of h that the line to the target runs through, as the halfedge
   /// with that tail.
-  int towards(int h, const Vec2& target) const
+  Halfedge towards(Halfedge h, const Vec2& target) const
   {
-    int best = -1;
+    Halfedge best;
     double bestMargin = -Infinity;
-    int g = h;
+    Halfedge g = h;
     do
     {
       const Vec2 a = this->UV[nextHalfedge(g)] - this->UV[g];
@@ -239,12 +207,12 @@ private:
     return best;
   }
 
-  /// Cuts through one triangle; returns a halfedge from where the cut has got to, -1 if the line
-  /// runs along a cut.
-  int step(int h, const Vec2& target)
+  /// Cuts through one triangle; returns a halfedge from where the cut has got to, none if the
+  /// line runs along a cut.
+  Halfedge step(Halfedge h, const Vec2& target)
   {
     constexpr double nearest = 0.05; // of an edge's length: closer to a vertex the cut goes there
-    const int g = this->towards(h, target);
+    const Halfedge g = this->towards(h, target);
     const Vec2& p = this->UV[g];
     const Vec2& a = this->UV[nextHalfedge(g)];
     const Vec2& b = this->UV[previousHalfedge(g)];
@@ -253,48 +221,41 @@ private:
     const double t = toA + toB > 0 ? toA / (toA + toB) : 0.;
     if (t < nearest || t > 1 - nearest)
     {
-      const int along = t < nearest ? g : previousHalfedge(g);
+      const Halfedge along = t < nearest ? g : previousHalfedge(g);
       if (this->Surface.cut[along])
       {
-        return -1;
+        return {};
       }
       this->Regions.cutOpen(along);
       return t < nearest ? nextHalfedge(g) : along;
     }
-    const int across = nextHalfedge(g);
+    const Halfedge across = nextHalfedge(g);
     this->split(across, t);
     this->Regions.cutOpen(nextHalfedge(across));
     return nextHalfedge(across);
   }
 
-  void split(int h, double t)
+  void split(Halfedge h, double t)
   {
-    const int g = this->Surface.twin[h];
-    int added = 3 * this->Surface.numberOfFaces();
+    const Halfedge g = this->Surface.twin[h];
+    const Face added(this->Surface.numberOfFaces());
     this->Regions.splitEdge(h, t);
-    this->UV.resize(3 * this->Surface.triangles.size(), Vec2::Zero());
-    for (int side : { h, g })
+    this->UV.resize(this->Surface.numberOfHalfedges(), Vec2::Zero());
+    const auto follow = [&](Halfedge side, Face half, double there) {
+      const Vec2 middle = (1 - there) * this->UV[side] + there * this->UV[nextHalfedge(side)];
+      followSplit(this->UV, side, half, middle);
+    };
+    follow(h, added, t);
+    if (g.valid())
     {
-      if (side < 0)
-      {
-        continue;
-      }
-      const double there = side == h ? t : 1 - t;
-      const Vec2 tail = this->UV[side];
-      const Vec2 head = this->UV[nextHalfedge(side)];
-      const Vec2 middle = (1 - there) * tail + there * head;
-      this->UV[added] = middle;
-      this->UV[added + 1] = head;
-      this->UV[added + 2] = this->UV[previousHalfedge(side)];
-      this->UV[nextHalfedge(side)] = middle;
-      added += 3;
+      follow(g, Face(added.index() + 1), 1 - t);
     }
   }
 
   ChartRegions& Regions;
   int Region;
   CutSurface& Surface;
-  std::vector<Vec2> UV; // by halfedge, of its tail
+  ElementArray<Halfedge, Vec2> UV; // of its tail
 };
 }
 
@@ -308,7 +269,7 @@ bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart,
   ShortestPaths toCuts = toBoundary;
   StraightCuts cuts(regions, region, chart);
   bool changed = false;
-  for (int i : densestTriangles(regions.surface(), chart, bound))
+  for (int i : densestTriangles(chart, bound))
   {
     if (regions.isStopped())
     {

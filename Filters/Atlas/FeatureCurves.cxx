@@ -31,9 +31,9 @@ public:
   {
     this->Locator->SetDataSet(this->Whole);
     this->Locator->BuildLocator();
-    for (std::size_t f = 0; f < this->InputTriangle.size(); ++f)
+    for (const Face f : surface.faces())
     {
-      this->InputTriangle[f] = static_cast<int>(f);
+      this->InputTriangle[f] = f;
     }
   }
 
@@ -46,12 +46,12 @@ public:
     double squared = 0;
     this->Locator->FindClosestPoint(x.data(), place.data(), this->Cell, found, sub, squared);
     // The piece of that triangle, which splits may have cut up, that has the place most inside.
-    int face = static_cast<int>(found);
+    Face face(static_cast<int>(found));
     Vec3 bary = this->barycentricIn(face, place);
     const auto pieces = this->Pieces.find(face);
     if (pieces != this->Pieces.end())
     {
-      for (int piece : pieces->second)
+      for (const Face piece : pieces->second)
       {
         const Vec3 inPiece = this->barycentricIn(piece, place);
         if (inPiece.minCoeff() > bary.minCoeff())
@@ -66,21 +66,20 @@ public:
     const double largest = bary.maxCoeff(&top);
     if (largest > 1 - Nearest)
     {
-      return this->Surface.triangles[face][top];
+      return this->Surface.vertex(face, top).index();
     }
     // Split the edge across from the corner that counts most, then the edge from there to it.
-    const int across = nextHalfedge(3 * face + top);
+    const Halfedge across = halfedgeOf(face, nextCorner(top));
     const double rest = 1 - largest;
-    const double t = std::clamp(bary[(top + 2) % 3] / rest, 0., 1.);
+    const double t = std::clamp(bary[previousCorner(top)] / rest, 0., 1.);
     int low = 0;
     const double least = bary.minCoeff(&low);
     if (least < Nearest && low != top)
     {
       // On an edge of the triangle, next to the top corner.
-      const int edge = low == (top + 1) % 3 ? 3 * face + (top + 2) % 3 : 3 * face + top;
-      const int tail = edge % 3;
-      const int head = (tail + 1) % 3;
-      return this->split(edge, bary[head] / (bary[tail] + bary[head]));
+      const int tail = low == nextCorner(top) ? previousCorner(top) : top;
+      const int head = nextCorner(tail);
+      return this->split(halfedgeOf(face, tail), bary[head] / (bary[tail] + bary[head]));
     }
     this->split(across, t);
     // The face now has the corners tail of across, new point, top.
@@ -102,19 +101,19 @@ public:
         return false;
       }
       const double left = (this->Surface.points[to] - this->Surface.points[at]).norm();
-      int best = -1; // an edge that the plane crosses, or one that ends on the plane
+      Halfedge best; // an edge that the plane crosses, or one that ends on the plane
       double bestLeft = left;
       double bestT = 0;
-      for (int h : this->outgoing(at))
+      for (const Halfedge h : this->outgoing(at))
       {
-        if (this->Surface.head(h) == to)
+        if (this->Surface.head(h).index() == to)
         {
           this->mark(h);
           return true;
         }
-        const int e = nextHalfedge(h);
-        const Vec3& a = this->Surface.points[this->Surface.tail(e)];
-        const Vec3& b = this->Surface.points[this->Surface.head(e)];
+        const Halfedge e = nextHalfedge(h);
+        const Vec3& a = this->Surface.point(this->Surface.tail(e));
+        const Vec3& b = this->Surface.point(this->Surface.head(e));
         const double da = side.dot(a - this->Surface.points[from]);
         const double db = side.dot(b - this->Surface.points[from]);
         if (da * db > 0 || da == db)
@@ -131,21 +130,21 @@ public:
           bestT = t;
         }
       }
-      if (best < 0)
+      if (!best.valid())
       {
         // The target may be reached by the last boundary edge, which no outgoing halfedge has.
-        const int against = this->incomingFrom(at, to);
-        if (against >= 0)
+        const Halfedge against = this->incomingFrom(at, to);
+        if (against.valid())
         {
           this->mark(against);
         }
-        return against >= 0;
+        return against.valid();
       }
       if (bestT < Nearest || bestT > 1 - Nearest)
       {
-        const int along = bestT < Nearest ? previousHalfedge(best) : nextHalfedge(best);
+        const Halfedge along = bestT < Nearest ? previousHalfedge(best) : nextHalfedge(best);
         this->mark(along);
-        at = bestT < Nearest ? this->Surface.tail(best) : this->Surface.head(best);
+        at = (bestT < Nearest ? this->Surface.tail(best) : this->Surface.head(best)).index();
         continue;
       }
       at = this->split(best, bestT);
@@ -155,7 +154,7 @@ public:
   }
 
 private:
-  void mark(int h)
+  void mark(Halfedge h)
   {
     this->Surface.setSharp(h, true);
     this->Surface.setKeep(h, Keep::Line);
@@ -163,27 +162,27 @@ private:
 
   static constexpr double Nearest = 1e-3; // of an edge: closer to a vertex is at the vertex
 
-  Vec3 barycentricIn(int face, const Vec3& x) const
+  Vec3 barycentricIn(Face face, const Vec3& x) const
   {
     return barycentricInSpace(
       x, this->Surface.point(face, 0), this->Surface.point(face, 1), this->Surface.point(face, 2));
   }
 
   /// Halfedges that leave a vertex.
-  std::vector<int> outgoing(int vertex) const
+  std::vector<Halfedge> outgoing(int vertex) const
   {
-    const int first = this->Outgoing[vertex];
-    std::vector<int> around;
-    int h = first;
+    const Halfedge first = this->Outgoing[Vertex(vertex)];
+    std::vector<Halfedge> around;
+    Halfedge h = first;
     do // clockwise, as far as the boundary
     {
       around.push_back(h);
-      h = this->Surface.twin[h] < 0 ? -1 : nextHalfedge(this->Surface.twin[h]);
-    } while (h >= 0 && h != first);
-    if (h < 0)
+      h = this->Surface.isBoundary(h) ? Halfedge() : nextHalfedge(this->Surface.twin[h]);
+    } while (h.valid() && h != first);
+    if (!h.valid())
     {
       h = this->Surface.twin[previousHalfedge(first)];
-      while (h >= 0)
+      while (h.valid())
       {
         around.push_back(h);
         h = this->Surface.twin[previousHalfedge(h)];
@@ -192,48 +191,48 @@ private:
     return around;
   }
 
-  /// The halfedge from one vertex that arrives at another, -1 if there is none.
-  int incomingFrom(int vertex, int from) const
+  /// The halfedge from one vertex that arrives at another, none if there is none.
+  Halfedge incomingFrom(int vertex, int from) const
   {
-    for (int h : this->outgoing(vertex))
+    for (const Halfedge h : this->outgoing(vertex))
     {
-      if (this->Surface.tail(previousHalfedge(h)) == from)
+      if (this->Surface.tail(previousHalfedge(h)).index() == from)
       {
         return previousHalfedge(h);
       }
     }
-    return -1;
+    return {};
   }
 
   Vec3 vertexNormal(int vertex) const
   {
     Vec3 sum = Vec3::Zero();
-    for (int h : this->outgoing(vertex))
+    for (const Halfedge h : this->outgoing(vertex))
     {
-      sum += this->Surface.faceNormal(h / 3);
+      sum += this->Surface.faceNormal(faceOf(h));
     }
     return sum.normalized();
   }
 
-  int split(int h, double t)
+  int split(Halfedge h, double t)
   {
-    const int g = this->Surface.twin[h];
-    const int added = 3 * this->Surface.numberOfFaces();
-    const int tail = this->Surface.tail(h);
-    const int head = this->Surface.head(h);
+    const Halfedge g = this->Surface.twin[h];
+    const Face added(this->Surface.numberOfFaces());
+    const Vertex tail = this->Surface.tail(h);
+    const Vertex head = this->Surface.head(h);
     const int point = this->Surface.splitEdge(h, t);
-    this->Outgoing.push_back(Halfedge(added)); // to the head
+    this->Outgoing.push_back(halfedgeOf(added, 0)); // to the head
     this->Outgoing[tail] = h;
-    this->Outgoing[head] = added + 1;
-    const auto adopt = [&](int parent) {
-      const int input = this->InputTriangle[parent];
-      this->Pieces[input].push_back(static_cast<int>(this->InputTriangle.size()));
+    this->Outgoing[head] = halfedgeOf(added, 1);
+    const auto adopt = [&](Face parent) {
+      const Face input = this->InputTriangle[parent];
+      this->Pieces[input].emplace_back(static_cast<int>(this->InputTriangle.size()));
       this->InputTriangle.push_back(input);
     };
-    adopt(h / 3);
-    if (g >= 0)
+    adopt(faceOf(h));
+    if (g.valid())
     {
-      adopt(g / 3);
+      adopt(faceOf(g));
     }
     return point;
   }
@@ -242,9 +241,9 @@ private:
   vtkSmartPointer<vtkPolyData> Whole;
   vtkNew<vtkStaticCellLocator> Locator;
   vtkNew<vtkGenericCell> Cell;
-  ElementArray<Vertex, Halfedge> Outgoing;          // a halfedge that leaves each vertex
-  std::vector<int> InputTriangle;                   // of each face, the face before any split
-  std::unordered_map<int, std::vector<int>> Pieces; // faces that splits made of an input triangle
+  ElementArray<Vertex, Halfedge> Outgoing;            // a halfedge that leaves each vertex
+  ElementArray<Face, Face> InputTriangle;             // of each face, the face before any split
+  std::unordered_map<Face, std::vector<Face>> Pieces; // faces that splits made of an input triangle
 };
 }
 

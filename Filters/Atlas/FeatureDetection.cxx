@@ -303,7 +303,7 @@ void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options)
   candidates.dropShortSets();
   for (int h : candidates.halfedges())
   {
-    surface.setSharp(h, true);
+    surface.setSharp(Halfedge(h), true);
   }
 }
 
@@ -324,7 +324,7 @@ std::vector<int> findTips(const CutSurface& surface, const FeatureDetectionOptio
     const Vec3 u = surface.points[surface.head(h)] - surface.points[p];
     const Vec3 v = surface.points[surface.tail(previousHalfedge(h))] - surface.points[p];
     defect[p] -= std::atan2(u.cross(v).norm(), u.dot(v));
-    if (surface.sharp[h] || surface.isBoundary(h))
+    if (surface.sharp[h] || surface.isBoundary(Halfedge(h)))
     {
       onFeature[p] = 1;
       onFeature[surface.head(h)] = 1;

@@ -25,27 +25,27 @@ struct GraphEdge
 std::vector<GraphEdge> graphEdges(const CutSurface& surface)
 {
   std::vector<GraphEdge> edges;
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    const int t = surface.twin[h];
-    if (t >= 0 && t < h)
+    const int tail = surface.tail(h).index();
+    const int head = surface.head(h).index();
+    const Halfedge twin = surface.twin[h];
+    if (twin.valid() && twin < h)
     {
       continue;
     }
-    if (t < 0)
+    if (surface.isBoundary(h))
     {
-      edges.push_back(
-        { surface.tail(h), surface.head(h), BackboneType::Boundary, true, surface.keep[h], true });
+      edges.push_back({ tail, head, BackboneType::Boundary, true, surface.keep[h], true });
     }
     else if (surface.isFeature(h))
     {
-      edges.push_back({ surface.tail(h), surface.head(h), BackboneType::Sharp, surface.cut[h] != 0,
-        surface.keep[h], surface.sharp[h] != 0 });
+      edges.push_back({ tail, head, BackboneType::Sharp, surface.cut[h] != 0, surface.keep[h],
+        surface.sharp[h] != 0 });
     }
-    else if (surface.cut[h])
+    else if (surface.cut[h] != 0)
     {
-      edges.push_back(
-        { surface.tail(h), surface.head(h), BackboneType::Seam, true, Keep::Nothing, false });
+      edges.push_back({ tail, head, BackboneType::Seam, true, Keep::Nothing, false });
     }
   }
   return edges;

@@ -44,8 +44,8 @@ bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
     const Triangle& t = this->Chart.triangles[i];
     for (int k = 0; k < 3; ++k)
     {
-      const int a = t[(k + 1) % 3];
-      const int b = t[(k + 2) % 3];
+      const int a = t[nextCorner(k)];
+      const int b = t[previousCorner(k)];
       edges.emplace_back(std::min(a, b), std::max(a, b), this->Cotangents[i][k]);
     }
   }

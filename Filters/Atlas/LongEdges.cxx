@@ -19,20 +19,17 @@ double longestEdgeForCharts(const CutSurface& surface)
 
 int splitLongEdges(CutSurface& surface, double longest, int mostPoints)
 {
-  const auto lengthOf = [&](int h) {
-    return (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
-  };
   // By length, then the edge that comes first. A split shortens edges: what does not have the
   // length any more that it had here is met again with its new one.
   std::priority_queue<std::pair<double, int>> edges;
-  const auto add = [&](int h) {
-    const double length = lengthOf(h);
+  const auto add = [&](Halfedge h) {
+    const double length = surface.edgeLength(h);
     if (length > longest && surface.keep[h] != Keep::Edges)
     {
-      edges.emplace(length, -std::max(h, surface.twin[h]));
+      edges.emplace(length, -std::max(h, surface.twin[h]).index());
     }
   };
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
     if (surface.twin[h] < h)
     {
@@ -44,27 +41,27 @@ int splitLongEdges(CutSurface& surface, double longest, int mostPoints)
   {
     const auto [length, negative] = edges.top();
     edges.pop();
-    const int h = -negative;
-    if (lengthOf(h) != length)
+    const Halfedge h(-negative);
+    if (surface.edgeLength(h) != length)
     {
       continue;
     }
-    const int twin = surface.twin[h];
+    const Halfedge twin = surface.twin[h];
     const int before = surface.numberOfFaces();
     surface.splitEdge(h, 0.5);
     ++added;
-    const auto addEdgesOf = [&](int face) {
-      for (int g = 3 * face; g < 3 * face + 3; ++g)
+    const auto addEdgesOf = [&](Face face) {
+      for (const Halfedge g : halfedgesOf(face))
       {
         add(g);
       }
     };
-    addEdgesOf(h / 3);
-    addEdgesOf(before);
-    if (twin >= 0)
+    addEdgesOf(faceOf(h));
+    addEdgesOf(Face(before));
+    if (twin.valid())
     {
-      addEdgesOf(twin / 3);
-      addEdgesOf(before + 1);
+      addEdgesOf(faceOf(twin));
+      addEdgesOf(Face(before + 1));
     }
   }
   return added;

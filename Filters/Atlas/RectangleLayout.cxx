@@ -31,8 +31,8 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
       if (chart.onBoundary[t[k]])
       {
         const Vec3& p = surface.points[chart.vertices[t[k]]];
-        const Vec3 u = surface.points[chart.vertices[t[(k + 1) % 3]]] - p;
-        const Vec3 v = surface.points[chart.vertices[t[(k + 2) % 3]]] - p;
+        const Vec3 u = surface.points[chart.vertices[t[nextCorner(k)]]] - p;
+        const Vec3 v = surface.points[chart.vertices[t[previousCorner(k)]]] - p;
         turn[t[k]] -= std::atan2(u.cross(v).norm(), u.dot(v));
       }
     }

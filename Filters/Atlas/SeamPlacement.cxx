@@ -226,13 +226,12 @@ void snapToVertices(
     for (int k = 0; k < 3; ++k)
     {
       double& a = value[t[k]];
-      double& b = value[t[(k + 1) % 3]];
+      double& b = value[t[nextCorner(k)]];
       if (a * b < 0)
       {
-        const int h = 3 * mesh.faces[i] + k;
-        const bool isLong = surface.keep[h] == Keep::Edges ||
-          (surface.sharp[h] &&
-            (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm() > longEdge);
+        const Halfedge h = halfedgeOf(mesh.faces[i], k);
+        const bool isLong =
+          surface.keep[h] == Keep::Edges || (surface.sharp[h] && surface.edgeLength(h) > longEdge);
         const double nearest = isLong ? 0.5 : Nearest;
         const double at = a / (a - b);
         if (at < nearest)
@@ -254,48 +253,32 @@ std::vector<char> splitAlongZeros(
   ChartRegions& regions, int a, int b, const ChartMesh& mesh, const std::vector<double>& value)
 {
   CutSurface& surface = regions.surface();
-  std::vector<double> at(3 * static_cast<std::size_t>(surface.numberOfFaces()), 0.); // by halfedge
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      at[3 * mesh.faces[i] + k] = value[mesh.triangles[i][k]];
-    }
-  }
+  ElementArray<Halfedge, double> at(surface.numberOfHalfedges(), 0.); // their tails
+  spread(mesh, value, at);
   for (int region : { a, b })
   {
     // Faces that splits add join the list and are looked at in their turn: a split takes a crossing
     // away and makes none. One seen from the second region may add faces to the first, without.
     for (std::size_t i = 0; i < regions.faces(region).size(); ++i)
     {
-      for (int k = 0; k < 3; ++k)
+      for (const Halfedge h : halfedgesOf(regions.faces(region)[i]))
       {
-        const int h = 3 * regions.faces(region)[i] + k;
         if (at[h] * at[nextHalfedge(h)] >= 0)
         {
           continue;
         }
         const double t = at[h] / (at[h] - at[nextHalfedge(h)]);
-        const int g = surface.twin[h];
-        const bool glued = g >= 0 && !surface.cut[h];
-        int added = 3 * surface.numberOfFaces();
+        const Halfedge g = surface.twin[h];
+        const bool glued = g.valid() && !surface.cut[h];
+        const Face added(surface.numberOfFaces());
         regions.splitEdge(h, t);
-        at.resize(3 * static_cast<std::size_t>(surface.numberOfFaces()), 0.);
-        for (int side : { h, g })
+        at.resize(surface.numberOfHalfedges(), 0.);
+        followSplit(at, h, added, 0.);
+        if (g.valid())
         {
-          if (side < 0)
-          {
-            continue;
-          }
-          const double tail = at[side];
-          const double head = at[nextHalfedge(side)];
-          const double there = side == h ? t : 1 - t;
-          const double middle = side == h || glued ? 0 : (1 - there) * tail + there * head;
-          at[added] = middle;
-          at[added + 1] = head;
-          at[added + 2] = at[previousHalfedge(side)];
-          at[nextHalfedge(side)] = middle;
-          added += 3;
+          const double there = 1 - t;
+          const double across = glued ? 0. : (1 - there) * at[g] + there * at[nextHalfedge(g)];
+          followSplit(at, g, Face(added.index() + 1), across);
         }
       }
     }
@@ -303,9 +286,10 @@ std::vector<char> splitAlongZeros(
   std::vector<char> positive;
   for (int region : { a, b })
   {
-    for (int f : regions.faces(region))
+    for (const Face f : regions.faces(region))
     {
-      const auto [low, high] = std::minmax({ at[3 * f], at[3 * f + 1], at[3 * f + 2] });
+      const auto [low, high] =
+        std::minmax({ at[halfedgeOf(f, 0)], at[halfedgeOf(f, 1)], at[halfedgeOf(f, 2)] });
       positive.push_back(high > -low);
     }
   }
@@ -315,7 +299,7 @@ std::vector<char> splitAlongZeros(
 std::vector<char> meanIsPositive(const ChartRegions& regions, int a, int b, const ChartMesh& mesh,
   const std::vector<double>& value)
 {
-  std::vector<char> ofFace(regions.surface().triangles.size(), 0);
+  ElementArray<Face, char> ofFace(regions.surface().triangles.size(), 0);
   for (std::size_t i = 0; i < mesh.faces.size(); ++i)
   {
     const Triangle& t = mesh.triangles[i];
@@ -324,7 +308,7 @@ std::vector<char> meanIsPositive(const ChartRegions& regions, int a, int b, cons
   std::vector<char> positive;
   for (int region : { a, b })
   {
-    for (int f : regions.faces(region))
+    for (const Face f : regions.faces(region))
     {
       positive.push_back(ofFace[f]);
     }
@@ -337,22 +321,22 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
   CutSurface& surface = regions.surface();
   SeamUnion both;
   both.seamLength = arc.length(surface);
-  for (int h : arc.halfedges)
+  for (const Halfedge h : arc.halfedges)
   {
     surface.setCut(h, false);
   }
-  std::vector<int> faces = regions.faces(a);
+  std::vector<Face> faces = regions.faces(a);
   faces.insert(faces.end(), regions.faces(b).begin(), regions.faces(b).end());
   both.mesh = extractChart(surface, std::move(faces));
-  for (int f : both.mesh.faces)
+  for (const Face f : both.mesh.faces)
   {
     both.side.push_back(regions.owner(f) == b);
   }
-  const auto vertex = [&](int h) {
-    const auto found = std::lower_bound(both.mesh.faces.begin(), both.mesh.faces.end(), h / 3);
-    return both.mesh.triangles[found - both.mesh.faces.begin()][h % 3];
+  const auto vertex = [&](Halfedge h) {
+    const auto found = std::lower_bound(both.mesh.faces.begin(), both.mesh.faces.end(), faceOf(h));
+    return both.mesh.triangles[found - both.mesh.faces.begin()][cornerOf(h)];
   };
-  for (int h : arc.halfedges)
+  for (const Halfedge h : arc.halfedges)
   {
     both.seam.push_back(vertex(h));
   }
@@ -388,12 +372,12 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
 
 /// Who owns which triangle, as sides for ChartRegions::shareOut in its present order.
 std::vector<char> sidesOfOwners(
-  const ChartRegions& regions, int a, int b, const std::vector<int>& sortedFacesOfB)
+  const ChartRegions& regions, int a, int b, const std::vector<Face>& sortedFacesOfB)
 {
   std::vector<char> side;
   for (int region : { a, b })
   {
-    for (int f : regions.faces(region))
+    for (const Face f : regions.faces(region))
     {
       side.push_back(std::binary_search(sortedFacesOfB.begin(), sortedFacesOfB.end(), f));
     }
@@ -441,17 +425,17 @@ bool placeSeam(
       side = meanIsPositive(regions, a, b, both.mesh, value);
     }
   }
-  std::vector<int> previousFaces = regions.faces(b);
+  std::vector<Face> previousFaces = regions.faces(b);
   std::sort(previousFaces.begin(), previousFaces.end());
   if (!side.empty())
   {
-    const std::vector<int> opened = regions.shareOut(a, b, side);
+    const std::vector<Halfedge> opened = regions.shareOut(a, b, side);
     if (!regions.faces(a).empty() && !regions.faces(b).empty() && regions.mesh(a).isDisk() &&
       regions.mesh(b).isDisk())
     {
       return true;
     }
-    for (int h : opened)
+    for (const Halfedge h : opened)
     {
       surface.setCut(h, false);
     }
@@ -467,12 +451,11 @@ double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
 {
   double total = 0;
   double onInput = 0;
-  for (int h : arc.halfedges)
+  for (const Halfedge h : arc.halfedges)
   {
-    const double length =
-      (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm();
+    const double length = surface.edgeLength(h);
     total += length;
-    if (std::max(surface.head(h), surface.tail(h)) < surface.numberOfOriginalPoints)
+    if (std::max(surface.head(h), surface.tail(h)).index() < surface.numberOfOriginalPoints)
     {
       onInput += length;
     }

@@ -19,8 +19,8 @@ ShortestPaths::ShortestPaths(const TriangleSurface& surface, const ChartMesh& ch
   {
     for (int k = 0; k < 3; ++k)
     {
-      this->Neighbours[t[k]].push_back(t[(k + 1) % 3]);
-      this->Neighbours[t[(k + 1) % 3]].push_back(t[k]);
+      this->Neighbours[t[k]].push_back(t[nextCorner(k)]);
+      this->Neighbours[t[nextCorner(k)]].push_back(t[k]);
     }
   }
 }

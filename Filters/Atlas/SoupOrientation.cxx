@@ -2,126 +2,126 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SoupOrientation.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace stipple
 {
 namespace
 {
-/// The halfedge on the other side of every edge that two triangles share, whatever their
-/// orientation; -1 elsewhere.
-std::vector<int> matchEdges(const std::vector<Triangle>& triangles)
+/// The soup's triangles, matched across the edges that two of them share, whatever their
+/// orientation.
+class Soup
 {
-  const int n = 3 * static_cast<int>(triangles.size());
-  const auto ends = [&](int h) {
-    return std::minmax(triangles[h / 3][h % 3], triangles[h / 3][nextHalfedge(h) % 3]);
-  };
-  std::vector<int> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](int g, int h) { return std::make_tuple(ends(g), g) < std::make_tuple(ends(h), h); });
-  std::vector<int> match(n, -1);
-  for (int i = 0; i < n;)
+public:
+  explicit Soup(const std::vector<Triangle>& triangles)
+    : Triangles(triangles)
+    , Match(3 * triangles.size())
   {
-    int j = i;
-    while (j < n && ends(order[j]) == ends(order[i]))
+    const auto ends = [&](Halfedge h) -> std::pair<int, int> {
+      return std::minmax({ this->tail(h), this->tail(nextHalfedge(h)) });
+    };
+    std::vector<Halfedge> order;
+    for (const Halfedge h : this->Match.ids())
     {
-      ++j;
+      order.push_back(h);
     }
-    if (j - i == 2)
+    std::sort(order.begin(), order.end(), [&](Halfedge g, Halfedge h) {
+      return std::make_tuple(ends(g), g) < std::make_tuple(ends(h), h);
+    });
+    for (std::size_t i = 0, j = 0; i < order.size(); i = j)
     {
-      match[order[i]] = order[i + 1];
-      match[order[i + 1]] = order[i];
-    }
-    i = j;
-  }
-  return match;
-}
-
-/// Which triangles to turn; pairs of halfedges that end up running the same way are unmatched.
-std::vector<char> orient(const std::vector<Triangle>& triangles, std::vector<int>& match)
-{
-  const int n = static_cast<int>(triangles.size());
-  // Whether the triangles on both sides of h run along it the same way: one of them is to turn.
-  const auto disagree = [&](int h) {
-    const int g = match[h];
-    return triangles[h / 3][h % 3] == triangles[g / 3][g % 3];
-  };
-  std::vector<char> turned(n, 0);
-  std::vector<char> seen(n, 0);
-  for (int start = 0; start < n; ++start)
-  {
-    if (seen[start])
-    {
-      continue;
-    }
-    seen[start] = 1;
-    std::vector<int> queue = { start };
-    for (std::size_t i = 0; i < queue.size(); ++i)
-    {
-      const int f = queue[i];
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      for (j = i; j < order.size() && ends(order[j]) == ends(order[i]); ++j)
       {
-        if (match[h] >= 0 && !seen[match[h] / 3])
-        {
-          const int g = match[h] / 3;
-          seen[g] = 1;
-          turned[g] = turned[f] != static_cast<char>(disagree(h));
-          queue.push_back(g);
-        }
+      }
+      if (j - i == 2)
+      {
+        this->Match[order[i]] = order[i + 1];
+        this->Match[order[i + 1]] = order[i];
       }
     }
   }
-  for (int h = 0; h < 3 * n; ++h)
+
+  ElementRange<Halfedge> halfedges() const { return this->Match.ids(); }
+  int tail(Halfedge h) const { return this->Triangles[faceOf(h).index()][cornerOf(h)]; }
+  /// None where not exactly two triangles meet.
+  Halfedge match(Halfedge h) const { return this->Match[h]; }
+  /// Whether the triangles on both sides of h run along it the same way: one of them is to turn.
+  bool disagree(Halfedge h) const { return this->tail(h) == this->tail(this->Match[h]); }
+
+  /// Which triangles to turn; pairs of halfedges that end up running the same way are unmatched.
+  ElementArray<Face, char> orient()
   {
-    const int g = match[h];
-    if (g >= 0 && (turned[h / 3] != turned[g / 3]) != disagree(h))
+    ElementArray<Face, char> turned(this->Triangles.size(), 0);
+    ElementArray<Face, char> seen(this->Triangles.size(), 0);
+    std::vector<Face> queue;
+    for (const Face start : seen.ids())
     {
-      match[h] = match[g] = -1;
+      if (seen[start])
+      {
+        continue;
+      }
+      seen[start] = 1;
+      queue = { start };
+      for (std::size_t i = 0; i < queue.size(); ++i)
+      {
+        const Face f = queue[i];
+        for (const Halfedge h : halfedgesOf(f))
+        {
+          if (this->Match[h].valid() && !seen[faceOf(this->Match[h])])
+          {
+            const Face g = faceOf(this->Match[h]);
+            seen[g] = 1;
+            turned[g] = turned[f] != static_cast<char>(this->disagree(h));
+            queue.push_back(g);
+          }
+        }
+      }
     }
+    for (const Halfedge h : this->halfedges())
+    {
+      const Halfedge g = this->Match[h];
+      if (g.valid() && (turned[faceOf(h)] != turned[faceOf(g)]) != this->disagree(h))
+      {
+        this->Match[h] = this->Match[g] = {};
+      }
+    }
+    return turned;
   }
-  return turned;
-}
+
+private:
+  const std::vector<Triangle>& Triangles;
+  ElementArray<Halfedge, Halfedge> Match;
+};
 }
 
 void orientSoup(std::vector<Triangle>& triangles, std::vector<int>& sourcePoint)
 {
-  std::vector<int> match = matchEdges(triangles);
-  const std::vector<char> turned = orient(triangles, match);
-  const int corners = 3 * static_cast<int>(triangles.size());
+  Soup soup(triangles);
+  const ElementArray<Face, char> turned = soup.orient();
 
   // Corners of a point belong together if matched edges join their triangles.
-  std::vector<int> parent(corners);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int c) {
-    while (parent[c] != c)
-    {
-      parent[c] = parent[parent[c]];
-      c = parent[c];
-    }
-    return c;
-  };
-  for (int h = 0; h < corners; ++h)
+  boost::disjoint_sets_with_storage<> corners(soup.halfedges().size());
+  const auto unite = [&](Halfedge g, Halfedge h) { corners.union_set(g.index(), h.index()); };
+  for (const Halfedge h : soup.halfedges())
   {
-    const int g = match[h];
+    const Halfedge g = soup.match(h);
     if (g < h)
     {
       continue;
     }
-    const bool same = triangles[h / 3][h % 3] == triangles[g / 3][g % 3];
-    const int tail = root(same ? g : nextHalfedge(g));
-    const int head = root(same ? nextHalfedge(g) : g);
-    parent[tail] = root(h);
-    parent[head] = root(nextHalfedge(h));
+    const bool same = soup.disagree(h);
+    unite(h, same ? g : nextHalfedge(g));
+    unite(nextHalfedge(h), same ? nextHalfedge(g) : g);
   }
-  std::vector<int> pointOf(corners, -1); // by root
+  ElementArray<Halfedge, int> pointOf(soup.halfedges().size(), -1); // by root
   std::vector<char> taken(sourcePoint.size(), 0);
-  for (int c = 0; c < corners; ++c)
+  for (const Halfedge c : soup.halfedges())
   {
-    int& p = triangles[c / 3][c % 3];
-    int& group = pointOf[root(c)];
+    int& p = triangles[faceOf(c).index()][cornerOf(c)];
+    int& group = pointOf[Halfedge(static_cast<int>(corners.find_set(c.index())))];
     if (group < 0 && !taken[p])
     {
       taken[p] = 1;
@@ -134,11 +134,11 @@ void orientSoup(std::vector<Triangle>& triangles, std::vector<int>& sourcePoint)
     }
     p = group;
   }
-  for (std::size_t f = 0; f < triangles.size(); ++f)
+  for (const Face f : turned.ids())
   {
     if (turned[f])
     {
-      std::swap(triangles[f][1], triangles[f][2]);
+      std::swap(triangles[f.index()][1], triangles[f.index()][2]);
     }
   }
 }

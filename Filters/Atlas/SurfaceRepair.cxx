@@ -3,6 +3,7 @@
 #include "SurfaceRepair.h"
 
 #include "DegenerateFaces.h"
+#include "FaceSets.h"
 #include "PolyDataConversion.h"
 #include "SoupOrientation.h"
 #include "ThinTriangles.h"
@@ -32,7 +33,7 @@ double largestSide(const TriangleSurface& surface)
   {
     return 0;
   }
-  Vec3 low = surface.point(0, 0);
+  Vec3 low = surface.point(Face(0), 0);
   Vec3 high = low;
   for (const Triangle& t : surface.triangles)
   {
@@ -58,24 +59,25 @@ std::vector<char> haveClosedFans(const TriangleSurface& surface)
 {
   const auto twin = halfedgeTwins(surface.triangles);
   const std::size_t n = surface.points.size();
-  std::vector<int> outgoing(n, -1);
-  std::vector<int> number(n, 0);
+  ElementArray<Vertex, Halfedge> outgoing(n);
+  ElementArray<Vertex, int> number(n, 0);
   std::vector<char> isClosed(n, 1);
-  for (int h = 0; h < static_cast<int>(twin.size()); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    const int p = surface.tail(h);
-    const int q = surface.head(h);
+    const Vertex p = surface.tail(h);
+    const Vertex q = surface.head(h);
     outgoing[p] = h;
     ++number[p];
-    if (twin[h] < 0 || surface.points[p] == surface.points[q])
+    if (!twin[h].valid() || surface.point(p) == surface.point(q))
     {
-      isClosed[p] = isClosed[q] = 0;
+      isClosed[p.index()] = isClosed[q.index()] = 0;
     }
   }
-  for (std::size_t p = 0; p < n; ++p)
+  for (const Vertex p : surface.vertices())
   {
+    char& closed = isClosed[p.index()];
     int turned = 0;
-    for (int h = outgoing[p]; isClosed[p] && h >= 0;)
+    for (Halfedge h = outgoing[p]; closed && h.valid();)
     {
       ++turned;
       h = twin[previousHalfedge(h)];
@@ -84,7 +86,7 @@ std::vector<char> haveClosedFans(const TriangleSurface& surface)
         break;
       }
     }
-    isClosed[p] = isClosed[p] && number[p] > 0 && turned == number[p];
+    closed = closed && number[p] > 0 && turned == number[p];
   }
   return isClosed;
 }
@@ -180,7 +182,7 @@ int countNonManifoldEdges(const std::vector<Triangle>& triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      edges.push_back({ std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]) });
+      edges.push_back({ std::min(t[k], t[nextCorner(k)]), std::max(t[k], t[nextCorner(k)]) });
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -202,52 +204,32 @@ int countNonManifoldEdges(const std::vector<Triangle>& triangles)
 void restoreMajorityOrientation(RepairedSurface& r, const std::vector<Triangle>& before)
 {
   TriangleSurface& s = r.surface;
-  const auto turned = [&](int f) {
+  const auto turned = [&](Face f) {
     // Same cyclic order of source points as before?
     Triangle t;
     for (int k = 0; k < 3; ++k)
     {
-      t[k] = r.sourcePoint[s.triangles[f][k]];
+      t[k] = r.sourcePoint[s.vertex(f, k).index()];
     }
-    const Triangle& o = before[f];
+    const Triangle& o = before[f.index()];
     for (int k = 0; k < 3; ++k)
     {
-      if (t[k] == o[0] && t[(k + 1) % 3] == o[1])
+      if (t[k] == o[0] && t[nextCorner(k)] == o[1])
       {
         return false;
       }
     }
     return true;
   };
-  std::vector<char> seen(s.triangles.size(), 0);
-  for (int start = 0; start < s.numberOfFaces(); ++start)
+  for (const std::vector<Face>& component : FaceSets(s, [](Halfedge) { return true; }).faces())
   {
-    if (seen[start])
-    {
-      continue;
-    }
-    std::vector<int> faces = { start };
-    seen[start] = 1;
-    int count = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      count += turned(faces[i]);
-      for (int k = 0; k < 3; ++k)
-      {
-        const int t = s.twin[3 * faces[i] + k];
-        if (t >= 0 && !seen[t / 3])
-        {
-          seen[t / 3] = 1;
-          faces.push_back(t / 3);
-        }
-      }
-    }
-    const int size = static_cast<int>(faces.size());
+    int count = static_cast<int>(std::count_if(component.begin(), component.end(), turned));
+    const int size = static_cast<int>(component.size());
     if (2 * count > size)
     {
-      for (int f : faces)
+      for (const Face f : component)
       {
-        std::swap(s.triangles[f][1], s.triangles[f][2]);
+        std::swap(s.triangles[f.index()][1], s.triangles[f.index()][2]);
       }
       count = size - count;
     }

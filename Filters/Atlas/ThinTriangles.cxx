@@ -23,7 +23,7 @@ public:
   /// Number of thin triangles; they are removed as far as can be.
   int run()
   {
-    for (int f = 0; f < this->Surface.numberOfFaces(); ++f)
+    for (const Face f : this->Surface.faces())
     {
       if (this->isThin(f))
       {
@@ -40,7 +40,7 @@ public:
     // this bound is for those that rounding sends in circles.
     for (std::size_t left = 100 * this->Queue.size(); left > 0 && !this->Queue.empty(); --left)
     {
-      const int f = this->Queue.front();
+      const Face f = this->Queue.front();
       this->Queue.pop_front();
       if (!this->Dropped[f] && this->isThin(f))
       {
@@ -50,20 +50,15 @@ public:
     return found;
   }
 
-  bool isDropped(int f) const { return this->Dropped[f]; }
+  bool isDropped(Face f) const { return this->Dropped[f]; }
 
 private:
-  double length(int h) const
-  {
-    return (
-      this->Surface.points[this->Surface.head(h)] - this->Surface.points[this->Surface.tail(h)])
-      .norm();
-  }
+  double length(Halfedge h) const { return this->Surface.edgeLength(h); }
 
-  int longestEdge(int f) const
+  Halfedge longestEdge(Face f) const
   {
-    int longest = 3 * f;
-    for (int h = 3 * f + 1; h < 3 * f + 3; ++h)
+    Halfedge longest = halfedgeOf(f, 0);
+    for (const Halfedge h : halfedgesOf(f))
     {
       longest = this->length(h) > this->length(longest) ? h : longest;
     }
@@ -76,18 +71,18 @@ private:
     return std::max(1e-6 * longest, std::min(1e-3 * longest, this->Rounding));
   }
 
-  bool isThin(int f) const
+  bool isThin(Face f) const
   {
     const double longest = this->length(this->longestEdge(f));
     return 2 * this->Surface.faceArea(f) <= longest * this->tolerance(longest);
   }
 
-  bool onBoundary(int p) const { return this->Surface.twin[this->First[p]] < 0; }
+  bool onBoundary(Vertex p) const { return this->Surface.isBoundary(this->First[p]); }
 
-  void remove(int f)
+  void remove(Face f)
   {
-    const int longest = this->longestEdge(f);
-    int shortest = nextHalfedge(longest);
+    const Halfedge longest = this->longestEdge(f);
+    Halfedge shortest = nextHalfedge(longest);
     if (this->length(previousHalfedge(longest)) < this->length(shortest))
     {
       shortest = previousHalfedge(longest);
@@ -96,7 +91,7 @@ private:
     {
       this->collapse(shortest);
     }
-    else if (this->Surface.twin[longest] >= 0)
+    else if (!this->Surface.isBoundary(longest))
     {
       this->swap(longest);
     }
@@ -107,20 +102,20 @@ private:
   }
 
   /// Points joined to p by an edge, ascending; only their number and identity matter.
-  std::vector<int> neighbours(int p) const
+  std::vector<Vertex> neighbours(Vertex p) const
   {
-    std::vector<int> found;
-    int h = this->First[p];
+    std::vector<Vertex> found;
+    Halfedge h = this->First[p];
     while (true)
     {
       found.push_back(this->Surface.head(h));
-      const int previous = previousHalfedge(h);
+      const Halfedge previous = previousHalfedge(h);
       h = this->Surface.twin[previous];
-      if (h < 0)
+      if (!h.valid())
       {
         found.push_back(this->Surface.tail(previous));
       }
-      if (h < 0 || h == this->First[p])
+      if (!h.valid() || h == this->First[p])
       {
         break;
       }
@@ -129,27 +124,31 @@ private:
     return found;
   }
 
-  void link(int h, int t)
+  void link(Halfedge h, Halfedge t)
   {
-    if (h >= 0)
+    if (h.valid())
     {
       this->Surface.twin[h] = t;
     }
-    if (t >= 0)
+    if (t.valid())
     {
       this->Surface.twin[t] = h;
     }
   }
 
   /// Finds the halfedges that leave the corners of triangles anew.
-  void refreshFirst(const std::vector<int>& faces)
+  void refreshFirst(const std::vector<Face>& faces)
   {
-    for (int f : faces)
+    for (const Face f : faces)
     {
-      for (int h = 3 * f; h < 3 * f + 3 && !this->Dropped[f]; ++h)
+      if (this->Dropped[f])
       {
-        int first = h; // clockwise as far as can be
-        while (this->Surface.twin[first] >= 0)
+        continue;
+      }
+      for (const Halfedge h : halfedgesOf(f))
+      {
+        Halfedge first = h; // clockwise as far as can be
+        while (!this->Surface.isBoundary(first))
         {
           first = nextHalfedge(this->Surface.twin[first]);
           if (first == h)
@@ -163,13 +162,13 @@ private:
   }
 
   /// Merges the ends of an edge into one; both triangles beside it go.
-  void collapse(int h)
+  void collapse(Halfedge h)
   {
     TriangleSurface& s = this->Surface;
-    const int twin = s.twin[h];
-    int kept = s.tail(h);
-    int gone = s.head(h);
-    if (twin >= 0 && this->onBoundary(kept) && this->onBoundary(gone))
+    const Halfedge twin = s.twin[h];
+    Vertex kept = s.tail(h);
+    Vertex gone = s.head(h);
+    if (twin.valid() && this->onBoundary(kept) && this->onBoundary(gone))
     {
       return; // a bridge
     }
@@ -177,43 +176,37 @@ private:
     {
       std::swap(kept, gone);
     }
-    const std::vector<int> a = this->neighbours(kept);
-    const std::vector<int> b = this->neighbours(gone);
-    std::vector<int> common;
+    const std::vector<Vertex> a = this->neighbours(kept);
+    const std::vector<Vertex> b = this->neighbours(gone);
+    std::vector<Vertex> common;
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
     // The link condition; a part of few triangles would fold onto itself.
-    if (common.size() != (twin >= 0 ? 2U : 1U) || a.size() + b.size() < common.size() + 5)
+    if (common.size() != (twin.valid() ? 2U : 1U) || a.size() + b.size() < common.size() + 5)
     {
       return;
     }
-    std::vector<int> around;
-    int g = this->First[gone];
+    std::vector<Halfedge> around;
+    Halfedge g = this->First[gone];
     do
     {
       around.push_back(g);
       g = s.twin[previousHalfedge(g)];
-    } while (g >= 0 && g != this->First[gone]);
-    std::vector<int> faces;
-    for (int corner : around)
+    } while (g.valid() && g != this->First[gone]);
+    std::vector<Face> faces;
+    for (const Halfedge corner : around)
     {
-      s.triangles[corner / 3][corner % 3] = kept;
-      faces.push_back(corner / 3);
+      s.triangles[faceOf(corner).index()][cornerOf(corner)] = kept.index();
+      faces.push_back(faceOf(corner));
     }
-    for (int side : { h, twin })
+    for (const Halfedge side : { h, twin })
     {
-      if (side >= 0)
+      if (side.valid())
       {
-        this->Dropped[side / 3] = 1;
-        const int left = s.twin[nextHalfedge(side)];
-        const int right = s.twin[previousHalfedge(side)];
+        this->Dropped[faceOf(side)] = 1;
+        const Halfedge left = s.twin[nextHalfedge(side)];
+        const Halfedge right = s.twin[previousHalfedge(side)];
         this->link(left, right);
-        for (int rest : { left, right })
-        {
-          if (rest >= 0)
-          {
-            faces.push_back(rest / 3);
-          }
-        }
+        addFaces({ left, right }, faces);
       }
     }
     this->refreshFirst(faces);
@@ -221,66 +214,72 @@ private:
   }
 
   /// Joins the opposite corners of the two triangles beside an edge instead of its ends.
-  void swap(int h)
+  void swap(Halfedge h)
   {
     TriangleSurface& s = this->Surface;
-    const int g = s.twin[h];
-    const int p = s.tail(h);
-    const int q = s.head(h);
-    const int a = s.tail(previousHalfedge(h));
-    const int d = s.tail(previousHalfedge(g));
-    const std::vector<int> beside = this->neighbours(a);
+    const Halfedge g = s.twin[h];
+    const Vertex p = s.tail(h);
+    const Vertex q = s.head(h);
+    const Vertex a = s.tail(previousHalfedge(h));
+    const Vertex d = s.tail(previousHalfedge(g));
+    const std::vector<Vertex> beside = this->neighbours(a);
     if (a == d || std::binary_search(beside.begin(), beside.end(), d))
     {
       return;
     }
-    const int qa = s.twin[nextHalfedge(h)];
-    const int ap = s.twin[previousHalfedge(h)];
-    const int pd = s.twin[nextHalfedge(g)];
-    const int dq = s.twin[previousHalfedge(g)];
-    const int f = h / 3;
-    const int e = g / 3;
-    s.triangles[f] = { a, p, d };
-    s.triangles[e] = { d, q, a };
-    this->link(3 * f, ap);
-    this->link(3 * f + 1, pd);
-    this->link(3 * f + 2, 3 * e + 2);
-    this->link(3 * e, dq);
-    this->link(3 * e + 1, qa);
+    const Halfedge qa = s.twin[nextHalfedge(h)];
+    const Halfedge ap = s.twin[previousHalfedge(h)];
+    const Halfedge pd = s.twin[nextHalfedge(g)];
+    const Halfedge dq = s.twin[previousHalfedge(g)];
+    const Face f = faceOf(h);
+    const Face e = faceOf(g);
+    s.triangles[f.index()] = { a.index(), p.index(), d.index() };
+    s.triangles[e.index()] = { d.index(), q.index(), a.index() };
+    this->link(halfedgeOf(f, 0), ap);
+    this->link(halfedgeOf(f, 1), pd);
+    this->link(halfedgeOf(f, 2), halfedgeOf(e, 2));
+    this->link(halfedgeOf(e, 0), dq);
+    this->link(halfedgeOf(e, 1), qa);
     this->refreshFirst({ f, e });
     this->Queue.push_back(f);
     this->Queue.push_back(e);
   }
 
   /// Drops a triangle whose longest edge is on the boundary.
-  void dropAtBoundary(int h)
+  void dropAtBoundary(Halfedge h)
   {
     TriangleSurface& s = this->Surface;
-    const int next = s.twin[nextHalfedge(h)];
-    const int previous = s.twin[previousHalfedge(h)];
-    if (next >= 0 && previous >= 0 && this->onBoundary(s.tail(previousHalfedge(h))))
+    const Halfedge next = s.twin[nextHalfedge(h)];
+    const Halfedge previous = s.twin[previousHalfedge(h)];
+    if (next.valid() && previous.valid() && this->onBoundary(s.tail(previousHalfedge(h))))
     {
       return; // what is left would hang together in a point
     }
-    this->Dropped[h / 3] = 1;
-    std::vector<int> faces;
-    for (int rest : { next, previous })
+    this->Dropped[faceOf(h)] = 1;
+    this->link(next, {});
+    this->link(previous, {});
+    std::vector<Face> faces;
+    addFaces({ next, previous }, faces);
+    this->refreshFirst(faces);
+  }
+
+  static void addFaces(std::initializer_list<Halfedge> sides, std::vector<Face>& faces)
+  {
+    for (const Halfedge side : sides)
     {
-      if (rest >= 0)
+      if (side.valid())
       {
-        s.twin[rest] = -1;
-        faces.push_back(rest / 3);
+        faces.push_back(faceOf(side));
       }
     }
-    this->refreshFirst(faces);
   }
 
   TriangleSurface& Surface;
   double Rounding;
-  std::vector<char> Dropped;
+  ElementArray<Face, char> Dropped;
   ElementArray<Vertex, Halfedge> First; // a halfedge that leaves each point, as vertexHalfedges()
                                         // has it
-  std::deque<int> Queue;
+  std::deque<Face> Queue;
 };
 }
 
@@ -293,12 +292,12 @@ int removeThinTriangles(TriangleSurface& surface, std::vector<int>& sourceCell)
     return 0;
   }
   int n = 0;
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  for (const Face f : surface.faces())
   {
     if (!thin.isDropped(f))
     {
-      surface.triangles[n] = surface.triangles[f];
-      sourceCell[n++] = int(sourceCell[f]);
+      surface.triangles[n] = surface.triangle(f);
+      sourceCell[n++] = int(sourceCell[f.index()]);
     }
   }
   surface.triangles.resize(n);

@@ -20,7 +20,7 @@ VoronoiDiagram::VoronoiDiagram(const CutSurface& surface, Stop stop)
 {
 }
 
-void VoronoiDiagram::addSite(int face, int cell)
+void VoronoiDiagram::addSite(Face face, int cell)
 {
   this->Distance[face] = 0;
   this->Cell[face] = cell;
@@ -34,13 +34,13 @@ void VoronoiDiagram::addSite(int face, int cell)
     {
       continue;
     }
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
       if (this->Surface.cut[h])
       {
         continue;
       }
-      const int g = this->Surface.twin[h] / 3;
+      const Face g = faceOf(this->Surface.twin[h]);
       const double there = d + (this->center(g) - this->center(f)).norm();
       if (there < this->Distance[g])
       {
@@ -52,31 +52,31 @@ void VoronoiDiagram::addSite(int face, int cell)
   }
 }
 
-int VoronoiDiagram::farthest(const std::vector<int>& faces) const
+Face VoronoiDiagram::farthest(const std::vector<Face>& faces) const
 {
   return *std::max_element(faces.begin(), faces.end(),
-    [&](int a, int b) { return this->Distance[a] < this->Distance[b]; });
+    [&](Face a, Face b) { return this->Distance[a] < this->Distance[b]; });
 }
 
-void VoronoiDiagram::forget(const std::vector<int>& faces)
+void VoronoiDiagram::forget(const std::vector<Face>& faces)
 {
-  for (int f : faces)
+  for (const Face f : faces)
   {
     this->Distance[f] = Infinity;
     this->Cell[f] = -1;
   }
 }
 
-void VoronoiDiagram::removeSpikes(const std::vector<int>& faces)
+void VoronoiDiagram::removeSpikes(const std::vector<Face>& faces)
 {
   // Every step takes an edge from the boundaries between cells: two go, one comes.
   bool changed = true;
   while (changed && !isAsked(this->WantsStop))
   {
     changed = false;
-    for (int f : faces)
+    for (const Face f : faces)
     {
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
+      for (const Halfedge h : halfedgesOf(f))
       {
         changed = this->removeSpike(h) || changed;
       }
@@ -85,35 +85,35 @@ void VoronoiDiagram::removeSpikes(const std::vector<int>& faces)
 }
 
 /// The cell across a halfedge, -1 where the surface is cut.
-int VoronoiDiagram::cellAcross(int h) const
+int VoronoiDiagram::cellAcross(Halfedge h) const
 {
-  return this->Surface.cut[h] ? -1 : this->Cell[this->Surface.twin[h] / 3];
+  return this->Surface.cut[h] ? -1 : this->Cell[faceOf(this->Surface.twin[h])];
 }
 
 /// The triangle of h goes to the other cell if it is held by the edge opposite h's tail alone, and
 /// if that cell has the whole fan around the tail (else its boundary would touch itself there).
-bool VoronoiDiagram::removeSpike(int h)
+bool VoronoiDiagram::removeSpike(Halfedge h)
 {
   const int other = this->cellAcross(h);
-  const int own = this->Cell[h / 3];
+  const int own = this->Cell[faceOf(h)];
   if (other < 0 || other == own || this->cellAcross(previousHalfedge(h)) != other ||
     this->cellAcross(nextHalfedge(h)) != own)
   {
     return false;
   }
-  for (int g = this->Surface.twin[previousHalfedge(h)]; g != h;
+  for (Halfedge g = this->Surface.twin[previousHalfedge(h)]; g != h;
        g = this->Surface.twin[previousHalfedge(g)])
   {
-    if (this->Surface.cut[previousHalfedge(g)] || this->Cell[g / 3] != other)
+    if (this->Surface.cut[previousHalfedge(g)] || this->Cell[faceOf(g)] != other)
     {
       return false;
     }
   }
-  this->Cell[h / 3] = other;
+  this->Cell[faceOf(h)] = other;
   return true;
 }
 
-Vec3 VoronoiDiagram::center(int face) const
+Vec3 VoronoiDiagram::center(Face face) const
 {
   return (this->Surface.point(face, 0) + this->Surface.point(face, 1) +
            this->Surface.point(face, 2)) /

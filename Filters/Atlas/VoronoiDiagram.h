@@ -20,27 +20,27 @@ public:
   explicit VoronoiDiagram(const CutSurface& surface, Stop stop = {});
 
   /// Adds a site; takes what is nearer to it than to any site before.
-  void addSite(int face, int cell);
+  void addSite(Face face, int cell);
   /// Cell of a triangle, -1 if no site reaches it.
-  int cell(int face) const { return this->Cell[face]; }
+  int cell(Face face) const { return this->Cell[face]; }
   /// The triangle that is farthest from its site, of some.
-  int farthest(const std::vector<int>& faces) const;
+  Face farthest(const std::vector<Face>& faces) const;
   /// Takes triangles out of their cells.
-  void forget(const std::vector<int>& faces);
+  void forget(const std::vector<Face>& faces);
   /// Gives triangles that hang on their cell by one edge only to the cell that surrounds them: on a
   /// straight boundary they would have next to no area in the plane.
-  void removeSpikes(const std::vector<int>& faces);
+  void removeSpikes(const std::vector<Face>& faces);
 
 private:
-  int cellAcross(int h) const;
-  bool removeSpike(int h);
-  Vec3 center(int face) const;
+  int cellAcross(Halfedge h) const;
+  bool removeSpike(Halfedge h);
+  Vec3 center(Face face) const;
 
   const CutSurface& Surface;
   Stop WantsStop; // growing ends where it is then
-  std::vector<double> Distance;
-  std::vector<int> Cell;
-  using Entry = std::pair<double, int>;
+  ElementArray<Face, double> Distance;
+  ElementArray<Face, int> Cell;
+  using Entry = std::pair<double, Face>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Front;
 };
 }

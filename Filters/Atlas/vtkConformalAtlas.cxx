@@ -54,11 +54,11 @@ stipple::Status keepEdges(vtkIdTypeArray* edges, const std::string& what, stippl
       std::to_string(edges->GetNumberOfComponents()) + ".");
   }
   // By the input's point that a vertex was made of: one that was split is several vertices.
-  std::map<std::pair<int, int>, std::vector<int>> halfedges;
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  std::map<std::pair<int, int>, std::vector<stipple::Halfedge>> halfedges;
+  for (const stipple::Halfedge h : surface.halfedges())
   {
-    halfedges[std::minmax(
-                repaired.sourcePoint[surface.tail(h)], repaired.sourcePoint[surface.head(h)])]
+    halfedges[std::minmax(repaired.sourcePoint[surface.tail(h).index()],
+                repaired.sourcePoint[surface.head(h).index()])]
       .push_back(h);
   }
   const auto number = static_cast<vtkIdType>(repaired.pointOfInput.size());
@@ -76,7 +76,7 @@ stipple::Status keepEdges(vtkIdTypeArray* edges, const std::string& what, stippl
       return stipple::Status::error(what + " edge " + std::to_string(i) + " joins the points " +
         std::to_string(a) + " and " + std::to_string(b) + ", which no edge of the input joins.");
     }
-    for (const int h : found->second)
+    for (const stipple::Halfedge h : found->second)
     {
       surface.setSharp(h, true);
       surface.setKeep(h, keep);
@@ -95,10 +95,12 @@ stipple::Status markRegionBorders(
     return status;
   }
   const std::vector<int> region = stipple::numberRegions(labels);
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  const auto regionOf = [&](stipple::Halfedge h) {
+    return region[surface.sourceCell[faceOf(h).index()]];
+  };
+  for (const stipple::Halfedge h : surface.halfedges())
   {
-    const int twin = surface.twin[h];
-    if (twin > h && region[surface.sourceCell[h / 3]] != region[surface.sourceCell[twin / 3]])
+    if (!surface.isBoundary(h) && regionOf(h) != regionOf(surface.twin[h]))
     {
       surface.setKeep(h, stipple::Keep::Border);
     }

@@ -29,9 +29,10 @@
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),
  * "Keep" (int: what a coarser mesh must keep of it: 0 nothing, for features that were found, 1 that
- * it parts regions, 2 all, for what was asked for, 3 all, and edge by edge), "Closed" (int). Field array, with regions:
- * "RegionArrayName" (string). Point arrays: "SurfacePointId" (-1 for a constraint), "IsCorner"
- * (int), and for constraints "ChartId", "ChartCellId", "BarycentricCoordinates".
+ * it parts regions, 2 all, for what was asked for, 3 all, and edge by edge), "Closed" (int). Field
+ * array, with regions: "RegionArrayName" (string). Point arrays: "SurfacePointId" (-1 for a
+ * constraint), "IsCorner" (int), and for constraints "ChartId", "ChartCellId",
+ * "BarycentricCoordinates".
  *
  * Sections 2.1, 2.2, 2.4 and 2.5 of Alliez, Meyer, Desbrun, "Interactive Geometry Remeshing",
  * SIGGRAPH 2002.

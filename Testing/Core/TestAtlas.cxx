@@ -181,7 +181,7 @@ TEST(CutSurface, SplitEdgeKeepsTheSurface)
   for (int h = 0; h < 60; h += 7)
   {
     sharpSplits += s.sharp[h];
-    s.splitEdge(h, 0.25);
+    s.splitEdge(Halfedge(h), 0.25);
   }
   EXPECT_NEAR(s.area(), area, 1e-12);
   EXPECT_EQ(s.twin, halfedgeTwins(s.triangles));
@@ -203,7 +203,7 @@ TEST(ChartRegions, NoChordRemains)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const bool chord = !s.cut[3 * chart.faces[i] + k] &&
+      const bool chord = !s.cut[halfedgeOf(chart.faces[i], k)] &&
         chart.onBoundary[chart.triangles[i][k]] &&
         chart.onBoundary[chart.triangles[i][(k + 1) % 3]];
       ASSERT_FALSE(chord);
@@ -229,7 +229,7 @@ TEST_P(Partition, GivesFlatDisksOfBoundedDensity)
     EXPECT_GE(static_cast<int>(charts.size()), least);
     EXPECT_NEAR(s.area(), shape.area(), 1e-9 * shape.area());
     EXPECT_TRUE(s.topology() == shape.topology());
-    std::set<int> seen;
+    std::set<Face> seen;
     for (const FlatChart& c : charts)
     {
       EXPECT_TRUE(c.mesh.isDisk());

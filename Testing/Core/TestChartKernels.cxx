@@ -45,10 +45,13 @@ TriangleSurface rectangle(double width, double height, int nx, int ny)
   return s;
 }
 
-std::vector<int> allFaces(const TriangleSurface& s)
+std::vector<Face> allFaces(const TriangleSurface& s)
 {
-  std::vector<int> faces(s.numberOfFaces());
-  std::iota(faces.begin(), faces.end(), 0);
+  std::vector<Face> faces;
+  for (const Face f : s.faces())
+  {
+    faces.push_back(f);
+  }
   return faces;
 }
 
@@ -68,9 +71,9 @@ void disturb(TriangleSurface& s, const ChartMesh& chart, double amount)
 /// The edge path with the given ends, cut.
 void cutEdge(CutSurface& s, int p, int q)
 {
-  for (int h = 0; h < s.numberOfHalfedges(); ++h)
+  for (const Halfedge h : s.halfedges())
   {
-    if (s.tail(h) == p && s.head(h) == q)
+    if (s.tail(h) == Vertex(p) && s.head(h) == Vertex(q))
     {
       s.setCut(h, true);
     }
@@ -142,9 +145,9 @@ TEST(VoronoiDiagram, CellsOfAGridAreNearestToTheirSites)
   CutSurface s = shapes::cutSurface(rectangle(20, 10, 40, 20));
   VoronoiDiagram diagram(s);
   const auto faceAt = [&](double x, double y) {
-    int best = 0;
+    Face best;
     double nearest = 1e300;
-    for (int f = 0; f < s.numberOfFaces(); ++f)
+    for (const Face f : s.faces())
     {
       const double d = (s.position(f, Vec3::Constant(1. / 3)) - Vec3(x, y, 0)).norm();
       best = d < nearest ? f : best;
@@ -153,7 +156,7 @@ TEST(VoronoiDiagram, CellsOfAGridAreNearestToTheirSites)
     return best;
   };
   diagram.addSite(faceAt(5, 5), 0);
-  for (int f = 0; f < s.numberOfFaces(); ++f)
+  for (const Face f : s.faces())
   {
     EXPECT_EQ(diagram.cell(f), 0);
   }
@@ -161,14 +164,14 @@ TEST(VoronoiDiagram, CellsOfAGridAreNearestToTheirSites)
   EXPECT_GT(far.x(), 19) << "the farthest triangle is at the other end";
   diagram.addSite(faceAt(15, 5), 1);
   int wrong = 0;
-  for (int f = 0; f < s.numberOfFaces(); ++f)
+  for (const Face f : s.faces())
   {
     const double x = s.position(f, Vec3::Constant(1. / 3)).x();
     wrong += std::abs(x - 10) > 2.5 && diagram.cell(f) != (x > 10);
   }
   EXPECT_EQ(wrong, 0) << "the line halfway parts the cells, as far as paths over centroids tell";
-  diagram.forget({ 3, 4 });
-  EXPECT_EQ(diagram.cell(3), -1);
+  diagram.forget({ Face(3), Face(4) });
+  EXPECT_EQ(diagram.cell(Face(3)), -1);
 }
 
 TEST(VoronoiDiagram, DoesNotGrowAcrossCutsAndHasNoSpikes)
@@ -179,9 +182,9 @@ TEST(VoronoiDiagram, DoesNotGrowAcrossCutsAndHasNoSpikes)
     cutEdge(s, 21 + i, 22 + i);
   }
   VoronoiDiagram diagram(s);
-  diagram.addSite(0, 0);
+  diagram.addSite(Face(0), 0);
   int reached = 0;
-  for (int f = 0; f < s.numberOfFaces(); ++f)
+  for (const Face f : s.faces())
   {
     reached += diagram.cell(f) == 0;
   }
@@ -189,17 +192,17 @@ TEST(VoronoiDiagram, DoesNotGrowAcrossCutsAndHasNoSpikes)
 
   CutSurface whole = shapes::cutSurface(shapes::sphere(1, 3));
   VoronoiDiagram cells(whole);
-  cells.addSite(0, 0);
+  cells.addSite(Face(0), 0);
   cells.addSite(cells.farthest(allFaces(whole)), 1);
   cells.removeSpikes(allFaces(whole));
-  for (int f = 0; f < whole.numberOfFaces(); ++f)
+  for (const Face f : whole.faces())
   {
     int other = 0;
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge h : halfedgesOf(f))
     {
-      other += cells.cell(whole.twin[h] / 3) != cells.cell(f);
+      other += cells.cell(faceOf(whole.twin[h])) != cells.cell(f);
     }
-    EXPECT_LT(other, 2) << "triangle " << f << " hangs on its cell by one edge";
+    EXPECT_LT(other, 2) << "triangle " << f.index() << " hangs on its cell by one edge";
   }
 }
 

@@ -48,10 +48,10 @@ struct Grid
     }
     s.connect();
     this->surface = shapes::cutSurface(s);
-    for (int g = 0; g < this->surface.numberOfHalfedges(); ++g)
+    for (const Halfedge g : this->surface.halfedges())
     {
-      const int across = this->surface.twin[g];
-      if (across >= 0 && this->labelOf(g / 3, label) != this->labelOf(across / 3, label))
+      const Halfedge across = this->surface.twin[g];
+      if (across.valid() && this->labelOf(faceOf(g), label) != this->labelOf(faceOf(across), label))
       {
         this->surface.setCut(g, true);
       }
@@ -59,29 +59,29 @@ struct Grid
   }
   int point(int i, int j) const { return j * (this->width + 1) + i; }
   template <typename Label>
-  int labelOf(int face, const Label& label) const
+  int labelOf(Face face, const Label& label) const
   {
-    return label(face / 2 % this->width, face / 2 / this->width);
+    return label(face.index() / 2 % this->width, face.index() / 2 / this->width);
   }
   /// From one point to the next, which an edge joins to it.
-  int halfedge(int p, int q) const
+  Halfedge halfedge(int p, int q) const
   {
-    for (int h = 0; h < this->surface.numberOfHalfedges(); ++h)
+    for (const Halfedge h : this->surface.halfedges())
     {
-      if (this->surface.tail(h) == p && this->surface.head(h) == q)
+      if (this->surface.tail(h) == Vertex(p) && this->surface.head(h) == Vertex(q))
       {
         return h;
       }
     }
     ADD_FAILURE() << "no edge from " << p << " to " << q;
-    return -1;
+    return {};
   }
   int numberOfInnerCuts() const
   {
     int count = 0;
-    for (int h = 0; h < this->surface.numberOfHalfedges(); ++h)
+    for (const Halfedge h : this->surface.halfedges())
     {
-      count += this->surface.cut[h] && this->surface.twin[h] >= 0;
+      count += this->surface.cut[h] && !this->surface.isBoundary(h);
     }
     return count / 2;
   }
@@ -95,10 +95,10 @@ int columns(int i, int)
 /// Every triangle is in its owner's list, and nowhere else.
 void expectConsistent(const ChartRegions& regions)
 {
-  std::set<int> seen;
+  std::set<Face> seen;
   for (int r = 0; r < regions.size(); ++r)
   {
-    for (const int f : regions.faces(r))
+    for (const Face f : regions.faces(r))
     {
       EXPECT_EQ(regions.owner(f), r);
       EXPECT_TRUE(seen.insert(f).second);
@@ -116,13 +116,13 @@ TEST(ChartRegions, AreWhatCutsSeparate)
   expectConsistent(regions);
   EXPECT_DOUBLE_EQ(regions.area(0), 3.);
   EXPECT_DOUBLE_EQ(regions.area(1), 9.);
-  EXPECT_EQ(regions.owner(0), 0) << "regions are counted by their smallest triangles";
+  EXPECT_EQ(regions.owner(Face(0)), 0) << "regions are counted by their smallest triangles";
   EXPECT_EQ(regions.numberOfInputTriangles(0), 6);
   EXPECT_TRUE(regions.mesh(1).isDisk());
   EXPECT_EQ(regions.mesh(1).numberOfVertices(), 16);
   EXPECT_EQ(regions.neighbours(0), std::vector<int>{ 1 });
   EXPECT_EQ(regions.neighbours(1), std::vector<int>{ 0 });
-  const int seam = grid.halfedge(grid.point(1, 1), grid.point(1, 2));
+  const Halfedge seam = grid.halfedge(grid.point(1, 1), grid.point(1, 2));
   EXPECT_EQ(regions.ownerAcross(seam), 1);
   EXPECT_EQ(regions.ownerAcross(grid.surface.twin[seam]), 0);
   EXPECT_EQ(regions.ownerAcross(grid.halfedge(grid.point(0, 0), grid.point(1, 0))), -1);
@@ -149,10 +149,10 @@ TEST(ChartRegions, SplitsStayInTheirRegionAndAreNoted)
     regions.clearChanges(r);
   }
   CutSurface& s = grid.surface;
-  const int h = grid.halfedge(grid.point(1, 0), grid.point(1, 1));
-  const int g = s.twin[h];
-  const int oldHead = s.head(h);
-  const int apex = s.head(nextHalfedge(h));
+  const Halfedge h = grid.halfedge(grid.point(1, 0), grid.point(1, 1));
+  const Halfedge g = s.twin[h];
+  const int oldHead = s.head(h).index();
+  const int apex = s.head(nextHalfedge(h)).index();
   const int faces = s.numberOfFaces();
   const int p = regions.splitEdge(h, 0.25);
   EXPECT_LT((s.points[p] - Vec3(1, 0.25, 0)).norm(), 1e-15);
@@ -170,11 +170,11 @@ TEST(ChartRegions, SplitsStayInTheirRegionAndAreNoted)
   const ChartRegions::Split& left = regions.splits(0).front();
   EXPECT_EQ(left.halfedge, h);
   EXPECT_EQ(left.t, 0.25);
-  EXPECT_EQ(s.triangles[left.added], (Triangle{ p, oldHead, apex }));
+  EXPECT_EQ(s.triangle(left.added), (Triangle{ p, oldHead, apex }));
   const ChartRegions::Split& right = regions.splits(1).front();
   EXPECT_EQ(right.halfedge, g);
   EXPECT_EQ(right.t, 0.75);
-  EXPECT_EQ(s.triangles[right.added][0], p);
+  EXPECT_EQ(s.triangle(right.added)[0], p);
   // On the surface's boundary there is one side.
   regions.splitEdge(grid.halfedge(grid.point(0, 0), grid.point(1, 0)), 0.5);
   EXPECT_EQ(regions.splits(0).size(), 2U);
@@ -198,7 +198,7 @@ TEST(ChartRegions, SlitsAreClosed)
     { { 2, 2, 1, 2 } }, { { 2, 2, 3, 2 } } } };
   for (const auto& [i, j, k, l] : slits)
   {
-    const int h = grid.halfedge(grid.point(i, j), grid.point(k, l));
+    const Halfedge h = grid.halfedge(grid.point(i, j), grid.point(k, l));
     regions.cutOpen(h);
     EXPECT_TRUE(grid.surface.cut[h] && grid.surface.cut[grid.surface.twin[h]]);
   }
@@ -235,7 +235,7 @@ TEST(ChartRegions, AreDividedAndMerged)
   ASSERT_EQ(regions.size(), 1);
   const auto inColumn = [&](int region, int column) {
     std::vector<char> side;
-    for (const int f : regions.faces(region))
+    for (const Face f : regions.faces(region))
     {
       side.push_back(grid.labelOf(f, columns) == column);
     }
@@ -254,7 +254,7 @@ TEST(ChartRegions, AreDividedAndMerged)
   regions.clearChanges(0);
   regions.clearChanges(1);
   regions.splitEdge(grid.halfedge(grid.point(3, 0), grid.point(3, 1)), 0.5);
-  const std::vector<int> right = regions.faces(2);
+  const std::vector<Face> right = regions.faces(2);
   regions.merge(0, 1, regions.arcs(0, 1).front());
   EXPECT_EQ(regions.size(), 2);
   expectConsistent(regions);
@@ -279,24 +279,24 @@ TEST(ChartRegions, ShareTheirTrianglesOutAnew)
   std::vector<char> side;
   for (const int region : { 0, 1 })
   {
-    for (const int f : regions.faces(region))
+    for (const Face f : regions.faces(region))
     {
       side.push_back(grid.labelOf(f, columns) >= 2);
     }
   }
-  const std::vector<int> opened = regions.shareOut(0, 1, side);
+  const std::vector<Halfedge> opened = regions.shareOut(0, 1, side);
   expectConsistent(regions);
   EXPECT_DOUBLE_EQ(regions.area(0), 4.);
   EXPECT_DOUBLE_EQ(regions.area(1), 4.);
   EXPECT_TRUE(regions.isReshaped(0) && regions.isReshaped(1));
   ASSERT_EQ(opened.size(), 2U);
-  for (const int h : opened)
+  for (const Halfedge h : opened)
   {
-    EXPECT_EQ(regions.owner(h / 3), 0);
+    EXPECT_EQ(regions.owner(faceOf(h)), 0);
     EXPECT_EQ(regions.ownerAcross(h), 1);
     EXPECT_TRUE(grid.surface.cut[h]);
-    EXPECT_EQ(grid.surface.points[grid.surface.tail(h)].x(), 2.);
-    EXPECT_EQ(grid.surface.points[grid.surface.head(h)].x(), 2.);
+    EXPECT_EQ(grid.surface.point(grid.surface.tail(h)).x(), 2.);
+    EXPECT_EQ(grid.surface.point(grid.surface.head(h)).x(), 2.);
   }
   EXPECT_EQ(grid.numberOfInnerCuts(), 4) << "who moves a seam closes the old one";
 }
@@ -305,15 +305,15 @@ TEST(ChartRegions, BoundariesAreWalkedInOrder)
 {
   Grid grid(4, 3, [](int i, int) { return i > 0; });
   const ChartRegions regions(grid.surface);
-  const int first = grid.halfedge(grid.point(0, 0), grid.point(1, 0));
+  const Halfedge first = grid.halfedge(grid.point(0, 0), grid.point(1, 0));
   std::vector<int> points;
-  int h = first;
+  Halfedge h = first;
   do
   {
-    EXPECT_EQ(regions.owner(h / 3), 0);
+    EXPECT_EQ(regions.owner(faceOf(h)), 0);
     EXPECT_TRUE(grid.surface.cut[h]);
-    points.push_back(grid.surface.tail(h));
-    h = regions.nextOnBoundary(h);
+    points.push_back(grid.surface.tail(h).index());
+    h = grid.surface.nextOnBoundary(h);
   } while (h != first && points.size() < 100);
   const auto at = [&](int i, int j) { return grid.point(i, j); };
   EXPECT_EQ(points,
@@ -328,16 +328,16 @@ TEST(ChartRegions, ArcsAreTheSeamsOfTwoRegions)
   Grid grid(3, 3, [](int i, int j) { return i == 1 ? (j == 0 ? 0 : j == 1 ? 1 : 2) : i; });
   const ChartRegions regions(grid.surface);
   ASSERT_EQ(regions.size(), 3);
-  const int left = regions.owner(0);
-  const int right = regions.owner(2 * 2);
-  const int middle = regions.owner(2 * 4);
+  const int left = regions.owner(Face(0));
+  const int right = regions.owner(Face(2 * 2));
+  const int middle = regions.owner(Face(2 * 4));
   const std::vector<SeamArc> arcs = regions.arcs(left, right);
   ASSERT_EQ(arcs.size(), 2U);
   for (const SeamArc& arc : arcs)
   {
     EXPECT_FALSE(arc.closed);
     ASSERT_EQ(arc.halfedges.size(), 1U);
-    EXPECT_EQ(regions.owner(arc.halfedges[0] / 3), left);
+    EXPECT_EQ(regions.owner(faceOf(arc.halfedges[0])), left);
     EXPECT_EQ(regions.ownerAcross(arc.halfedges[0]), right);
   }
   EXPECT_LT(arcs[0].halfedges[0], arcs[1].halfedges[0]);
@@ -346,8 +346,8 @@ TEST(ChartRegions, ArcsAreTheSeamsOfTwoRegions)
   ASSERT_EQ(about.size(), 1U);
   ASSERT_EQ(about[0].halfedges.size(), 2U);
   EXPECT_EQ(grid.surface.head(about[0].halfedges[0]), grid.surface.tail(about[0].halfedges[1]));
-  EXPECT_EQ(grid.surface.tail(about[0].halfedges[0]), grid.point(2, 1));
-  EXPECT_EQ(grid.surface.head(about[0].halfedges[1]), grid.point(1, 2));
+  EXPECT_EQ(grid.surface.tail(about[0].halfedges[0]), Vertex(grid.point(2, 1)));
+  EXPECT_EQ(grid.surface.head(about[0].halfedges[1]), Vertex(grid.point(1, 2)));
   EXPECT_EQ(regions.neighbours(middle).size(), 2U);
 }
 
@@ -368,7 +368,7 @@ TEST(ChartRegions, ASeamAboutARegionIsClosed)
     {
       EXPECT_EQ(
         grid.surface.head(arcs[0].halfedges[i]), grid.surface.tail(arcs[0].halfedges[(i + 1) % 8]));
-      EXPECT_EQ(regions.owner(arcs[0].halfedges[i] / 3), a);
+      EXPECT_EQ(regions.owner(faceOf(arcs[0].halfedges[i])), a);
     }
   }
 }

@@ -109,14 +109,14 @@ TEST(CreasePatches, AreTheFacesOfACube)
 {
   CutSurface surface = creased(shapes::cube(6));
   cutAlongCreases(surface);
-  const std::vector<std::vector<int>> patches = chartFaces(surface);
+  const std::vector<std::vector<Face>> patches = chartFaces(surface);
   ASSERT_EQ(patches.size(), 6U);
-  for (const std::vector<int>& patch : patches)
+  for (const std::vector<Face>& patch : patches)
   {
     EXPECT_EQ(patch.size(), 72U);
     const Vec3 normal = surface.faceNormal(patch.front());
     EXPECT_TRUE(std::all_of(patch.begin(), patch.end(),
-      [&](int f) { return (surface.faceNormal(f) - normal).norm() < 1e-12; }));
+      [&](Face f) { return (surface.faceNormal(f) - normal).norm() < 1e-12; }));
   }
 }
 
@@ -125,7 +125,7 @@ TEST(CreasePatches, CreasesThatEndInsideAreNotCut)
   CutSurface surface = shapes::cutSurface(shapes::sphere(1, 3));
   for (int h = 0; h < 30; h += 10)
   {
-    surface.setSharp(h, true);
+    surface.setSharp(Halfedge(h), true);
   }
   cutAlongCreases(surface);
   EXPECT_EQ(std::count(surface.cut.begin(), surface.cut.end(), 1), 0);
@@ -141,13 +141,13 @@ TEST(CreasePatches, NegligibleOnesGoToTheNeighbourWithMostOfTheirOutline)
   // Of side .03 each face has 1.5e-4 of the area, all five have less than a thousandth.
   CutSurface small = creased(boxOnBox(7, 0.03));
   cutAlongCreases(small);
-  const std::vector<std::vector<int>> patches = chartFaces(small);
+  const std::vector<std::vector<Face>> patches = chartFaces(small);
   EXPECT_EQ(patches.size(), 6U);
   const double total = small.area();
-  for (const std::vector<int>& patch : patches)
+  for (const std::vector<Face>& patch : patches)
   {
     double area = 0;
-    for (const int f : patch)
+    for (const Face f : patch)
     {
       area += small.faceArea(f);
     }
@@ -183,13 +183,13 @@ TEST(CreasePatches, JoinedLoopsLeaveADisk)
   ChartRegions regions(surface);
   ASSERT_EQ(regions.mesh(0).boundaryLoops, 2);
   regions.clearChanges(0);
-  const std::vector<int> opened = joinLoops(regions, 0);
+  const std::vector<Halfedge> opened = joinLoops(regions, 0);
   EXPECT_EQ(opened.size(), 10U) << "straight along the tube";
   double length = 0;
-  for (const int h : opened)
+  for (const Halfedge h : opened)
   {
     EXPECT_TRUE(surface.cut[h]);
-    length += surface.edgeLength(Halfedge(h));
+    length += surface.edgeLength(h);
   }
   EXPECT_NEAR(length, 5, 1e-12);
   EXPECT_TRUE(regions.mesh(0).isDisk());
@@ -207,11 +207,11 @@ TEST(CreasePatches, SeamsOfAPartLieOnItsCreasesOrAreStraight)
   EXPECT_LE(charts.size(), 4U);
   double onCrease = 0;
   double elsewhere = 0;
-  for (int h = 0; h < surface.numberOfHalfedges(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
     if (surface.cut[h])
     {
-      (surface.sharp[h] ? onCrease : elsewhere) += 0.5 * surface.edgeLength(Halfedge(h));
+      (surface.sharp[h] ? onCrease : elsewhere) += 0.5 * surface.edgeLength(h);
     }
   }
   EXPECT_GT(onCrease, 1);

@@ -76,20 +76,20 @@ TEST(LongEdges, AreHalvedUntilThereAreNone)
 TEST(LongEdges, KeepTheirMarks)
 {
   CutSurface surface = cutSurface(shapes::cube(1));
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    const double cosine = surface.faceNormal(h / 3).dot(surface.faceNormal(surface.twin[h] / 3));
+    const double cosine =
+      surface.faceNormal(faceOf(h)).dot(surface.faceNormal(faceOf(surface.twin[h])));
     surface.setSharp(h, cosine < 0.5);
   }
   splitLongEdges(surface, 0.2);
   double length = 0;
-  for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
+  for (const Halfedge h : surface.halfedges())
   {
-    const double cosine = surface.faceNormal(h / 3).dot(surface.faceNormal(surface.twin[h] / 3));
+    const double cosine =
+      surface.faceNormal(faceOf(h)).dot(surface.faceNormal(faceOf(surface.twin[h])));
     EXPECT_EQ(surface.sharp[h] != 0, cosine < 0.5);
-    length += surface.sharp[h]
-      ? 0.5 * (surface.points[surface.head(h)] - surface.points[surface.tail(h)]).norm()
-      : 0.;
+    length += surface.sharp[h] ? 0.5 * surface.edgeLength(h) : 0.;
   }
   const double side = std::sqrt(surface.area() / 6.);
   EXPECT_NEAR(length, 12. * side, 1e-9);

@@ -120,14 +120,14 @@ TEST(Regions, BordersHaveTheCornersThatSeveralEdgesTell)
 {
   CutSurface plate = shapes::cutSurface(shapes::saddle(16));
   const auto markBorder = [&plate](const std::function<bool(int column, int row)>& isIn) {
-    for (int h = 0; h < 3 * plate.numberOfFaces(); ++h)
+    for (const Halfedge h : plate.halfedges())
     {
-      const auto in = [&](int halfedge) {
-        const Triangle& t = plate.triangles[halfedge / 3];
+      const auto in = [&](Halfedge halfedge) {
+        const Triangle& t = plate.triangles[faceOf(halfedge).index()];
         const Vec3 c = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3.;
         return isIn(static_cast<int>(8 * (c.x() + 1)), static_cast<int>(8 * (c.y() + 1)));
       };
-      if (plate.twin[h] > h && in(h) != in(plate.twin[h]))
+      if (!plate.isBoundary(h) && in(h) != in(plate.twin[h]))
       {
         plate.setKeep(h, Keep::Border);
       }

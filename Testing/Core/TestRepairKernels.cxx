@@ -217,7 +217,7 @@ TEST(ChartWriter, ConstraintsLieInTheTrianglesThatTheyName)
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     const ConstraintPoint& c = found[i];
-    const int face = charts.flat[c.chart].mesh.faces[c.chartCell];
+    const Face face = charts.flat[c.chart].mesh.faces[c.chartCell];
     EXPECT_LT((charts.surface.position(face, c.bary) - c.position).norm(), 1e-6);
     if (i < 40)
     {

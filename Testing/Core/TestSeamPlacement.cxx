@@ -45,7 +45,7 @@ double areaRatio(const Partition& partition)
   for (const FlatChart& c : partition.charts)
   {
     double area = 0;
-    for (int f : c.mesh.faces)
+    for (const Face f : c.mesh.faces)
     {
       area += partition.surface.faceArea(f);
     }
@@ -102,14 +102,14 @@ struct Halves
     }
     s.connect();
     this->surface = shapes::cutSurface(s);
-    const auto isLeft = [&](int face) {
-      const int square = face / 2;
+    const auto isLeft = [&](Face face) {
+      const int square = face.index() / 2;
       return square % (2 * n) < line * n + square / (2 * n) % 2;
     };
-    for (int h = 0; h < this->surface.numberOfHalfedges(); ++h)
+    for (const Halfedge h : this->surface.halfedges())
     {
-      const int g = this->surface.twin[h];
-      if (g >= 0 && isLeft(h / 3) != isLeft(g / 3))
+      const Halfedge g = this->surface.twin[h];
+      if (g.valid() && isLeft(faceOf(h)) != isLeft(faceOf(g)))
       {
         this->surface.setCut(h, true);
       }
@@ -121,14 +121,14 @@ struct Halves
 std::array<double, 3> extentOf(const CutSurface& s, const SeamArc& arc)
 {
   std::array<double, 3> result = { { 1e300, -1e300, 0 } };
-  for (const int h : arc.halfedges)
+  for (const Halfedge h : arc.halfedges)
   {
-    for (const int p : { s.tail(h), s.head(h) })
+    for (const Vertex p : { s.tail(h), s.head(h) })
     {
-      result[0] = std::min(result[0], s.points[p].x());
-      result[1] = std::max(result[1], s.points[p].x());
+      result[0] = std::min(result[0], s.point(p).x());
+      result[1] = std::max(result[1], s.point(p).x());
     }
-    result[2] += s.edgeLength(Halfedge(h));
+    result[2] += s.edgeLength(h);
   }
   return result;
 }
@@ -184,13 +184,13 @@ TEST(PlaceSeam, LeavesTheSeamWhereItCannotBePlaced)
   const auto expectRefused = [](CutSurface& surface) {
     ChartRegions regions(surface);
     ASSERT_EQ(regions.size(), 2);
-    const std::vector<char> cut = surface.cut;
-    std::array<std::vector<int>, 2> faces = { { regions.faces(0), regions.faces(1) } };
+    const auto cut = surface.cut;
+    std::array<std::vector<Face>, 2> faces = { { regions.faces(0), regions.faces(1) } };
     EXPECT_FALSE(placeSeam(regions, 0, 1, regions.arcs(0, 1).front(), {}));
-    EXPECT_EQ(surface.cut, cut);
+    EXPECT_TRUE(surface.cut == cut);
     for (const int r : { 0, 1 })
     {
-      std::vector<int> now = regions.faces(r);
+      std::vector<Face> now = regions.faces(r);
       std::sort(now.begin(), now.end());
       std::sort(faces[r].begin(), faces[r].end());
       EXPECT_EQ(now, faces[r]);
@@ -200,13 +200,13 @@ TEST(PlaceSeam, LeavesTheSeamWhereItCannotBePlaced)
   expectRefused(few.surface);
   // A disk within an annulus: what would be mapped is a disk that ends at no seam.
   Halves hole(20, 5);
-  for (int h = 0; h < hole.surface.numberOfHalfedges(); ++h)
+  for (const Halfedge h : hole.surface.halfedges())
   {
-    const auto inside = [&](int f) {
+    const auto inside = [&](Face f) {
       return (hole.surface.position(f, Vec3::Constant(1. / 3)) - Vec3(1, 0.5, 0))
                .lpNorm<Eigen::Infinity>() < 0.3;
     };
-    if (hole.surface.twin[h] >= 0 && inside(h / 3) != inside(hole.surface.twin[h] / 3))
+    if (!hole.surface.isBoundary(h) && inside(faceOf(h)) != inside(faceOf(hole.surface.twin[h])))
     {
       hole.surface.setCut(h, true);
     }
@@ -218,12 +218,12 @@ TEST(PlaceSeams, VoronoiSeamsStay)
 {
   Halves halves(20, 0.6);
   ChartRegions regions(halves.surface);
-  const std::vector<char> cut = halves.surface.cut;
+  const auto cut = halves.surface.cut;
   EXPECT_TRUE(placeSeams(regions, BoundaryPlacement::Voronoi, {}).ok());
   smoothSeams(regions, 0, 1, BoundaryPlacement::Voronoi);
-  EXPECT_EQ(halves.surface.cut, cut);
+  EXPECT_TRUE(halves.surface.cut == cut);
   EXPECT_TRUE(placeSeams(regions, BoundaryPlacement::AreaMedian, {}).ok());
-  EXPECT_NE(halves.surface.cut, cut);
+  EXPECT_FALSE(halves.surface.cut == cut);
 }
 
 class Seams : public testing::TestWithParam<int>
@@ -253,12 +253,12 @@ TEST(Seams, KeepTheirShareOfTheArea)
 {
   CutSurface s = shapes::cutSurface(shapes::sphere(1, 4));
   const double level = 0.3;
-  for (int h = 0; h < 3 * s.numberOfFaces(); ++h)
+  for (const Halfedge h : s.halfedges())
   {
-    const auto above = [&](int f) {
+    const auto above = [&](Face f) {
       return s.point(f, 0).z() + s.point(f, 1).z() + s.point(f, 2).z() > 3 * level;
     };
-    if (above(h / 3) != above(s.twin[h] / 3))
+    if (above(faceOf(h)) != above(faceOf(s.twin[h])))
     {
       s.setCut(h, true);
     }
@@ -271,18 +271,19 @@ TEST(Seams, KeepTheirShareOfTheArea)
   const std::vector<SeamArc> arcs = regions.arcs(0, 1);
   ASSERT_EQ(arcs.size(), 1U);
   EXPECT_TRUE(arcs.front().closed);
-  for (int h : arcs.front().halfedges)
+  for (const Halfedge h : arcs.front().halfedges)
   {
-    EXPECT_NEAR(s.points[s.tail(h)].z(), level, 0.05) << "a circle of latitude";
+    EXPECT_NEAR(s.point(s.tail(h)).z(), level, 0.05) << "a circle of latitude";
   }
 }
 
 TEST(Seams, FewTrianglesAreLeftAlone)
 {
   CutSurface s = shapes::cutSurface(shapes::cube(3));
-  for (int h = 0; h < 3 * s.numberOfFaces(); ++h)
+  const auto isFirstHalf = [&](Halfedge h) { return faceOf(h) < Face(s.numberOfFaces() / 2); };
+  for (const Halfedge h : s.halfedges())
   {
-    if ((h / 3 < s.numberOfFaces() / 2) != (s.twin[h] / 3 < s.numberOfFaces() / 2))
+    if (isFirstHalf(h) != isFirstHalf(s.twin[h]))
     {
       s.setCut(h, true);
     }
