@@ -64,7 +64,12 @@ void MeshEdit::undo(std::size_t begin)
     const Change& change = this->Log.back();
     if (change.flipped.valid())
     {
-      this->Edited.Graph.flip(OptimizedMesh::raw(change.flipped));
+      // A flip turns the edge by a quarter: one more would leave it turned around, and its two
+      // triangles exchanged, which others know by their ids.
+      for (int quarter = 1; quarter < 4; ++quarter)
+      {
+        this->Edited.Graph.flip(OptimizedMesh::raw(change.flipped));
+      }
     }
     else
     {

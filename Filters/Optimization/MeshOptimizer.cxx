@@ -66,8 +66,8 @@ Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
 }
 
 /// Rounds of swaps and moves (paper 4.4), with repairs in between.
-Status relax(
-  OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, const Progress& progress)
+Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
+  const Lazy<std::vector<Box>>& ofSurface, const Progress& progress)
 {
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
@@ -137,10 +137,15 @@ Status relax(
     if (i % Tuning::RepairInterval == Tuning::FirstRepair)
     {
       const double threshold = i == Tuning::FirstRepair ? 0. : Tuning::SliverAngle;
-      if (repairTriangles(edit, threshold, swaps, moves, Tuning::PassesOfRepair) > 0 && moves &&
-        swaps)
+      const bool isBad = repairTriangles(edit, threshold, swaps, moves, Tuning::PassesOfRepair) > 0;
+      if (moves && swaps)
       {
-        unfold(edit);
+        if (isBad)
+        {
+          unfold(edit);
+        }
+        // Layers that lie over one another are small at first; Lloyd's method gives each its share.
+        resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, ofSurface);
       }
     }
   }
@@ -148,7 +153,8 @@ Status relax(
 }
 
 /// What makes the mesh good in the end, triangle by triangle.
-void finish(MeshEdit& edit, const OptimizerOptions& options)
+void finish(
+  MeshEdit& edit, const OptimizerOptions& options, const Lazy<std::vector<Box>>& ofSurface)
 {
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
@@ -189,7 +195,7 @@ void finish(MeshEdit& edit, const OptimizerOptions& options)
     }
   }
   reduceError();
-  resolveSelfIntersections(edit, Tuning::PassesOfParting);
+  resolveSelfIntersections(edit, Tuning::PassesOfParting, ofSurface);
 }
 }
 
@@ -200,12 +206,13 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     return Status::success();
   }
   MeshEdit edit(mesh);
-  Status status = relax(mesh, edit, options, progress);
+  const Lazy<std::vector<Box>> ofSurface; // where it passes through itself
+  Status status = relax(mesh, edit, options, ofSurface, progress);
   if (!status.ok())
   {
     return status;
   }
-  finish(edit, options);
+  finish(edit, options, ofSurface);
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }

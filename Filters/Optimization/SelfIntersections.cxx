@@ -6,12 +6,9 @@
 #include "MeshRegion.h"
 #include "ParallelFor.h"
 #include "Relaxation.h"
+#include "TriangleIntersections.h"
 #include "Tuning.h"
 #include "VertexStar.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangle_3.h>
-#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,88 +19,23 @@ namespace stipple
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Corners = std::array<Vertex, 3>;
 
-Kernel::Point_3 exact(const Vec3& p)
-{
-  return { p.x(), p.y(), p.z() };
-}
-
-/// All corners of t, but for those that are shared, lie on one side of the plane of s, and not by a
-/// hair's breadth: then nothing but a shared corner is common to both.
-bool isBeside(const OptimizedMesh& mesh, const Corners& s, const Corners& t)
-{
-  const Vec3& a = mesh.position(s[0]);
-  const Vec3 u = mesh.position(s[1]) - a;
-  const Vec3 w = mesh.position(s[2]) - a;
-  const Vec3 n = u.cross(w);
-  const double scale = Tuning::CoplanarTolerance * u.norm() * w.norm();
-  int sides = 0; // 1: above, 2: below, 4: near the plane
-  for (const Vertex v : t)
-  {
-    if (v != s[0] && v != s[1] && v != s[2])
-    {
-      const Vec3 p = mesh.position(v) - a;
-      const double height = n.dot(p);
-      const double noise = scale * p.norm();
-      sides |= height > noise ? 1 : height < -noise ? 2 : 4;
-    }
-  }
-  return sides == 1 || sides == 2;
-}
-
-/// Two triangles that share no edge; at a vertex that they share they may touch.
 bool intersect(const OptimizedMesh& mesh, const Corners& s, const Corners& t)
 {
-  int sharedS = -1;
-  int sharedT = -1;
-  int shared = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      if (s[i] == t[j])
-      {
-        sharedS = i;
-        sharedT = j;
-        ++shared;
-      }
-    }
-  }
-  if (shared > 1 || isBeside(mesh, s, t) || isBeside(mesh, t, s))
-  {
-    return false;
-  }
-  const auto point = [&](Vertex v) { return exact(mesh.position(v)); };
-  const Kernel::Triangle_3 first(point(s[0]), point(s[1]), point(s[2]));
-  const Kernel::Triangle_3 second(point(t[0]), point(t[1]), point(t[2]));
-  if (shared == 0)
-  {
-    return CGAL::do_intersect(first, second);
-  }
-  const Kernel::Segment_3 oppositeS(point(s[(sharedS + 1) % 3]), point(s[(sharedS + 2) % 3]));
-  const Kernel::Segment_3 oppositeT(point(t[(sharedT + 1) % 3]), point(t[(sharedT + 2) % 3]));
-  return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
+  const auto placed = [&](const Corners& corners) {
+    const auto [a, b, c] = corners;
+    return PlacedTriangle{ { a.index(), b.index(), c.index() },
+      { mesh.position(a), mesh.position(b), mesh.position(c) } };
+  };
+  return stipple::intersect(placed(s), placed(t));
 }
-
 }
 
 struct SelfIntersections::Internals
 {
   const OptimizedMesh& Mesh;
   double CellSize = 1;
-  struct Box
-  {
-    Vec3 low;
-    Vec3 high;
-
-    bool overlaps(const Box& other) const
-    {
-      return (other.low.array() <= this->high.array()).all() &&
-        (this->low.array() <= other.high.array()).all();
-    }
-  };
   ElementArray<Face, Box> Boxes; // as last updated
   /// A face in one of the cells that its box touches.
   struct Entry
@@ -122,10 +54,8 @@ struct SelfIntersections::Internals
   Box boxOf(Face f) const
   {
     const auto t = this->Mesh.corners(f);
-    const Vec3& a = this->Mesh.position(t[0]);
-    const Vec3& b = this->Mesh.position(t[1]);
-    const Vec3& c = this->Mesh.position(t[2]);
-    return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
+    return Box::around(
+      this->Mesh.position(t[0]), this->Mesh.position(t[1]), this->Mesh.position(t[2]));
   }
   std::array<std::int64_t, 3> indexOf(const Vec3& p) const
   {
@@ -241,12 +171,12 @@ int SelfIntersections::count(const std::vector<Face>& faces) const
   const Internals& grid = *this->Grid;
   std::vector<Face> inOrder = faces;
   std::sort(inOrder.begin(), inOrder.end());
-  std::vector<Internals::Box> boxes;
+  std::vector<Box> boxes;
   int pairs = 0;
   for (const Face f : faces)
   {
     const auto t = grid.Mesh.corners(f);
-    const Internals::Box box = grid.boxOf(f);
+    const Box box = grid.boxOf(f);
     grid.forEachNear(box, Face(0), [&](Face g) {
       if (!std::binary_search(inOrder.begin(), inOrder.end(), g))
       {
@@ -298,6 +228,17 @@ std::vector<Face> SelfIntersections::faces() const
     {
       result.push_back(f);
     }
+  }
+  return result;
+}
+
+std::vector<Face> SelfIntersections::facesNear(const std::vector<Box>& places) const
+{
+  std::vector<Face> result;
+  for (const Box& place : places)
+  {
+    this->Grid->forEachNear(
+      place.grown(this->Grid->CellSize), Face(0), [&](Face f) { result.push_back(f); });
   }
   return result;
 }
@@ -377,7 +318,7 @@ bool partBySwap(MeshEdit& edit, SelfIntersections& intersections, Edge e)
 
 /// Places the vertices about the triangles anew, of as few rings as part any.
 bool partByEmbedding(
-  MeshEdit& edit, SelfIntersections& intersections, const std::vector<Face>& faces)
+  MeshEdit& edit, SelfIntersections& intersections, const std::vector<Face>& faces, int& budget)
 {
   struct State
   {
@@ -387,6 +328,7 @@ bool partByEmbedding(
   const std::vector<Face> changed = embedAbout(
     edit, faces, Tuning::RingsOfParting,
     [&](const std::vector<Face>& now) {
+      budget -= static_cast<int>(now.size());
       return State{ intersections.count(now), worstQuality(edit.mesh(), now) };
     },
     [&](const State& after, const State& before) {
@@ -398,17 +340,32 @@ bool partByEmbedding(
 }
 }
 
-int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses)
+int resolveSelfIntersections(
+  MeshEdit& edit, int maximumNumberOfPasses, const Lazy<std::vector<Box>>& ofSurface)
 {
   const OptimizedMesh& mesh = edit.mesh();
   SelfIntersections intersections(mesh);
   std::vector<Face> bad = intersections.faces();
-  // Where much of a mesh passes through itself, sheets are closer together than edges are long, or
-  // the surface does so too: then there is nothing to part, and trying takes long.
-  if (static_cast<int>(bad.size()) > Tuning::FewIntersecting + mesh.faces().size() / 50)
+  // Where much of a mesh passes through itself, sheets are closer together than edges are long:
+  // then there is nothing to part, and trying takes long.
+  if (bad.empty() ||
+    static_cast<int>(bad.size()) > Tuning::FewIntersecting + mesh.faces().size() / 50)
   {
     return static_cast<int>(bad.size());
   }
+  ElementArray<Face, char> isOfSurface(static_cast<std::size_t>(mesh.faces().size()), 0);
+  for (const Face f : intersections.facesNear(ofSurface.get([&] {
+         const AtlasSurface& surface = mesh.atlas().surface();
+         return placesOfIntersections(surface.points, surface.triangles);
+       })))
+  {
+    isOfSurface[f] = 1;
+  }
+  const auto look = [&]() {
+    bad = filtered(intersections.faces(), [&](Face f) { return isOfSurface[f] == 0; });
+  };
+  look();
+  int budget = Tuning::PartingBudget * mesh.faces().size();
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
     bool changed = false;
@@ -428,20 +385,20 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses)
         }
       }
     }
-    bad = intersections.faces();
+    look();
     // What is left then lies in layers that face the same way.
     if (pass > 0 || !changed)
     {
       for (const std::vector<Face>& group : groupsOf(mesh, bad))
       {
-        changed = partByEmbedding(edit, intersections, group) || changed;
+        changed = (budget > 0 && partByEmbedding(edit, intersections, group, budget)) || changed;
       }
     }
     if (!changed)
     {
       break;
     }
-    bad = intersections.faces();
+    look();
   }
   return static_cast<int>(bad.size());
 }

@@ -5,8 +5,10 @@
 #ifndef stipple_SelfIntersections_h
 #define stipple_SelfIntersections_h
 
+#include "Lazy.h"
 #include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
+#include "TriangleIntersections.h"
 
 #include <memory>
 
@@ -27,6 +29,9 @@ public:
   void update(const std::vector<Face>& faces);
   /// Triangles that intersect others, ascending; the same for any number of threads.
   std::vector<Face> faces() const;
+  /// Triangles nearer to one of the places than the mean size of triangles, as last updated; not in
+  /// order.
+  std::vector<Face> facesNear(const std::vector<Box>& places) const;
 
 private:
   struct Internals;
@@ -35,10 +40,12 @@ private:
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
 /// intersect and no triangle gets worse than Tuning::PartingAngle unless it was; what is left is
-/// embedded anew. A mesh that passes through itself in more than 250 and 2 % of its triangles
-/// is left as it is. Returns the number of triangles that still intersect others.
+/// embedded anew. What is where the surface passes through itself, at `ofSurface`, is left as it is
+/// (placesOfIntersections(), made here if it is asked for), and so is a mesh that passes through
+/// itself elsewhere in more than 250 and 2 % of its triangles. Returns the number of triangles that
+/// still intersect others elsewhere.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int resolveSelfIntersections(
-  MeshEdit& edit, int maximumNumberOfPasses);
+  MeshEdit& edit, int maximumNumberOfPasses, const Lazy<std::vector<Box>>& ofSurface = {});
 }
 
 #endif

@@ -155,7 +155,6 @@ struct Snapshot
   explicit Snapshot(const OptimizedMesh& mesh)
     : triangles(mesh.triangles())
   {
-    std::sort(this->triangles.begin(), this->triangles.end());
     for (const Vertex v : mesh.vertices())
     {
       const VertexState& s = mesh.state(v);

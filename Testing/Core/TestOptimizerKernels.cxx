@@ -389,6 +389,22 @@ TEST(SelfIntersections, CountsPairsAsVerticesMove)
   EXPECT_TRUE(intersections.faces().empty());
 }
 
+TEST(SelfIntersections, AreTheSurfacesWhereItHasThem)
+{
+  const auto t = meshes::patch(8);
+  t->edit.put(Vertex(40), t->pointAt(0.8, 0.5)); // far out of its ring: triangles lie over others
+  t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
+  const std::size_t before = SelfIntersections(t->mesh).faces().size();
+  ASSERT_GT(before, 0U);
+  const meshes::Snapshot folded(t->mesh);
+  const Lazy<std::vector<Box>> everywhere;
+  everywhere.get([] { return std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } }; });
+  EXPECT_EQ(resolveSelfIntersections(t->edit, 8, everywhere), 0);
+  EXPECT_TRUE(meshes::Snapshot(t->mesh) == folded) << "nothing is to be parted";
+  EXPECT_EQ(resolveSelfIntersections(t->edit, 8), 0);
+  EXPECT_TRUE(SelfIntersections(t->mesh).faces().empty()) << "the surface is flat";
+}
+
 TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
 {
   const auto t = meshes::patch(8);

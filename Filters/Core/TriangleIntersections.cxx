@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleIntersections.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangle_3.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+
+namespace stipple
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+// A hair's breadth above a plane, over lengths.
+constexpr double CoplanarTolerance = 1e-9;
+
+/// All corners of t, but for those that are shared, lie on one side of the plane of s, and not by a
+/// hair's breadth: then nothing but a shared corner is common to both.
+bool isBeside(const PlacedTriangle& s, const PlacedTriangle& t)
+{
+  const Vec3& a = s.point[0];
+  const Vec3 u = s.point[1] - a;
+  const Vec3 w = s.point[2] - a;
+  const Vec3 n = u.cross(w);
+  const double scale = CoplanarTolerance * u.norm() * w.norm();
+  int sides = 0; // 1: above, 2: below, 4: near the plane
+  for (int k = 0; k < 3; ++k)
+  {
+    if (t.id[k] != s.id[0] && t.id[k] != s.id[1] && t.id[k] != s.id[2])
+    {
+      const Vec3 p = t.point[k] - a;
+      const double height = n.dot(p);
+      const double noise = scale * p.norm();
+      sides |= height > noise ? 1 : height < -noise ? 2 : 4;
+    }
+  }
+  return sides == 1 || sides == 2;
+}
+
+struct FaceBox : CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_NONE>
+{
+  FaceBox(const Box& box, int f)
+    : Box_d(CGAL::Bbox_3(
+        box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(), box.high.z()))
+    , Face(f)
+  {
+  }
+  std::size_t id() const { return static_cast<std::size_t>(this->Face); }
+  int Face;
+};
+}
+
+bool intersect(const PlacedTriangle& s, const PlacedTriangle& t)
+{
+  int sharedS = -1;
+  int sharedT = -1;
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (s.id[i] == t.id[j])
+      {
+        sharedS = i;
+        sharedT = j;
+        ++shared;
+      }
+    }
+  }
+  if (shared > 1 || isBeside(s, t) || isBeside(t, s))
+  {
+    return false;
+  }
+  const auto point = [](const PlacedTriangle& of, int k) {
+    const Vec3& p = of.point[k];
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  };
+  const Kernel::Triangle_3 first(point(s, 0), point(s, 1), point(s, 2));
+  const Kernel::Triangle_3 second(point(t, 0), point(t, 1), point(t, 2));
+  if (shared == 0)
+  {
+    return CGAL::do_intersect(first, second);
+  }
+  const Kernel::Segment_3 oppositeS(point(s, (sharedS + 1) % 3), point(s, (sharedS + 2) % 3));
+  const Kernel::Segment_3 oppositeT(point(t, (sharedT + 1) % 3), point(t, (sharedT + 2) % 3));
+  return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
+}
+
+std::vector<Box> placesOfIntersections(
+  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+{
+  const auto placed = [&](int f) {
+    const Triangle& t = triangles[f];
+    return PlacedTriangle{ t, { points[t[0]], points[t[1]], points[t[2]] } };
+  };
+  const auto boxOf = [&](int f) {
+    const Triangle& t = triangles[f];
+    return Box::around(points[t[0]], points[t[1]], points[t[2]]);
+  };
+  std::vector<FaceBox> boxes;
+  boxes.reserve(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    boxes.emplace_back(boxOf(static_cast<int>(f)), static_cast<int>(f));
+  }
+  std::vector<Box> places;
+  CGAL::box_self_intersection_d(
+    boxes.begin(), boxes.end(), [&](const FaceBox& a, const FaceBox& b) {
+      if (intersect(placed(a.Face), placed(b.Face)))
+      {
+        places.push_back(boxOf(a.Face).common(boxOf(b.Face)));
+      }
+    });
+  return places;
+}
+}
