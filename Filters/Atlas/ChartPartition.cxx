@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartPartition.h"
 
+#include "AtlasConstants.h"
 #include "CreasePatches.h"
 #include "VoronoiDiagram.h"
 
@@ -18,6 +19,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 /// Cuts the surface between farthest-point Voronoi cells, at least one a component, as many as
@@ -462,20 +465,19 @@ private:
     {
       return Status::success();
     }
-    // A region of few of the surface's triangles has no better shape to offer, however often it is
-    // cut up. Working models split none of less than five.
-    constexpr int Fewest = 4;
     const int splitsLeft =
       std::min(history.splitsLeft, this->Regions.numberOfInputTriangles(r)) - 1;
-    const bool canBeSplit = splitsLeft >= Fewest - 1 && chart.mesh.faces.size() > 2;
+    const bool canBeSplit =
+      splitsLeft >= Constants::FewestToSplit - 1 && chart.mesh.faces.size() > 2;
     if (!map.valid && !canBeSplit)
     {
       return Status::error("A chart of " + std::to_string(chart.mesh.faces.size()) +
         " triangles can't be flattened: the surface has triangles too thin for double precision; "
         "repair it first.");
     }
-    const bool helping = history.cutRounds == 0 || map.densityRatio < 0.5 * history.densityRatio;
-    if (map.valid && helping && history.cutRounds < 8 &&
+    const bool helping =
+      history.cutRounds == 0 || map.densityRatio < Constants::HelpfulCut * history.densityRatio;
+    if (map.valid && helping && history.cutRounds < Constants::MostCutRounds &&
       cutToDensePlaces(this->Regions, r, chart, this->Options.maximumDensityRatio))
     {
       ++history.cutRounds;
@@ -533,8 +535,7 @@ private:
   /// worth the time.
   std::optional<SeamArc> tryToMerge(int a, int b)
   {
-    constexpr std::size_t large = 60000; // triangles
-    if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > large)
+    if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > Constants::LargestMerger)
     {
       return {};
     }
@@ -568,10 +569,7 @@ private:
   /// Whether the merged chart keeps the bound. A seam on creases is a good one: it goes only if
   /// next to nothing becomes dense, or no denser than it is. Faces that meet at right angles have
   /// corners that no rectangle has, and a map is infinitely dense at these: seen over 1e-3 of the
-  /// area many a corner is missed, and the few samples of its surroundings are missing. Of nine
-  /// parts at four numbers of points each, 4 meshes have angles below 15 degrees with 0.15 to 0.5
-  /// of the bound over 1e-4 of the area, 6 with the whole of it, 8 with 0.05; 18 did without
-  /// seams on creases.
+  /// area many a corner is missed, and the few samples of its surroundings are missing.
   bool isWorthMerging(const SeamArc& seam, int a, int b) const
   {
     const ConformalMap& map = this->Merged.map;
@@ -589,7 +587,7 @@ private:
       return densityQuantile(chart.map, 0.1 * NegligibleArea);
     };
     const double merged = quantile(this->Merged);
-    return merged <= 0.3 * bound || merged <= quantile(this->Charts[a]) ||
+    return merged <= Constants::DensityAtCreases * bound || merged <= quantile(this->Charts[a]) ||
       merged <= quantile(this->Charts[b]);
   }
 

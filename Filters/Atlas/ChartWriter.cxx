@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartWriter.h"
 
+#include "AtlasConstants.h"
 #include "PolyDataConversion.h"
 
 #include "vtkCellArray.h"
@@ -28,6 +29,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 /// Names that Stipple's own stages use; an input that is itself an output of Stipple has them all.
@@ -342,8 +345,7 @@ Status locateChartConstraints(const CutSurface& surface, const std::vector<FlatC
         }
       }
     }
-    constexpr double roundOff = 1e-6;
-    if (!(mostInside > -roundOff))
+    if (!(mostInside > -Constants::OutsideOfChart))
     {
       return Status::error("Chart constraint " + std::to_string(i) + ", u " +
         std::to_string(p.x()) + ", v " + std::to_string(p.y()) + ", is not in a chart " +

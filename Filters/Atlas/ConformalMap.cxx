@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConformalMap.h"
 
+#include "AtlasConstants.h"
 #include "HarmonicSystem.h"
 #include "RectangleLayout.h"
 
@@ -11,6 +12,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 /// Mean over the surface of the density A3D / A2D relative to its least possible value, 1.
@@ -164,11 +167,10 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   best = best ? best : &placements.front();
   // Where triangles are flipped, and a wider neighbourhood every time, weights are made positive.
   std::vector<char> positiveAt(map.uv.size(), 0);
-  constexpr int mostRepairs = 6;
-  for (int repair = 0; repair < mostRepairs && !map.valid; ++repair)
+  for (int repair = 0; repair < Constants::MostMapRepairs && !map.valid; ++repair)
   {
     map.fallback = true;
-    if (repair + 1 == mostRepairs)
+    if (repair + 1 == Constants::MostMapRepairs)
     {
       positiveAt.assign(map.uv.size(), 1);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CreasePatches.h"
 
+#include "AtlasConstants.h"
 #include "ConformalMap.h"
 #include "FaceSets.h"
 #include "ShortestPaths.h"
@@ -13,6 +14,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 /// The patches, the negligible ones joined to their neighbours.
@@ -120,9 +123,7 @@ void cutAlongCreases(CutSurface& surface)
 
 bool isNearlyDevelopable(const TriangleSurface& surface, const ChartMesh& chart)
 {
-  constexpr double Pi = 3.14159265358979323846;
-  constexpr double MostSquaredStretch = 2;
-  std::vector<double> defect(chart.vertices.size(), 2 * Pi);
+  std::vector<double> defect(chart.vertices.size(), 2 * Constants::Pi);
   for (const Triangle& t : chart.triangles)
   {
     for (int k = 0; k < 3; ++k)
@@ -142,7 +143,8 @@ bool isNearlyDevelopable(const TriangleSurface& surface, const ChartMesh& chart)
       (defect[v] > 0 ? positive : negative) += std::abs(defect[v]);
     }
   }
-  return 2 * Pi + negative <= MostSquaredStretch * (2 * Pi - positive);
+  return 2 * Constants::Pi + negative <=
+    Constants::MostSquaredStretch * (2 * Constants::Pi - positive);
 }
 
 std::vector<Halfedge> joinLoops(ChartRegions& regions, int region)

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature.h"
 
+#include "AtlasConstants.h"
+
 #include <cmath>
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 Curvature computeCurvature(const TriangleSurface& surface)
 {
-  constexpr double pi = 3.14159265358979323846;
   const std::size_t n = surface.points.size();
   Curvature result;
   result.mixedArea.assign(n, 0.);
-  result.gaussian.assign(n, 2 * pi);
+  result.gaussian.assign(n, 2 * Constants::Pi);
   result.mean.assign(n, 0.);
   std::vector<Vec3> meanNormal(n, Vec3::Zero());
   std::vector<Vec3> normal(n, Vec3::Zero());
@@ -34,7 +37,7 @@ Curvature computeCurvature(const TriangleSurface& surface)
       cot[k] = cotangent(a, b, c, 1e3);
       angle[k] = std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
       squared[k] = (c - b).squaredNorm();
-      if (angle[k] > pi / 2)
+      if (angle[k] > Constants::Pi / 2)
       {
         obtuse = k;
       }
@@ -61,7 +64,7 @@ Curvature computeCurvature(const TriangleSurface& surface)
   {
     if (onBoundary[p])
     {
-      result.gaussian[p] -= pi;
+      result.gaussian[p] -= Constants::Pi;
     }
     const double area = result.mixedArea[p];
     result.gaussian[p] = area > 0 ? result.gaussian[p] / area : 0.;

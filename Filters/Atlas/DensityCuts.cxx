@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityCuts.h"
 
+#include "AtlasConstants.h"
 #include "ShortestPaths.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -12,6 +13,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -20,7 +23,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// largest parts, as many as hold all but a sliver of the area that is too dense. Largest first.
 std::vector<int> densestTriangles(const FlatChart& chart, double bound)
 {
-  constexpr double sliver = 5e-4; // of the chart's area; the bound leaves 1e-3 out of account
   const ChartMesh& mesh = chart.mesh;
   const std::vector<double>& density = chart.map.density;
   boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());
@@ -64,7 +66,7 @@ std::vector<int> densestTriangles(const FlatChart& chart, double bound)
   std::vector<int> densest;
   for (const Part& part : parts)
   {
-    if (dense <= sliver * total)
+    if (dense <= Constants::DenseSliver * total)
     {
       break;
     }
@@ -96,7 +98,6 @@ public:
     {
       return false;
     }
-    constexpr double longest = 1.1; // times the path
     std::size_t from = 0;
     // A line ends at a later vertex of the path than the one before, at the next one at the latest.
     while (h.valid() && from + 1 < path.size())
@@ -104,7 +105,7 @@ public:
       std::size_t to = path.size() - 1;
       while (to > from + 1 &&
         this->lineLength(h, chart.map.uv[path[to]]) >
-          longest * (paths.distance(path[from]) - paths.distance(path[to])))
+          Constants::LongestCut * (paths.distance(path[from]) - paths.distance(path[to])))
       {
         to = from + (to - from) / 2;
       }
@@ -211,7 +212,6 @@ private:
   /// line runs along a cut.
   Halfedge step(Halfedge h, const Vec2& target)
   {
-    constexpr double nearest = 0.05; // of an edge's length: closer to a vertex the cut goes there
     const Halfedge g = this->towards(h, target);
     const Vec2& p = this->UV[g];
     const Vec2& a = this->UV[nextHalfedge(g)];
@@ -219,15 +219,15 @@ private:
     const double toA = orient2(p, a, target);
     const double toB = orient2(p, target, b);
     const double t = toA + toB > 0 ? toA / (toA + toB) : 0.;
-    if (t < nearest || t > 1 - nearest)
+    if (t < Constants::NearestToVertex || t > 1 - Constants::NearestToVertex)
     {
-      const Halfedge along = t < nearest ? g : previousHalfedge(g);
+      const Halfedge along = t < Constants::NearestToVertex ? g : previousHalfedge(g);
       if (this->Surface.cut[along])
       {
         return {};
       }
       this->Regions.cutOpen(along);
-      return t < nearest ? nextHalfedge(g) : along;
+      return t < Constants::NearestToVertex ? nextHalfedge(g) : along;
     }
     const Halfedge across = nextHalfedge(g);
     this->split(across, t);
@@ -290,8 +290,6 @@ bool cutToDensePlaces(ChartRegions& regions, int region, const FlatChart& chart,
 
 bool cutDeepSleeve(ChartRegions& regions, const FlatChart& chart)
 {
-  // Its deepest triangles would be as small as double precision's last digit: e^(-2 pi 6) is 4e-17.
-  constexpr double Deep = 6; // boundary lengths
   const CutSurface& surface = regions.surface();
   const ChartMesh& mesh = chart.mesh;
   ShortestPaths toBoundary(surface, mesh);
@@ -309,7 +307,7 @@ bool cutDeepSleeve(ChartRegions& regions, const FlatChart& chart)
   {
     deepest = toBoundary.distance(v) > toBoundary.distance(deepest) ? v : deepest;
   }
-  if (!(toBoundary.distance(deepest) > Deep * around))
+  if (!(toBoundary.distance(deepest) > Constants::DeepSleeve * around))
   {
     return false;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureCurves.h"
 
+#include "AtlasConstants.h"
 #include "PolyDataConversion.h"
 
 #include "vtkCellArray.h"
@@ -18,6 +19,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 class CurveInserter
@@ -64,7 +67,7 @@ public:
     bary = clampedBarycentric(bary);
     int top = 0;
     const double largest = bary.maxCoeff(&top);
-    if (largest > 1 - Nearest)
+    if (largest > 1 - Constants::NearestToCurve)
     {
       return this->Surface.vertex(face, top).index();
     }
@@ -74,7 +77,7 @@ public:
     const double t = std::clamp(bary[previousCorner(top)] / rest, 0., 1.);
     int low = 0;
     const double least = bary.minCoeff(&low);
-    if (least < Nearest && low != top)
+    if (least < Constants::NearestToCurve && low != top)
     {
       // On an edge of the triangle, next to the top corner.
       const int tail = low == nextCorner(top) ? previousCorner(top) : top;
@@ -140,11 +143,14 @@ public:
         }
         return against.valid();
       }
-      if (bestT < Nearest || bestT > 1 - Nearest)
+      if (bestT < Constants::NearestToCurve || bestT > 1 - Constants::NearestToCurve)
       {
-        const Halfedge along = bestT < Nearest ? previousHalfedge(best) : nextHalfedge(best);
+        const Halfedge along =
+          bestT < Constants::NearestToCurve ? previousHalfedge(best) : nextHalfedge(best);
         this->mark(along);
-        at = (bestT < Nearest ? this->Surface.tail(best) : this->Surface.head(best)).index();
+        at =
+          (bestT < Constants::NearestToCurve ? this->Surface.tail(best) : this->Surface.head(best))
+            .index();
         continue;
       }
       at = this->split(best, bestT);
@@ -159,8 +165,6 @@ private:
     this->Surface.setSharp(h, true);
     this->Surface.setKeep(h, Keep::Line);
   }
-
-  static constexpr double Nearest = 1e-3; // of an edge: closer to a vertex is at the vertex
 
   Vec3 barycentricIn(Face face, const Vec3& x) const
   {

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HarmonicSystem.h"
 
+#include "AtlasConstants.h"
+
 #include <algorithm>
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 HarmonicSystem::HarmonicSystem(
   const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given)
   : Chart(chart)
@@ -33,7 +37,6 @@ HarmonicSystem::HarmonicSystem(
 
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
-  constexpr double leastPositive = 1e-2;
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
   std::vector<Eigen::Triplet<double>> edges;
@@ -60,7 +63,7 @@ bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
       const int a = this->Unknown[it.row()];
       const int b = this->Unknown[it.col()];
       const bool positive = !positiveAt.empty() && (positiveAt[it.row()] || positiveAt[it.col()]);
-      const double w = positive ? std::max(it.value(), leastPositive) : it.value();
+      const double w = positive ? std::max(it.value(), Constants::LeastPositiveWeight) : it.value();
       if (a >= 0 && b >= 0)
       {
         entries.emplace_back(std::max(a, b), std::min(a, b), -w);

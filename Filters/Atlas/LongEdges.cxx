@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LongEdges.h"
 
+#include "AtlasConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -9,12 +11,12 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 double longestEdgeForCharts(const CutSurface& surface)
 {
-  constexpr double Points = 800;
-  constexpr double LeastShare = 0.02; // of the diagonal: surfaces may be far longer than wide
-  return std::max(LeastShare * surface.boundingBoxDiagonal(),
-    2. * std::sqrt(2. / std::sqrt(3.) * surface.area() / Points));
+  return std::max(Constants::LeastLongEdge * surface.boundingBoxDiagonal(),
+    2. * std::sqrt(2. / std::sqrt(3.) * surface.area() / Constants::PointsForCharts));
 }
 
 int splitLongEdges(CutSurface& surface, double longest, int mostPoints)

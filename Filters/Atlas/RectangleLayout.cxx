@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RectangleLayout.h"
 
+#include "AtlasConstants.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace stipple
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
+using Constants = AtlasConstants;
 
 RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh& chart)
   : Chart(chart)
@@ -23,7 +22,7 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
     const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
     this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
   }
-  std::vector<double> turn(chart.vertices.size(), Pi);
+  std::vector<double> turn(chart.vertices.size(), Constants::Pi);
   for (const Triangle& t : chart.triangles)
   {
     for (int k = 0; k < 3; ++k)
@@ -45,10 +44,6 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
 
 std::vector<RectangleLayout::Corner> RectangleLayout::sharpestCorners() const
 {
-  constexpr std::size_t most = 6;
-  constexpr double window = 0.005; // half the boundary that counts as one corner
-  constexpr double apart = 0.04;   // of the boundary
-  constexpr double least = Pi / 9;
   const int n = static_cast<int>(this->Turn.size());
   const double total = this->ArcLength.back();
   const auto at = [&](int i) { return this->ArcLength[i] / total; };
@@ -62,7 +57,8 @@ std::vector<RectangleLayout::Corner> RectangleLayout::sharpestCorners() const
     double turn = this->Turn[i];
     for (int step : { 1, n - 1 })
     {
-      for (int j = (i + step) % n; j != i && distance(at(i), at(j)) <= window; j = (j + step) % n)
+      for (int j = (i + step) % n; j != i && distance(at(i), at(j)) <= Constants::CornerWindow;
+           j = (j + step) % n)
       {
         turn += this->Turn[j];
       }
@@ -75,12 +71,13 @@ std::vector<RectangleLayout::Corner> RectangleLayout::sharpestCorners() const
   std::vector<Corner> corners;
   for (const Corner& c : candidates)
   {
-    if (c.turn < least || corners.size() == most)
+    if (c.turn < Constants::LeastTurn || corners.size() == Constants::MostCorners)
     {
       break;
     }
-    if (std::all_of(corners.begin(), corners.end(),
-          [&](const Corner& other) { return distance(c.at, other.at) >= apart; }))
+    if (std::all_of(corners.begin(), corners.end(), [&](const Corner& other) {
+          return distance(c.at, other.at) >= Constants::BetweenCorners;
+        }))
     {
       corners.push_back(c);
     }
@@ -90,11 +87,10 @@ std::vector<RectangleLayout::Corner> RectangleLayout::sharpestCorners() const
 
 std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
 {
-  constexpr double Least = Pi / 3; // of turn
   std::vector<Corner> corners;
   for (std::size_t i = 0; i < this->Turn.size(); ++i)
   {
-    if (this->Turn[i] >= Least)
+    if (this->Turn[i] >= Constants::LeastTurnOfSlender)
     {
       corners.push_back({ this->ArcLength[i] / this->ArcLength.back(), this->Turn[i] });
     }
@@ -156,14 +152,14 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   }
   std::stable_sort(choices.begin(), choices.end(),
     [](const Choice& a, const Choice& b) { return a.turn > b.turn; });
-  constexpr std::size_t mostChoices = 6;
-  choices.resize(std::min(choices.size(), mostChoices));
+  choices.resize(std::min(choices.size(), Constants::MostChoices));
   for (const Choice& c : choices)
   {
     const double width = (c.at[1] - c.at[0]) + (c.at[3] - c.at[2]);
     const double height = (c.at[2] - c.at[1]) + (1 + c.at[0] - c.at[3]);
-    constexpr double longest = 8;
-    const double aspect = square ? 1. : std::clamp(width / height, 1 / longest, longest);
+    const double aspect = square
+      ? 1.
+      : std::clamp(width / height, 1 / Constants::LongestRectangle, Constants::LongestRectangle);
     placements.push_back({ c.at, aspect > 1 ? Vec2(1, 1 / aspect) : Vec2(aspect, 1) });
   }
   return placements;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamPlacement.h"
 
+#include "AtlasConstants.h"
 #include "HarmonicSystem.h"
 #include "ShortestPaths.h"
 
@@ -11,6 +12,8 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
 /// Two regions as one mesh, glued along a seam.
@@ -53,7 +56,6 @@ public:
   /// half that is farthest. Lines near the middle hardly change, and the system is smaller.
   void leaveOutFar(double areaFraction)
   {
-    constexpr double leftOut = 0.5;
     const ChartMesh& mesh = this->Both.mesh;
     struct Face
     {
@@ -77,7 +79,8 @@ public:
     {
       std::stable_sort(faces[side].begin(), faces[side].end(),
         [](const Face& a, const Face& b) { return a.distance > b.distance; });
-      double rest = leftOut * total * (side == 0 ? areaFraction : 1 - areaFraction);
+      double rest =
+        Constants::LeftOutOfSeamMap * total * (side == 0 ? areaFraction : 1 - areaFraction);
       for (const Face& face : faces[side])
       {
         rest -= face.area;
@@ -219,7 +222,6 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
 void snapToVertices(
   const CutSurface& surface, const ChartMesh& mesh, double longEdge, std::vector<double>& value)
 {
-  constexpr double Nearest = 0.05; // of an edge's length
   for (std::size_t i = 0; i < mesh.faces.size(); ++i)
   {
     const Triangle& t = mesh.triangles[i];
@@ -232,7 +234,7 @@ void snapToVertices(
         const Halfedge h = halfedgeOf(mesh.faces[i], k);
         const bool isLong =
           surface.keep[h] == Keep::Edges || (surface.sharp[h] && surface.edgeLength(h) > longEdge);
-        const double nearest = isLong ? 0.5 : Nearest;
+        const double nearest = isLong ? 0.5 : Constants::NearestToVertex;
         const double at = a / (a - b);
         if (at < nearest)
         {
@@ -389,9 +391,8 @@ std::vector<char> sidesOfOwners(
 bool placeSeam(
   ChartRegions& regions, int a, int b, const SeamArc& arc, const SeamPlacement& placement)
 {
-  // Few triangles have no smooth line to offer, and cutting them again and again would never end.
-  constexpr int fewest = 500;
-  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) < fewest ||
+  if (regions.numberOfInputTriangles(a) + regions.numberOfInputTriangles(b) <
+      Constants::LeastForSeam ||
     arc.isSharp(regions.surface())) // a seam on a crease is where it should be
   {
     return false;
@@ -415,8 +416,8 @@ bool placeSeam(
     }
     if (placement.exact)
     {
-      constexpr double LongEdge = 0.04; // over the area's root
-      const double longEdge = LongEdge * std::sqrt(regions.area(a) + regions.area(b));
+      const double longEdge =
+        Constants::LongCreaseEdge * std::sqrt(regions.area(a) + regions.area(b));
       snapToVertices(regions.surface(), both.mesh, longEdge, value);
       side = splitAlongZeros(regions, a, b, both.mesh, value);
     }
@@ -514,24 +515,23 @@ Progress ofSweep(const Progress& progress, int sweep, int sweeps)
 /// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
 Status balanceAreas(ChartRegions& regions, const Progress& progress)
 {
-  constexpr int mostSweeps = 8;
-  constexpr double alike = 1.15; // ratio of two neighbours' areas
   SeamPlacement how;
   how.exact = false;
   Status status = Status::success();
   bool balanced = false;
-  for (int sweep = 0; sweep < mostSweeps && !balanced && status.ok(); ++sweep)
+  for (int sweep = 0; sweep < Constants::BalancingSweeps && !balanced && status.ok(); ++sweep)
   {
     balanced = true;
-    status = forEachPair(regions, ofSweep(progress, sweep, mostSweeps), [&](int a, int b) {
-      const double ratio = regions.area(a) / regions.area(b);
-      const std::vector<SeamArc> arcs = regions.arcs(a, b);
-      if ((ratio > alike || ratio < 1 / alike) && !arcs.empty())
-      {
-        placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
-        balanced = false;
-      }
-    });
+    status =
+      forEachPair(regions, ofSweep(progress, sweep, Constants::BalancingSweeps), [&](int a, int b) {
+        const double ratio = regions.area(a) / regions.area(b);
+        const std::vector<SeamArc> arcs = regions.arcs(a, b);
+        if ((ratio > Constants::AlikeAreas || ratio < 1 / Constants::AlikeAreas) && !arcs.empty())
+        {
+          placeSeam(regions, a, b, longest(regions.surface(), arcs), how);
+          balanced = false;
+        }
+      });
   }
   return status;
 }
@@ -540,13 +540,13 @@ Status balanceAreas(ChartRegions& regions, const Progress& progress)
 /// neighbours that were not; these are cut again.
 Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Progress& progress)
 {
-  constexpr int mostSweeps = 3;
-  constexpr double jagged = 0.1; // share of input edges from which on a seam is cut again
   Status status = Status::success();
-  for (int sweep = 0; sweep < mostSweeps && status.ok(); ++sweep)
+  for (int sweep = 0; sweep < Constants::CuttingSweeps && status.ok(); ++sweep)
   {
-    status = forEachPair(regions, ofSweep(progress, sweep, mostSweeps),
-      [&](int a, int b) { placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : jagged); });
+    status =
+      forEachPair(regions, ofSweep(progress, sweep, Constants::CuttingSweeps), [&](int a, int b) {
+        placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : Constants::JaggedSeam);
+      });
   }
   return status;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceRepair.h"
 
+#include "AtlasConstants.h"
 #include "DegenerateFaces.h"
 #include "FaceSets.h"
 #include "PolyDataConversion.h"
@@ -20,12 +21,10 @@
 
 namespace stipple
 {
+using Constants = AtlasConstants;
+
 namespace
 {
-/// The maps hold areas and curvatures in single precision.
-constexpr double smallestSize = 1e-15;
-constexpr double largestSize = 1e15;
-
 /// Of the bounding box. Its diagonal's square might leave the range of double precision.
 double largestSide(const TriangleSurface& surface)
 {
@@ -293,10 +292,10 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
     }
   }
   const double size = largestSide(s);
-  if (size > 0 && (size < smallestSize || size > largestSize))
+  if (size > 0 && (size < Constants::SmallestSize || size > Constants::LargestSize))
   {
     return Status::error("The surface is " + shortNumber(size) + " across: scale it to between " +
-      shortNumber(smallestSize) + " and " + shortNumber(largestSize) + ".");
+      shortNumber(Constants::SmallestSize) + " and " + shortNumber(Constants::LargestSize) + ".");
   }
   const int numberOfInputPoints = static_cast<int>(s.points.size());
   if (isAborted())

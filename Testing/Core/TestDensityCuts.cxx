@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Cuts that relieve dense places, and what becomes of surfaces that no cut makes flat.
+#include "AtlasConstants.h"
 #include "ChartPartition.h"
 #include "DensityCuts.h"
 #include "Shapes.h"
@@ -54,6 +55,13 @@ TEST(DensityCuts, BoundTheRatio)
   EXPECT_EQ(s.topology(), sleeve(8, 32, 60).topology());
   EXPECT_FALSE(cutToDensePlaces(regions, 0, after, after.map.densityRatio * 1e6))
     << "nothing is too dense";
+}
+
+TEST(DensityCuts, LeaveLessThanTheBoundDoes)
+{
+  EXPECT_LT(AtlasConstants::DenseSliver, NegligibleArea)
+    << "else cuts would leave charts too dense";
+  EXPECT_LT(std::exp(-2 * AtlasConstants::Pi * AtlasConstants::DeepSleeve), 1e-16);
 }
 
 TEST(DensityCuts, OpenASleeveThatNoMapCanHold)

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Every constant of the atlas that is a choice and not a consequence; those of feature detection
+// are FeatureDetectionOptions. Where no evidence is given, none is recorded.
+#ifndef stipple_AtlasConstants_h
+#define stipple_AtlasConstants_h
+
+#include <cstddef>
+
+namespace stipple
+{
+struct AtlasConstants
+{
+  static constexpr double Pi = 3.14159265358979323846;
+
+  // What is read (SurfaceRepair, FeatureCurves, ChartWriter).
+
+  /// Sides of a surface's bounding box: the maps hold areas and curvatures in single precision.
+  static constexpr double SmallestSize = 1e-15;
+  static constexpr double LargestSize = 1e15;
+  /// Share of an edge: a place closer to a vertex of it is at the vertex.
+  static constexpr double NearestToCurve = 1e-3;
+  /// Barycentric coordinate: a constraint so little outside a triangle is in it.
+  static constexpr double OutsideOfChart = 1e-6;
+
+  // Long edges.
+
+  /// Points of the regular triangulation whose edges, doubled, are the longest.
+  static constexpr double PointsForCharts = 800;
+  /// Or this share of the diagonal: surfaces may be far longer than wide.
+  static constexpr double LeastLongEdge = 0.02;
+
+  // Patches of machined parts (CreasePatches).
+
+  /// By which a face may be unrolled: lengths change by its root at most.
+  static constexpr double MostSquaredStretch = 2;
+
+  // Conformal maps (HarmonicSystem, RectangleLayout, ConformalMap).
+
+  /// Weight of an edge where values are to obey the maximum principle.
+  static constexpr double LeastPositiveWeight = 1e-2;
+  /// Corners of a boundary that are tried as the rectangle's, choices of four of them, shares of
+  /// the boundary that count as one corner (half of it) and that lie between two, and a corner's
+  /// least turn, in radians; that of a slender chart, which has four.
+  static constexpr std::size_t MostCorners = 6;
+  static constexpr std::size_t MostChoices = 6;
+  static constexpr double CornerWindow = 0.005;
+  static constexpr double BetweenCorners = 0.04;
+  static constexpr double LeastTurn = Pi / 9;
+  static constexpr double LeastTurnOfSlender = Pi / 3;
+  /// Length of a rectangle over its width.
+  static constexpr double LongestRectangle = 8;
+  /// Times that weights are made positive about flipped triangles, everywhere at last.
+  static constexpr int MostMapRepairs = 6;
+
+  // Seams (SeamPlacement).
+
+  /// Share of a side's area, the farthest from the seam, that its map leaves out: lines near the
+  /// middle hardly change, and the system is smaller.
+  static constexpr double LeftOutOfSeamMap = 0.5;
+  /// Triangles of two regions: less have no smooth line to offer, and cutting them again and again
+  /// would never end.
+  static constexpr int LeastForSeam = 500;
+  /// Share of an edge: lines and cuts that pass closer to a vertex go there, so that no thin
+  /// triangle is left.
+  static constexpr double NearestToVertex = 0.05;
+  /// Edges of a crease that are longer, over the root of the area, are crossed at an end.
+  static constexpr double LongCreaseEdge = 0.04;
+  /// Sweeps over all pairs until neighbours' areas are alike up to a ratio.
+  static constexpr int BalancingSweeps = 8;
+  static constexpr double AlikeAreas = 1.15;
+  /// Sweeps that cut, and the share of input edges from which on a seam is cut again.
+  static constexpr int CuttingSweeps = 3;
+  static constexpr double JaggedSeam = 0.1;
+
+  // Cuts that relieve dense places (DensityCuts).
+
+  /// Share of a chart's area that may be too dense; the bound leaves NegligibleArea out of account.
+  static constexpr double DenseSliver = 5e-4;
+  /// Of a straight cut over the shortest path.
+  static constexpr double LongestCut = 1.1;
+  /// Boundary lengths: the deepest triangles of a deeper sleeve would be as small as double
+  /// precision's last digit, as e^(-2 pi 6) is 4e-17.
+  static constexpr double DeepSleeve = 6;
+
+  // Charts that break the bound, and charts that can be one (ChartPartition).
+
+  /// Input triangles: a region of fewer has no better shape to offer, however often it is cut up.
+  /// Working models split none of less than five.
+  static constexpr int FewestToSplit = 4;
+  /// Times that a chart is cut before it is split, each of which has to help by this factor.
+  static constexpr int MostCutRounds = 8;
+  static constexpr double HelpfulCut = 0.5;
+  /// Triangles: two regions with more are not worth the time to try as one.
+  static constexpr std::size_t LargestMerger = 60000;
+  /// Share of the bound, seen over a tenth of NegligibleArea, up to which a seam on creases may go.
+  /// Of nine parts at four numbers of points each, 4 meshes have angles below 15 degrees with 0.15
+  /// to 0.5 of it, 6 with the whole of it, 8 with 0.05; 18 did without seams on creases.
+  static constexpr double DensityAtCreases = 0.3;
+};
+}
+
+#endif
