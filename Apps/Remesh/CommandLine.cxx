@@ -85,9 +85,18 @@ std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
   {
     return "--image-projection needs --importance-image FILE";
   }
-  if (o.has("points") && o.has("edge_length"))
+  const std::vector<std::string> numbers = { "points", "edge_length", "max_deviation",
+    "max_deviation_length" };
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    return "--points and --edge-length exclude each other: either follows from the other";
+    for (std::size_t j = i + 1; j < numbers.size(); ++j)
+    {
+      if (o.has(numbers[i]) && o.has(numbers[j]))
+      {
+        return findOption(numbers[i])->flag() + " and " + findOption(numbers[j])->flag() +
+          " exclude each other: either follows from the other";
+      }
+    }
   }
   if (o.flag("quiet") && o.flag("verbose"))
   {

@@ -22,6 +22,7 @@ struct Report
   std::string mapBackend;
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<std::pair<std::string, long long>> repairs;
+  double deviation = 0;  ///< that was verified, % of the diagonal; 0 if none was asked for
   MeshQuality quality;   ///< of the output; points, triangles and topology are told from it
   MeshDistance distance; ///< to the input, as repaired
 };

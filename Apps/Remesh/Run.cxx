@@ -204,6 +204,10 @@ Report makeReport(
   report.charts =
     static_cast<int>(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2))
                        ->GetNumberOfPartitionedDataSets());
+  if (o.has("max_deviation") || o.has("max_deviation_length"))
+  {
+    report.deviation = remesher->GetDeviation();
+  }
   report.mapBackend = remesher->GetMapRenderer()->GetBackendName();
   report.seconds = { { "load", load },
     { "atlas", remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) },
@@ -244,6 +248,11 @@ void tell(const Report& report)
 {
   std::fprintf(stderr, "stipple: %s: %d points, %d triangles, %d charts\n", report.output.c_str(),
     report.quality.numberOfPoints, report.quality.numberOfTriangles, report.charts);
+  if (report.deviation >= 0)
+  {
+    std::fprintf(
+      stderr, "stipple:   at most %.3g %% of the diagonal from the input\n", report.deviation);
+  }
   for (const auto& stage : report.seconds)
   {
     std::fprintf(stderr, "stipple:   %-13s %8.3f s\n", stage.first.c_str(), stage.second);

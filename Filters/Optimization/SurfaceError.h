@@ -6,13 +6,10 @@
 
 #include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
+#include "TriangleDistance.h"
 
 namespace stipple
 {
-/// Of a point from the triangle (a, b, c), which may be degenerate.
-STIPPLEFILTERSOPTIMIZATION_EXPORT double squaredDistanceToTriangle(
-  const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
 /// The points of the surface, each with the vertex of the mesh that is nearest along its edges.
 class STIPPLEFILTERSOPTIMIZATION_EXPORT SurfaceError
 {

@@ -233,6 +233,14 @@ void Maker::sampling()
     STIPPLE_NUMBER(vtkGeometryRemesher, NumberOfPoints));
   o->low = 1;
   o->automatic = "as many as the input has after welding";
+  o = &this->number(Kind::Number, "max_deviation", "D", "% of the bounding box's diagonal",
+    "in place of a number of points: about as few as keep mesh and input within D of each other",
+    STIPPLE_PROPERTY(vtkGeometryRemesher, MaximumDeviation, Positive, 100));
+  o->automatic = "none";
+  o = &this->number(Kind::Number, "max_deviation_length", "L", "in the input's unit",
+    "the same as a length",
+    STIPPLE_PROPERTY(vtkGeometryRemesher, MaximumDeviationLength, Positive, Infinity));
+  o->automatic = "none";
   this->choice("importance", "KIND",
     { "uniform", "mean", "gaussian", "minimum", "maximum", "total", "l2", "image", "array" },
     "what attracts samples: a curvature, the best approximation (l2), an image or an array",

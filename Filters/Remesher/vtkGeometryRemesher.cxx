@@ -3,6 +3,7 @@
 #include "vtkGeometryRemesher.h"
 
 #include "Atlas.h"
+#include "DeviationSearch.h"
 #include "FilterExecution.h"
 #include "MeshCheck.h"
 #include "MessageText.h"
@@ -10,6 +11,8 @@
 #include "PolyDataConversion.h"
 #include "Progress.h"
 #include "SelectedPart.h"
+#include "SizingFunction.h"
+#include "SurfaceDeviation.h"
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
@@ -39,6 +42,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -78,6 +82,17 @@ int stageOf(int algorithm)
 constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
   1. } };
 
+/// Whether all went well; if not, what there is to say of it.
+bool noted(const stipple::Status& status, unsigned long& code, std::string& sentence)
+{
+  if (!status.ok())
+  {
+    code = static_cast<unsigned long>(status.code());
+    sentence = status.message();
+  }
+  return status.ok();
+}
+
 constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
   "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
 }
@@ -105,8 +120,12 @@ struct vtkGeometryRemesher::Internals
   int Current = 0;
   std::string StageError;     ///< the first that the stage reported
   std::string ExecutiveError; ///< the first that its executive reported
-  bool MayGrow = true;        ///< sizes may; a mesh that is wrong is tried again without
-  bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
+  std::string Sentence;       ///< why there is no mesh
+  int Points = 0;             ///< asked for now: NumberOfPoints, or one that is tried
+  double ProgressFrom = 0;    ///< of this trial in the whole
+  double ProgressTo = 1;
+  bool MayGrow = true;  ///< sizes may; a mesh that is wrong is tried again without
+  bool Stopped = false; ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
 
@@ -172,13 +191,26 @@ struct vtkGeometryRemesher::Internals
     {
       const double begin = ProgressBegin[stageOf(self->Current)];
       const double end = ProgressBegin[stageOf(self->Current) + 1];
-      self->Self->UpdateProgress(std::max(self->Self->GetProgress(), // it may try again
-        begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.)));
+      self->tell(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
       if (self->Self->GetAbortExecute())
       {
         stage->SetAbortExecute(1);
       }
     }
+  }
+
+  void tell(double fraction)
+  {
+    this->Self->UpdateProgress(std::max(this->Self->GetProgress(), // it may try again
+      this->ProgressFrom + (this->ProgressTo - this->ProgressFrom) * fraction));
+  }
+
+  /// The algorithm whose output is the mesh.
+  vtkAlgorithm* last(int pattern) const
+  {
+    return this->InOrder[pattern == QUADS ? QuadMeshing
+        : pattern == SEMIREGULAR          ? Subdivision
+                                          : OPTIMISATION];
   }
 
   /// Whether the optimised mesh may be handed to a user.
@@ -368,19 +400,19 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     {
       this->ErrorCode = INTERNAL_ERROR;
     }
-    std::string sentence = !s.StageError.empty() ? s.StageError : s.ExecutiveError;
+    s.Sentence = !s.StageError.empty() ? s.StageError
+      : !s.ExecutiveError.empty()
+      ? s.ExecutiveError
+      : "The " + std::string(AlgorithmNames[algorithm]) + " failed without saying why.";
     if (const int least = this->GetLeastNumberOfPoints();
         s.Part.numberOfBorderPoints() > 0 && this->ErrorCode == TOO_FEW_POINTS && least > 0)
     {
-      sentence = "The selected part has no mesh of " + std::to_string(this->NumberOfPoints) +
+      s.Sentence = "The selected part has no mesh of " + std::to_string(s.Points) +
         " new points: ask for at least " + std::to_string(least) + ".";
     }
-    vtkErrorMacro(<< (!sentence.empty() ? sentence
-                                        : "The " + std::string(AlgorithmNames[algorithm]) +
-                        " failed without saying why."));
     return false;
   }
-  this->UpdateProgress(std::max(this->GetProgress(), ProgressBegin[stage + 1]));
+  s.tell(ProgressBegin[stage + 1]);
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
 }
@@ -391,11 +423,7 @@ bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
   const stipple::Status status = !selection.empty() && this->Pattern != TRIANGLES
     ? stipple::Status::error("A selected part can be remeshed with the pattern TRIANGLES only.")
     : this->Stages->takeInput(input, selection);
-  if (!status.ok())
-  {
-    stipple::endAfter(status, this, this->ErrorCode);
-  }
-  return status.ok();
+  return noted(status, this->ErrorCode, this->Stages->Sentence);
 }
 
 bool vtkGeometryRemesher::RunStages()
@@ -439,10 +467,10 @@ bool vtkGeometryRemesher::RunMapsAndControl()
   const int most = this->GetNumberOfPointsMaxValue();
   const bool isByLength = s.ControlMap->GetEdgeLength() > 0. ||
     ((s.ControlMap->GetSizeArrayName() || s.ControlMap->GetCurvaturePoints() > 0.) &&
-      this->NumberOfPoints == 0);
+      s.Points == 0);
   // By lengths: about so many; the control says it exactly.
-  int points = this->NumberOfPoints > 0
-    ? this->NumberOfPoints + s.Part.numberOfBorderPoints()
+  int points = s.Points > 0
+    ? s.Points + s.Part.numberOfBorderPoints()
     : static_cast<int>(std::min<vtkIdType>(s.Atlas->GetNumberOfSurfacePoints(), most));
   for (bool isFirst = true;; isFirst = false)
   {
@@ -459,7 +487,7 @@ bool vtkGeometryRemesher::RunMapsAndControl()
       sentence << "Edges of these lengths take " << wanted << " points, more than " << most
                << ": ask for longer ones.";
       this->ErrorCode = BAD_INPUT;
-      vtkErrorMacro(<< sentence.str());
+      s.Sentence = sentence.str();
       return false;
     }
     const int before = points;
@@ -498,12 +526,98 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))
     {
-      stipple::endAfter(status, this, this->ErrorCode);
-      return false;
+      return noted(status, this->ErrorCode, s.Sentence);
     }
     s.MayGrow = s.MayGrow && !hasGrown;
     level += hasGrown ? 0 : 1;
   }
+}
+
+/// Remeshes with numbers of points until one holds the largest deviation.
+bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
+{
+  Internals& s = *this->Stages;
+  const auto fail = [&](const std::string& sentence) {
+    this->ErrorCode = BAD_INPUT;
+    s.Sentence = sentence;
+    return false;
+  };
+  if (this->NumberOfPoints > 0 || s.ControlMap->GetEdgeLength() > 0.)
+  {
+    return fail("A largest deviation excludes a number of points and an edge length, which follow "
+                "from it: set one of them to 0.");
+  }
+  stipple::TriangleSurface reference = stipple::fromPolyData(s.Part.part() ? s.Part.part() : input);
+  const double diagonal = reference.boundingBoxDiagonal();
+  double wanted = std::numeric_limits<double>::infinity();
+  for (const double bound :
+    { 0.01 * this->MaximumDeviation * diagonal, this->MaximumDeviationLength })
+  {
+    wanted = bound > 0. ? std::min(wanted, bound) : wanted;
+  }
+  // Other numbers cannot keep the bounds on lengths, with a percent for what pixels are off.
+  const auto pointsOf = [&](double length, double none, double share) {
+    return length > 0. ? share * reference.area() * stipple::densityOfEdges(length) : none;
+  };
+  // No more than the input has, which may be flat.
+  const double first = std::min(
+    stipple::pointsOfSphere(diagonal, wanted), static_cast<double>(reference.points.size()));
+  stipple::DeviationSearch search(wanted, first, pointsOf(s.ControlMap->GetSizeMaximum(), 1., 1.01),
+    std::min<double>(this->GetNumberOfPointsMaxValue(),
+      pointsOf(s.ControlMap->GetSizeMinimum(), this->GetNumberOfPointsMaxValue(), 0.99)));
+  int mesh = 0; // of so many points is the last one
+  const auto run = [&](int points) {
+    s.Points = points;
+    s.ProgressFrom = s.ProgressTo;
+    s.ProgressTo = 0.5 * (1. + s.ProgressTo);
+    if (!this->RunStagesAndCheck())
+    {
+      return false;
+    }
+    mesh = static_cast<int>(
+      vtkPolyData::SafeDownCast(s.Sampler->GetOutputDataObject(0))->GetNumberOfPoints() -
+      s.Part.numberOfBorderPoints());
+    return true;
+  };
+  s.ProgressTo = 0.;
+  const auto report = [this](double) { return this->AbortExecute == 0; };
+  double reached = 0;
+  while (const int points = search.next())
+  {
+    if (!run(points))
+    {
+      if (this->ErrorCode != TOO_FEW_POINTS)
+      {
+        return false;
+      }
+      this->ErrorCode = 0;
+      s.Sentence.clear();
+      mesh = 0;
+      search.add(points, points, std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const stipple::TriangleSurface result = stipple::fromPolyData(
+      vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0)));
+    stipple::DeviationBounds bounds;
+    if (!stipple::surfaceDeviation(result, reference, 1e-3 * wanted, report, bounds).ok())
+    {
+      this->ErrorCode = ABORTED;
+      return false;
+    }
+    reached = bounds.upper <= wanted ? bounds.upper : reached;
+    search.add(points, mesh, bounds.upper);
+  }
+  if (search.found() == 0)
+  {
+    std::ostringstream sentence;
+    sentence << "No mesh that was tried deviates from the input by at most "
+             << 100. * wanted / diagonal << " % of its diagonal, the nearest one does by "
+             << 100. * search.nearest() / diagonal
+             << " %: allow a larger deviation, or shorter edges.";
+    return fail(sentence.str());
+  }
+  this->Deviation = 100. * reached / diagonal;
+  return mesh == search.found() || run(search.found());
 }
 
 int vtkGeometryRemesher::RequestData(
@@ -513,17 +627,23 @@ int vtkGeometryRemesher::RequestData(
   this->ErrorCode = 0;
   s.Stopped = false;
   s.Seconds.fill(0.);
+  s.Sentence.clear();
+  s.Points = this->NumberOfPoints;
+  s.ProgressFrom = 0.;
+  s.ProgressTo = 1.;
+  this->Deviation = 0.;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     return 1;
   }
-  const bool done = this->TakeInput(input) && this->RunStagesAndCheck();
+  const bool done = this->TakeInput(input) &&
+    (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
+        ? this->SearchNumberOfPoints(input)
+        : this->RunStagesAndCheck());
   if (done)
   {
-    vtkAlgorithm* last = s.InOrder[this->Pattern == QUADS ? QuadMeshing
-        : this->Pattern == SEMIREGULAR                    ? Subdivision
-                                                          : OPTIMISATION];
+    vtkAlgorithm* last = s.last(this->Pattern);
     const std::array<vtkDataObject*, 7> results = { { last->GetOutputDataObject(0),
       last->GetOutputDataObject(1), s.Atlas->GetOutputDataObject(0),
       s.Atlas->GetOutputDataObject(1), s.ControlMap->GetOutputDataObject(0),
@@ -534,11 +654,11 @@ int vtkGeometryRemesher::RequestData(
     }
     if (s.Part.part())
     {
-      const stipple::Status status = s.Part.join(vtkPolyData::SafeDownCast(results[0]),
-        vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 0));
-      if (!status.ok())
+      if (!noted(s.Part.join(vtkPolyData::SafeDownCast(results[0]),
+                   vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 0)),
+            this->ErrorCode, s.Sentence))
       {
-        stipple::endAfter(status, this, this->ErrorCode);
+        vtkErrorMacro(<< s.Sentence);
         return 0;
       }
     }
@@ -561,6 +681,10 @@ int vtkGeometryRemesher::RequestData(
     return 1;
   }
   s.Stopped = this->ErrorCode == ABORTED;
+  if (this->ErrorCode != 0 && !s.Stopped)
+  {
+    vtkErrorMacro(<< s.Sentence);
+  }
   return this->ErrorCode == 0 || s.Stopped ? 1 : 0;
 }
 
@@ -682,6 +806,9 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
+  os << indent << "MaximumDeviationLength: " << this->MaximumDeviationLength << "\n";
+  os << indent << "Deviation: " << this->Deviation << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
   os << indent
      << "SelectionArrayName: " << (this->SelectionArrayName ? this->SelectionArrayName : "(none)")

@@ -81,6 +81,22 @@ public:
   ///@}
 
   ///@{
+  /// The largest distance that mesh and input may have from each other, of either's places from the
+  /// other, in percent of the diagonal of the input's bounding box, or in the input's unit; of both
+  /// the smaller counts. NumberOfPoints must be 0 and GetControlMap() have no EdgeLength: about as
+  /// few points as hold it are found, by remeshing some times, in the proportions that importance
+  /// or lengths ask for. What is handed out holds it, everywhere and not at samples only; if no
+  /// number does, it is an error that says what was reached. 0: none, the default.
+  vtkSetClampMacro(MaximumDeviation, double, 0., 100.);
+  vtkGetMacro(MaximumDeviation, double);
+  vtkSetClampMacro(MaximumDeviationLength, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDeviationLength, double);
+  /// After an update with either of them: what no place deviates by more than, in percent as above;
+  /// else 0.
+  vtkGetMacro(Deviation, double);
+  ///@}
+
+  ///@{
   /// Angle in degrees between the normals beside an edge, 0 to 180, at which the edge is sharp; 180
   /// finds none. The default is 40. See vtkConformalAtlas.
   void SetFeatureAngle(double degrees);
@@ -254,8 +270,12 @@ private:
   bool RunMapsAndControl();
   bool RunStages();
   bool RunStagesAndCheck();
+  bool SearchNumberOfPoints(vtkPolyData* input);
 
   int NumberOfPoints = 0;
+  double MaximumDeviation = 0.;
+  double MaximumDeviationLength = 0.;
+  double Deviation = 0.;
   int Pattern = TRIANGLES;
   char* SelectionArrayName = nullptr;
   struct Internals;

@@ -233,6 +233,45 @@ class Sizes(MeshTest):
         self.assertLess(figures["1.5"]["hausdorff_pct"], figures["none"]["hausdorff_pct"])
 
 
+class LargestDeviation(MeshTest):
+    """--max-deviation: the number of points follows, and what was asked for holds."""
+
+    def deviation(self, model, *options):
+        """What was verified, what the independent checker's samples find, and the number of points."""
+        out, report = self.folder / "out.off", self.folder / "report.json"
+        self.succeed(model, "-o", out, "--report", report, *options)
+        found = json.loads(report.read_text())
+        return found["deviation_pct"], found["quality"]["hausdorff_pct"], found["points"]
+
+    def test_a_cube_needs_no_more_than_its_corners(self):
+        for wanted in (1, 0.01):
+            verified, sampled, points = self.deviation(self.cube(), "--max-deviation", wanted)
+            self.assertLessEqual(max(verified, sampled), wanted)
+            self.assertLessEqual(points, 20)
+
+    def test_a_sphere_needs_about_one_over_the_deviation(self):
+        model = Sizes.sphere(self)
+        numbers = []
+        for wanted in (1, 0.25):
+            verified, sampled, points = self.deviation(model, "--max-deviation", wanted)
+            self.assertLessEqual(verified, wanted)
+            self.assertLessEqual(sampled, verified * 1.0001)
+            self.assertGreater(verified, 0.6 * wanted, "no finer than need be")
+            numbers.append(points)
+        self.assertAlmostEqual(numbers[1] / numbers[0], 4, delta=1.5)
+        # As a length: the diagonal is 2 sqrt 3.
+        verified, _, points = self.deviation(model, "--max-deviation-length", 0.01 * 2 * math.sqrt(3))
+        self.assertLessEqual(verified, 1.001)
+        self.assertAlmostEqual(points / numbers[0], 1, delta=0.3)
+
+    def test_what_cannot_be_held_is_refused(self):
+        model = Sizes.sphere(self)
+        self.fail_with(1, "at most 1e-07 %.*the nearest one does by", model, "-o", "x.ply", "--max-deviation", 1e-7)
+        self.fail_with(1, "the nearest one does by", model, "-o", "x.ply", "--max-deviation", 0.1, "--size-minimum", 0.3)
+        for other in ("--points", "--edge-length", "--max-deviation-length"):
+            self.fail_with(2, "exclude each other", model, "-o", "x.ply", "--max-deviation", 1, other, 100)
+
+    wanted = staticmethod(Sizes.wanted)
 class Regions(MeshTest):
     """Labels of cells: their borders stay, the cells' labels and their names come back."""
 

@@ -34,6 +34,17 @@ class Lengths(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "curvature_points must be at least 3"):
             stipple.remesh(shapes.sphere(), curvature_points=1)
 
+    def test_the_number_follows_from_a_largest_deviation(self):
+        reference = shapes.sphere()
+        for keyword, value in (("max_deviation", 1), ("max_deviation_length", 0.01 * reference.GetLength())):
+            mesh = stipple.remesh(reference, **{keyword: value})
+            self.assertLess(stipple.quality(mesh, reference=reference)["hausdorff_pct"], 1)
+            self.assertLess(mesh.GetNumberOfPoints(), 400)
+        with self.assertRaisesRegex(ValueError, "exclude"):
+            stipple.remesh(reference, points=500, max_deviation=1)
+        with self.assertRaisesRegex(stipple.StippleError, "the nearest one does by"):
+            stipple.remesh(reference, max_deviation=1e-7)
+
     def test_what_does_not_go_together(self):
         with self.assertRaisesRegex(ValueError, "exclude"):
             stipple.remesh(shapes.sphere(), points=500, edge_length=0.1)

@@ -226,8 +226,9 @@ def remesh(mesh, given, progress=None):
     StippleAbort
         When progress returned False. What progress raises comes through.
     """
-    if "points" in given and "edge_length" in given:
-        raise ValueError("points and edge_length exclude each other: either follows from the other")
+    numbers = [name for name in ("points", "edge_length", "max_deviation", "max_deviation_length") if name in given]
+    if len(numbers) > 1:
+        raise ValueError(f"{numbers[0]} and {numbers[1]} exclude each other: either follows from the other")
     data = _surface(mesh)
     remesher = _classes.vtkGeometryRemesher()
     stages = _inner_algorithms(remesher)

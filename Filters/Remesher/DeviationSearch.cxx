@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeviationSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stipple
+{
+namespace
+{
+// A mesh this near to what is wanted is fine enough, as is one with so few more points than one
+// that is not near enough: deviations are maxima, which jump by some percent from mesh to mesh.
+constexpr double NearEnough = 0.85;
+constexpr double FewMore = 1.08;
+constexpr double Aim = 0.92;
+/// A step at most.
+constexpr double LargestStep = 8.;
+/// Half of the slope that bends have: more points do not help where it is less.
+constexpr double LeastSlope = 0.25;
+constexpr int MostTrials = 14;
+}
+
+double pointsOfSphere(double diagonal, double deviation)
+{
+  const double radius = diagonal / (2. * std::sqrt(3.));
+  const double squaredEdge = 6. * radius * deviation;
+  const double area = 4. * 3.14159265358979323846 * radius * radius;
+  return 2. / std::sqrt(3.) * area / squaredEdge;
+}
+
+DeviationSearch::DeviationSearch(double wanted, double first, double least, double most)
+  : Wanted(wanted)
+  , Least(std::max(1., std::ceil(least)))
+  , Most(std::floor(most))
+  , Next(static_cast<int>(std::clamp(first, this->Least, std::max(this->Least, this->Most))))
+  , Nearest(std::numeric_limits<double>::infinity())
+{
+}
+
+void DeviationSearch::add(int asked, int got, double deviation)
+{
+  ++this->Trials;
+  this->Nearest = std::min(this->Nearest, deviation);
+  const Trial before = this->Bad;
+  if (deviation <= this->Wanted)
+  {
+    this->Good = { got, deviation };
+  }
+  else
+  {
+    this->Bad = { got, deviation };
+  }
+  const bool over = this->Trials == MostTrials ||
+    (this->Good.points > 0 && (got > asked || this->Good.deviation >= NearEnough * this->Wanted));
+  this->Next = over          ? 0
+    : this->Good.points == 0 ? this->more(before)
+    : this->Bad.points == 0  ? this->fewer()
+                             : this->between();
+}
+
+int DeviationSearch::more(const Trial& before)
+{
+  const Trial& now = this->Bad;
+  double slope = 1.;
+  if (before.points > 0 && std::isfinite(before.deviation))
+  {
+    slope = std::log(before.deviation / now.deviation) /
+      std::log(static_cast<double>(now.points) / before.points);
+    this->Stalls = slope < LeastSlope ? this->Stalls + 1 : 0;
+  }
+  const double ratio = now.deviation / (Aim * this->Wanted);
+  const bool isHopeless = std::isfinite(ratio) && now.points * ratio > this->Most;
+  if (this->Stalls == 2 || isHopeless || now.points >= this->Most)
+  {
+    return 0;
+  }
+  const double step = std::isfinite(ratio) ? std::pow(ratio, 1. / std::clamp(slope, 0.5, 1.)) : 2.;
+  return static_cast<int>(
+    std::min(this->Most, std::ceil(now.points * std::clamp(step, FewMore, LargestStep))));
+}
+
+int DeviationSearch::fewer() const
+{
+  const double ratio = this->Good.deviation / (Aim * this->Wanted);
+  const double points = this->Good.points * std::max(ratio, 1. / LargestStep);
+  return this->Good.points <= this->Least
+    ? 0
+    : static_cast<int>(std::max(this->Least, std::floor(points)));
+}
+
+int DeviationSearch::between() const
+{
+  const double low = this->Bad.points;
+  const double high = this->Good.points;
+  if (high <= FewMore * low)
+  {
+    return 0;
+  }
+  const double part = std::isfinite(this->Bad.deviation)
+    ? std::log(this->Bad.deviation / (Aim * this->Wanted)) /
+      std::log(this->Bad.deviation / std::max(this->Good.deviation, 1e-9 * this->Wanted))
+    : 0.5;
+  // Away from both ends, so that the interval shrinks.
+  const double points = low * std::pow(high / low, std::clamp(part, 0.15, 0.85));
+  return static_cast<int>(std::clamp(points, low + 1., high - 1.));
+}
+}
