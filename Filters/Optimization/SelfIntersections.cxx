@@ -348,8 +348,8 @@ int resolveSelfIntersections(
   std::vector<Face> bad = intersections.faces();
   // Where much of a mesh passes through itself, sheets are closer together than edges are long:
   // then there is nothing to part, and trying takes long.
-  if (bad.empty() ||
-    static_cast<int>(bad.size()) > Tuning::FewIntersecting + mesh.faces().size() / 50)
+  const int most = Tuning::FewIntersecting + mesh.faces().size() / 50;
+  if (bad.empty() || static_cast<int>(bad.size()) > Tuning::MostOfSurface * most)
   {
     return static_cast<int>(bad.size());
   }
@@ -365,6 +365,10 @@ int resolveSelfIntersections(
     bad = filtered(intersections.faces(), [&](Face f) { return isOfSurface[f] == 0; });
   };
   look();
+  if (static_cast<int>(bad.size()) > most)
+  {
+    return static_cast<int>(bad.size());
+  }
   int budget = Tuning::PartingBudget * mesh.faces().size();
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
