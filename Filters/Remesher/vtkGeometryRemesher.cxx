@@ -542,10 +542,10 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     s.Sentence = sentence;
     return false;
   };
-  if (this->NumberOfPoints > 0 || s.ControlMap->GetEdgeLength() > 0.)
+  if (s.ControlMap->GetEdgeLength() > 0.)
   {
-    return fail("A largest deviation excludes a number of points and an edge length, which follow "
-                "from it: set one of them to 0.");
+    return fail("A largest deviation excludes an edge length, which follows from it: set one of "
+                "them to 0.");
   }
   stipple::TriangleSurface reference = stipple::fromPolyData(s.Part.part() ? s.Part.part() : input);
   const double diagonal = reference.boundingBoxDiagonal();

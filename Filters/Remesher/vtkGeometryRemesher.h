@@ -83,10 +83,10 @@ public:
   ///@{
   /// The largest distance that mesh and input may have from each other, of either's places from the
   /// other, in percent of the diagonal of the input's bounding box, or in the input's unit; of both
-  /// the smaller counts. NumberOfPoints must be 0 and GetControlMap() have no EdgeLength: about as
-  /// few points as hold it are found, by remeshing some times, in the proportions that importance
-  /// or lengths ask for. What is handed out holds it, everywhere and not at samples only; if no
-  /// number does, it is an error that says what was reached. 0: none, the default.
+  /// the smaller counts. Whatever NumberOfPoints is, and without an EdgeLength of GetControlMap():
+  /// about as few points as hold it are found, by remeshing some times, in the proportions that
+  /// importance or lengths ask for. What is handed out holds it, everywhere and not at samples
+  /// only; if no number does, it is an error that says what was reached. 0: none, the default.
   vtkSetClampMacro(MaximumDeviation, double, 0., 100.);
   vtkGetMacro(MaximumDeviation, double);
   vtkSetClampMacro(MaximumDeviationLength, double, 0., VTK_DOUBLE_MAX);
