@@ -7,6 +7,8 @@
 #include "Geometry.h"
 #include "StippleFiltersSamplingModule.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,6 +84,18 @@ struct ControlMass
 /// Sums a control image. Negative values and NaN count as zero; an infinite one makes the total
 /// infinite.
 STIPPLEFILTERSSAMPLING_EXPORT ControlMass controlMass(const ControlImage& image);
+
+/// Calls f(c) for every chart, on all threads.
+template <typename F>
+void forEachChart(std::size_t charts, F f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      f(static_cast<std::size_t>(c));
+    }
+  });
+}
 }
 
 #endif

@@ -73,17 +73,6 @@ float forEachPixelRun(const std::vector<ControlChart>& charts, F f)
   return results.empty() ? 0.f : *std::max_element(results.begin(), results.end());
 }
 
-template <typename F>
-void forEachChart(std::size_t charts, F f)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType c = begin; c < end; ++c)
-    {
-      f(static_cast<std::size_t>(c));
-    }
-  });
-}
-
 /// Magnitudes of an importance that rounding leaves on a flat surface of this area: radii of
 /// curvature beyond 1e5 times the surface's size.
 double roundingNoise(ImportanceKind importance, double area)

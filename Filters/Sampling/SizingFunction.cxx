@@ -26,17 +26,6 @@ double sizeOf(double density)
   return std::sqrt(densityOfEdges(1.) / density);
 }
 
-template <typename F>
-void forEachChart(std::size_t charts, F f)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(charts), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType c = begin; c < end; ++c)
-    {
-      f(static_cast<std::size_t>(c));
-    }
-  });
-}
-
 /// A control, and what bounds it.
 class Sizing
 {
