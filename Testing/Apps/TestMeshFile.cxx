@@ -187,7 +187,7 @@ TEST_F(MeshFile, RegionsOfObj)
 
 TEST_F(MeshFile, RegionsComeBackFromEveryFormatThatHasThem)
 {
-  for (const std::string& array : { "GroupIds", "MaterialIds", "SolidIds", "Part" })
+  for (const std::string array : { "GroupIds", "MaterialIds", "SolidIds", "Part" })
   {
     const auto mesh = makeTetrahedron();
     vtkNew<vtkIntArray> ids;
