@@ -369,6 +369,7 @@ int resolveSelfIntersections(
   {
     return static_cast<int>(bad.size());
   }
+  bool hasChanged = false;
   int budget = Tuning::PartingBudget * mesh.faces().size();
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
@@ -402,7 +403,15 @@ int resolveSelfIntersections(
     {
       break;
     }
+    hasChanged = true;
     look();
+  }
+  // Of layers that were parted, triangles may be left that are folded onto their neighbours.
+  const std::size_t left = intersections.faces().size();
+  if (hasChanged)
+  {
+    edit.attempt(
+      [&]() { return unfold(edit) > 0 && SelfIntersections(mesh).faces().size() <= left; });
   }
   return static_cast<int>(bad.size());
 }
