@@ -16,6 +16,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 // A hair's breadth above a plane, over lengths.
 constexpr double CoplanarTolerance = 1e-9;
 
+// Boxes about each of the surface's triangles, in the mean: slivers of a flat face have them all in
+// common, and would be compared each with each.
+constexpr double MostPairs = 100;
+
 /// All corners of t, but for those that are shared, lie on one side of the plane of s, and not by a
 /// hair's breadth: then nothing but a shared corner is common to both.
 bool isBeside(const PlacedTriangle& s, const PlacedTriangle& t)
@@ -106,13 +110,28 @@ std::vector<Box> placesOfIntersections(
     boxes.emplace_back(boxOf(static_cast<int>(f)), static_cast<int>(f));
   }
   std::vector<Box> places;
-  CGAL::box_self_intersection_d(
-    boxes.begin(), boxes.end(), [&](const FaceBox& a, const FaceBox& b) {
-      if (intersect(placed(a.Face), placed(b.Face)))
-      {
-        places.push_back(boxOf(a.Face).common(boxOf(b.Face)));
-      }
-    });
+  struct TooMany
+  {
+  };
+  double left = MostPairs * static_cast<double>(triangles.size());
+  try
+  {
+    CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(), [&](const FaceBox& a, const FaceBox& b) {
+        if (--left < 0)
+        {
+          throw TooMany(); // no other way leads out
+        }
+        if (intersect(placed(a.Face), placed(b.Face)))
+        {
+          places.push_back(boxOf(a.Face).common(boxOf(b.Face)));
+        }
+      });
+  }
+  catch (const TooMany&)
+  {
+    places.clear();
+  }
   return places;
 }
 }

@@ -51,7 +51,8 @@ struct PlacedTriangle
 STIPPLEFILTERSCORE_EXPORT bool intersect(const PlacedTriangle& s, const PlacedTriangle& t);
 
 /// For every pair of triangles that intersect, the box that both reach into, in an order of its
-/// own.
+/// own. None where boxes about triangles have far too much in common to compare them, as those of
+/// slivers do.
 STIPPLEFILTERSCORE_EXPORT std::vector<Box> placesOfIntersections(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 }
