@@ -15,7 +15,6 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <limits>
 #include <locale>
@@ -38,24 +37,16 @@ struct Line
 
 Line parse(const std::string& line)
 {
-  const auto trimmed = [&](std::size_t begin, std::size_t end) {
-    while (begin < end && std::isspace(static_cast<unsigned char>(line[begin])))
-    {
-      ++begin;
-    }
-    while (end > begin && std::isspace(static_cast<unsigned char>(line[end - 1])))
-    {
-      --end;
-    }
-    return line.substr(begin, end - begin);
-  };
-  const std::size_t begin = line.find_first_not_of(" \t");
+  constexpr const char* Blank = " \t\r\n\v\f";
+  const std::size_t begin = line.find_first_not_of(Blank);
   if (begin == std::string::npos)
   {
     return {};
   }
-  const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
-  return { line.substr(begin, end - begin), trimmed(end, line.size()) };
+  const std::size_t end = std::min(line.find_first_of(Blank, begin), line.size());
+  const std::size_t rest = std::min(line.find_first_not_of(Blank, end), line.size());
+  const std::size_t last = line.find_last_not_of(Blank) + 1;
+  return { line.substr(begin, end - begin), line.substr(rest, last - std::min(rest, last)) };
 }
 
 /// Names, each once, and which of them each face has.

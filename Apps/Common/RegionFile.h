@@ -8,7 +8,6 @@
 
 #include "Progress.h"
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 

@@ -15,6 +15,7 @@
 #include "vtkTriangleStrip.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <numeric>

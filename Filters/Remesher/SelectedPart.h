@@ -10,7 +10,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -42,8 +41,6 @@ public:
   Status join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* result) const;
 
 private:
-  using Place = std::array<double, 3>;
-
   vtkSmartPointer<vtkPolyData> Input; // polygons, in the order of the input's cells
   vtkSmartPointer<vtkPolyData> Part;
   vtkSmartPointer<vtkIdTypeArray> BorderEdges;

@@ -107,19 +107,14 @@ void forEachPixelSize(const AtlasSurface& surface, const std::vector<ControlImag
       size[p] = sizes.at(refined.points[p], std::numeric_limits<double>::max());
     }
   });
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(images.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType c = begin; c < end; ++c)
-      {
-        const auto places = placePixels(surface, refined, static_cast<int>(c), images[c]);
-        for (std::size_t i = 0; i < places.size(); ++i)
-        {
-          const Triangle& t = refined.triangles[places[i].triangle];
-          const auto& bary = places[i].bary;
-          visit(static_cast<std::size_t>(c), i,
-            bary[0] * size[t[0]] + bary[1] * size[t[1]] + bary[2] * size[t[2]]);
-        }
-      }
-    });
+  forEachChart(images.size(), [&](std::size_t c) {
+    const auto places = placePixels(surface, refined, static_cast<int>(c), images[c]);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const Triangle& t = refined.triangles[places[i].triangle];
+      const auto& bary = places[i].bary;
+      visit(c, i, bary[0] * size[t[0]] + bary[1] * size[t[1]] + bary[2] * size[t[2]]);
+    }
+  });
 }
 }
