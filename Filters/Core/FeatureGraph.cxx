@@ -74,7 +74,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     chartCellId->InsertNextValue(c.chartCell);
     bary->InsertNextTuple(c.bary.data());
     type->InsertNextValue(static_cast<int>(BackboneType::Constraint));
-    keep->InsertNextValue(static_cast<int>(Keep::Line));
+    keep->InsertNextValue(static_cast<int>(c.keep));
     closed->InsertNextValue(0);
   }
   std::map<int, vtkIdType> pointOf;
@@ -130,8 +130,22 @@ namespace
 {
 const char* const Remedy = "pass output port 1 of vtkConformalAtlas";
 
+/// What is to be kept of a cell.
+Status readKeep(vtkDataArray* keeps, vtkIdType cell, const std::string& name, Keep& keep)
+{
+  constexpr int Keeps = static_cast<int>(Keep::Edges) + 1;
+  const int kept = indexBelow(keeps->GetComponent(cell, 0), Keeps);
+  if (kept < 0)
+  {
+    return badId(keeps, cell, name, Keeps);
+  }
+  keep = static_cast<Keep>(kept);
+  return Status::success();
+}
+
 /// Reads the vertex cells.
-Status readConstraints(vtkPolyData* data, const AtlasSurface& surface, FeatureGraph& graph)
+Status readConstraints(
+  vtkPolyData* data, vtkDataArray* keeps, const AtlasSurface& surface, FeatureGraph& graph)
 {
   const std::string owner = "The feature graph, which has constraint points,";
   const vtkIdType n = data->GetNumberOfPoints();
@@ -177,6 +191,10 @@ Status readConstraints(vtkPolyData* data, const AtlasSurface& surface, FeatureGr
       return Status::error("The BarycentricCoordinates of " + name +
         " are no numbers from 0 that sum to 1: " + Remedy + ".");
     }
+    if (Status status = readKeep(keeps, i, name, c.keep); !status.ok())
+    {
+      return status;
+    }
     graph.constraints.push_back(c);
   }
   return Status::success();
@@ -212,7 +230,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       return status;
     }
   }
-  if (Status status = readConstraints(lines, surface, graph); !status.ok())
+  if (Status status = readConstraints(lines, keep, surface, graph); !status.ok())
   {
     return status;
   }
@@ -231,13 +249,10 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       return badId(type, cell, name, 3);
     }
     b.type = static_cast<BackboneType>(kind);
-    constexpr int Keeps = static_cast<int>(Keep::Edges) + 1;
-    const int kept = indexBelow(keep->GetComponent(cell, 0), Keeps);
-    if (kept < 0)
+    if (Status status = readKeep(keep, cell, name, b.keep); !status.ok())
     {
-      return badId(keep, cell, name, Keeps);
+      return status;
     }
-    b.keep = static_cast<Keep>(kept);
     b.closed = closed->GetComponent(cell, 0) != 0;
     if (n < (b.closed ? 3 : 2))
     {

@@ -29,7 +29,7 @@ enum class BackboneType : int
                  ///< vertex
 };
 
-/// What must be left of a backbone by a mesh that is coarser than it.
+/// What must be left of a backbone or a constraint by a mesh that is coarser than it.
 enum class Keep : int
 {
   Nothing = 0, ///< a feature that was found: it may be merged with others
@@ -60,6 +60,7 @@ struct ConstraintPoint
   int chart = 0;
   int chartCell = 0; ///< triangle within the chart
   Vec3 bary = Vec3::Zero();
+  Keep keep = Keep::Line; ///< Nothing for the tip of a cone, which was found
 };
 
 struct STIPPLEFILTERSCORE_EXPORT FeatureGraph

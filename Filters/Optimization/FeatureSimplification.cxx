@@ -312,7 +312,8 @@ public:
   }
 
   /// Opens a triangle that the mesh had, if it is still there and poor: its shortest edge goes, or
-  /// its longest runs over the third corner.
+  /// its longest runs over the third corner. Where neither can and the triangle is as good as none,
+  /// that corner goes along one of the shorter ones however long they are.
   void improve(int triangle)
   {
     if (this->Now.isGone(triangle) ||
@@ -329,19 +330,15 @@ public:
     }
     const Vertex a(t[0]);
     const Vertex b(t[1]);
-    const double ahead = this->distanceOfUsefulCollapse(a, b);
-    const double back = this->distanceOfUsefulCollapse(b, a);
-    if (std::min(ahead, back) < Never)
+    const Vertex c(t[2]);
+    const bool isNear = length(0) <= std::min(this->spacingAt(a), this->spacingAt(b));
+    const Vertex middle = length(1) > length(2) ? a : b; // between the shorter edges
+    const Vertex end = middle == a ? b : a;
+    const bool isDone =
+      (isNear && this->collapseOneOf({ { a, b }, { b, a } })) || this->bend(end, c, middle);
+    if (!isDone && this->angle(t) < Tuning::HopelessAngle)
     {
-      this->collapse(ahead <= back ? a : b, ahead <= back ? b : a);
-    }
-    else if (const Vertex c(t[2]); length(1) > length(2))
-    {
-      this->bend(b, c, a);
-    }
-    else
-    {
-      this->bend(c, a, b);
+      this->collapseOneOf({ { middle, end }, { middle, c } });
     }
   }
 
@@ -462,8 +459,26 @@ private:
     });
   }
 
+  /// From a place to the nearest triangle that is left about v when v has gone to u.
+  double distanceToRest(const Vec3& p, Vertex v, Vertex u) const
+  {
+    double least = (p - this->position(u)).norm();
+    for (const int t : this->Now.about(v))
+    {
+      if (!has(this->Now.triangle(t), u))
+      {
+        const auto [i, j, k] = replaced(this->Now.triangle(t), v, u);
+        least = std::min(least,
+          std::sqrt(
+            squaredDistanceToTriangle(p, this->position(i), this->position(j), this->position(k))));
+      }
+    }
+    return least;
+  }
+
   /// Of v, and of what has gone to it, from the creases that go with it to u; if there are none,
-  /// from the triangles: how far the surface moves.
+  /// from the triangles: how far the surface moves. Where it goes farther than the spacing, the
+  /// middles of its edges, too.
   double distanceOfCollapse(Vertex v, Vertex u) const
   {
     const Vec3& end = this->position(u);
@@ -478,22 +493,20 @@ private:
           least = std::min(least, distanceToSegment(p, end, this->position(w)));
         }
       }
-      for (const int t : this->Now.about(v))
-      {
-        if (!isOnCrease && !has(this->Now.triangle(t), u))
-        {
-          const auto [i, j, k] = replaced(this->Now.triangle(t), v, u);
-          least = std::min(least,
-            std::sqrt(squaredDistanceToTriangle(
-              p, this->position(i), this->position(j), this->position(k))));
-        }
-      }
-      return least;
+      return isOnCrease ? least : std::min(least, this->distanceToRest(p, v, u));
     };
     double largest = distanceOf(this->position(v));
     for (const Vec3& p : this->Absorbed[v])
     {
       largest = std::max(largest, distanceOf(p));
+    }
+    if (this->length(v, u) > this->spacingAt(v))
+    {
+      for (const Vertex w : ring)
+      {
+        const Vec3 middle = 0.5 * (this->position(v) + this->position(w));
+        largest = std::max(largest, this->distanceToRest(middle, v, u));
+      }
     }
     return largest;
   }
@@ -502,10 +515,8 @@ private:
   double distanceOfUsefulCollapse(Vertex v, Vertex u) const
   {
     const int creases = this->Now.numberOfCreases(v);
-    const bool isTip = creases == 0 && !this->Mesh.isFree(v); // which a seam runs through
-    const bool mayGo = !this->Mesh.isConstraint(v) && !isTip &&
-      creases <= this->Now.numberOfCreases(u) && (creases > 0 || !this->Mesh.isFree(u)) &&
-      this->length(v, u) <= this->spacingAt(v);
+    const bool mayGo = !this->Mesh.isConstraint(v) && creases <= this->Now.numberOfCreases(u) &&
+      (creases > 0 || !this->Mesh.isFree(u));
     if (!mayGo || !this->Now.keepsLines(v, u) || !this->Now.mayCollapse(v, u) ||
       !this->staysOpen(v, u))
     {
@@ -540,6 +551,27 @@ private:
       ? distance
       : Never;
   }
+  /// Collapses the edge, from the first to the second vertex, that moves the surface least, if it
+  /// is useful.
+  bool collapseOneOf(const std::vector<std::pair<Vertex, Vertex>>& edges)
+  {
+    double least = Never;
+    std::pair<Vertex, Vertex> best;
+    for (const auto& [v, u] : edges)
+    {
+      const double distance = this->distanceOfUsefulCollapse(v, u);
+      if (distance < least)
+      {
+        least = distance;
+        best = { v, u };
+      }
+    }
+    if (least < Never)
+    {
+      this->collapse(best.first, best.second);
+    }
+    return least < Never;
+  }
   void collapse(Vertex v, Vertex u)
   {
     const std::vector<int>& chains = this->Now.chainsOf(v);
@@ -559,13 +591,13 @@ private:
   }
 
   /// Leads the crease from p to q over v, if triangles are better then.
-  void bend(Vertex p, Vertex q, Vertex v)
+  bool bend(Vertex p, Vertex q, Vertex v)
   {
     const std::vector<int> pair = this->Now.beside(p, q);
     if (this->Mesh.isFree(v) || !this->Now.isCrease(p, q) ||
       this->Now.keep(p, q) != Keep::Nothing || pair.size() != 2)
     {
-      return;
+      return false;
     }
     const bool isFirst = has(this->Now.triangle(pair[0]), v);
     const Triangle& own = this->Now.triangle(pair[isFirst ? 0 : 1]);
@@ -575,15 +607,17 @@ private:
     const double worst = std::min(this->angle(own), this->angle(other));
     const double distance =
       distanceToSegment(this->position(v), this->position(p), this->position(q));
-    if (d != v && this->Now.beside(v, d).empty() && distance <= this->worthOf(v, worst) &&
-      std::min(this->angle(after[0]), this->angle(after[1])) >
-        worst + Tuning::LeastGainOfCollapse &&
-      !this->isTurnedOver(other, after[0]) && !this->isTurnedOver(other, after[1]))
+    if (d == v || !this->Now.beside(v, d).empty() || distance > this->worthOf(v, worst) ||
+      std::min(this->angle(after[0]), this->angle(after[1])) <=
+        worst + Tuning::LeastGainOfCollapse ||
+      this->isTurnedOver(other, after[0]) || this->isTurnedOver(other, after[1]))
     {
-      this->Now.bend(p, q, v);
-      this->Fixed.push_back(v);
-      ++this->NumberOfBends;
+      return false;
     }
+    this->Now.bend(p, q, v);
+    this->Fixed.push_back(v);
+    ++this->NumberOfBends;
+    return true;
   }
 
   /// Under the wanted density, up to a factor.

@@ -15,10 +15,9 @@ namespace stipple
 /// meet or more; or, where the third corner is near to the longest edge and that is a crease, the
 /// crease is led over that corner. Only where the worst triangle about it becomes better, and the
 /// surface moves by at most `tolerance` times the spacing for a triangle without an angle, in
-/// proportion less for a better one. Constraints, tips, lines that users named and the topology
-/// stay, borders of regions are straightened only, no triangle is turned over, and none folded onto
-/// its neighbour. Vertices that this frees go where triangles are
-/// largest.
+/// proportion less for a better one. Constraints and lines that users named and the topology stay,
+/// borders of regions are straightened only, no triangle is turned over, and none folded onto its
+/// neighbour. Vertices that this frees go where triangles are largest.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status simplifyFeatures(OptimizedMesh& mesh, double tolerance);
 }
 

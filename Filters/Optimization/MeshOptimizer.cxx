@@ -37,6 +37,11 @@ Tuning::Pace paceAt(double progress, bool uniform)
     from.momentum + t * (to.momentum - from.momentum) };
 }
 
+bool maySimplify(const OptimizerOptions& options)
+{
+  return options.moves != Moves::None && options.swaps != Swaps::None && !options.ribs;
+}
+
 void swapEdges(MeshEdit& edit, Swaps swaps, int passes)
 {
   if (swaps == Swaps::Regularity)
@@ -65,8 +70,9 @@ Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
   return Tuning::LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
 }
 
-/// Rounds of swaps and moves (paper 4.4), with repairs in between.
-Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
+/// Rounds of swaps and moves (paper 4.4), with repairs in between; with a first one other than 0
+/// the last of them once more, after a change.
+Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, int firstRound,
   const Lazy<std::vector<Box>>& ofSurface, const Progress& progress)
 {
   const bool moves = options.moves != Moves::None;
@@ -76,9 +82,10 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
   std::optional<SmallComponents> small(mesh);
-  const bool opensCorners = options.moves == Moves::Lloyd && options.acuteCornerAngle > 0;
+  const bool opensCorners =
+    options.moves == Moves::Lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
   std::optional<AcuteCorners> acute;
-  for (int i = 0; i < options.iterations; ++i)
+  for (int i = firstRound; i < options.iterations; ++i)
   {
     const double done = static_cast<double>(i) / options.iterations;
     if (!report(progress, done))
@@ -91,7 +98,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
       // have been drawn there, swaps alone are no help.
       repairTriangles(edit, 0., swaps, false, Tuning::ManyPasses);
     }
-    if (i > 0 && i % Tuning::AcuteInterval == 0 && moves && swaps && !options.ribs)
+    if (i > 0 && i % Tuning::AcuteInterval == 0 && firstRound == 0 && maySimplify(options))
     {
       const int changes = mesh.numberOfChanges();
       const Status status = simplifyFeatures(mesh, options.featureTolerance);
@@ -207,12 +214,33 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   }
   MeshEdit edit(mesh);
   const Lazy<std::vector<Box>> ofSurface; // where it passes through itself
-  Status status = relax(mesh, edit, options, ofSurface, progress);
+  Status status = relax(mesh, edit, options, 0, ofSurface, progress);
   if (!status.ok())
   {
     return status;
   }
   finish(edit, options, ofSurface);
+  // Edges were swapped since features were simplified last; each time fewer are left for that.
+  for (int i = 0; i < Tuning::LastSimplifications && maySimplify(options); ++i)
+  {
+    const int changes = mesh.numberOfChanges();
+    status = simplifyFeatures(mesh, options.featureTolerance);
+    if (!status.ok())
+    {
+      return status;
+    }
+    if (mesh.numberOfChanges() == changes)
+    {
+      break;
+    }
+    status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::AcuteInterval),
+      ofSurface, progress);
+    if (!status.ok())
+    {
+      return status;
+    }
+    finish(edit, options, ofSurface);
+  }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }

@@ -12,17 +12,20 @@ namespace stipple
 {
 namespace
 {
-/// Tells the points that constraints became, also on backbones, where their samples are of a
-/// backbone's kind.
+/// Tells the points that constraints became which users named, or which were found: the tips of
+/// cones. Also on backbones, where their samples are of a backbone's kind.
 class ConstraintFinder
 {
 public:
-  explicit ConstraintFinder(const stipple::Atlas& atlas)
+  ConstraintFinder(const stipple::Atlas& atlas, bool found)
   {
     const AtlasSurface& surface = atlas.surface();
     for (const ConstraintPoint& c : atlas.graph().constraints)
     {
-      this->Places.push_back(surface.position(surface.chartBegin[c.chart] + c.chartCell, c.bary));
+      if ((c.keep == Keep::Nothing) == found)
+      {
+        this->Places.push_back(surface.position(surface.chartBegin[c.chart] + c.chartCell, c.bary));
+      }
     }
     std::sort(this->Places.begin(), this->Places.end(),
       [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
@@ -72,14 +75,15 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
       fixedNode[b.points.front()] = fixedNode[b.points.back()] = 1;
     }
   }
-  const ConstraintFinder constraints(atlas);
+  const ConstraintFinder named(atlas, false);
+  const ConstraintFinder found(atlas, true);
   for (const Vertex v : this->vertices())
   {
     const Sample& s = samples[v.index()];
     this->put(v, this->pointAt({ s.face, s.bary }));
-    const bool constrained =
-      s.kind != SampleKind::Interior && constraints.isConstraint(this->position(v));
-    this->IsConstraint[v] = constrained || s.kind == SampleKind::Constraint;
+    const Vec3& p = this->position(v);
+    this->IsConstraint[v] = s.kind != SampleKind::Interior &&
+      (named.isConstraint(p) || (s.kind == SampleKind::Constraint && !found.isConstraint(p)));
     if (s.kind == SampleKind::Constraint ||
       (s.kind == SampleKind::Corner && s.surfacePoint >= 0 && fixedNode[s.surfacePoint]))
     {
@@ -95,14 +99,14 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
       }
       if (graph.backbones[s.backbone].type != BackboneType::Seam)
       {
-        this->Free[v] = constrained ? Freedom::None : Freedom::Backbone;
+        this->Free[v] = this->isConstraint(v) ? Freedom::None : Freedom::Backbone;
         this->BackboneOf[v] = s.backbone;
         this->State[v].arcLength = s.arcLength;
         this->findOtherNormal(v);
         continue;
       }
     }
-    if (constrained && this->isFree(v)) // on a seam, which heals
+    if (this->isConstraint(v) && this->isFree(v)) // on a seam, which heals
     {
       this->Free[v] = Freedom::None;
       this->Original[v.index()] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };

@@ -243,7 +243,7 @@ public:
   /// The vertices of every backbone in order, with both ends; empty for seams.
   using Chain = std::vector<BackboneVertex>;
   const std::vector<Chain>& chains() const { return this->Chains; }
-  /// A position that must be a vertex: a constraint, or the tip of a cone.
+  /// A position that users named, which must be a vertex.
   bool isConstraint(Vertex v) const { return this->IsConstraint[v] != 0; }
 
   /// The same vertices in other triangles, on other chains: some that were not free go where they

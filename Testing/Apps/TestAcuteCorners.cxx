@@ -68,6 +68,7 @@ Figures remesh(vtkPolyData* input, int points, double acuteCornerAngle)
   remesher->SetInputData(input);
   remesher->SetNumberOfPoints(points);
   remesher->GetOptimizer()->SetAcuteCornerAngle(acuteCornerAngle);
+  remesher->GetOptimizer()->SetFeatureTolerance(0.); // which would open the corner in its own way
   remesher->Update();
   Figures result;
   result.mesh = fromPolyData(remesher->GetOutput());
