@@ -23,6 +23,22 @@ struct AtlasConstants
   /// Barycentric coordinate: a constraint so little outside a triangle is in it.
   static constexpr double OutsideOfChart = 1e-6;
 
+  // Flat faces.
+
+  /// How far the surface may move where an edge is flipped, over the diagonal, and over the edge,
+  /// so that what is finely sampled is not flat. Coordinates of single precision, as STL files have
+  /// them, leave planes flat to 1e-7, those with six digits to 1e-6.
+  static constexpr double FlatFace = 1e-6;
+  static constexpr double FlatFaceOverEdge = 1e-3;
+  /// Radians: from triangles with a smaller angle on flat faces are triangulated anew. What has
+  /// none stays as it is.
+  static constexpr double SliverAngle = Pi / 18;
+  /// Radians by which two angles over an edge sum to more than pi: less is not worth a flip, and
+  /// may be rounding's, as with the squares of a grid.
+  static constexpr double LeastBeyondDelaunay = 1e-3;
+  /// Share of a diagonal: two that cross as near to an end do not.
+  static constexpr double LeastCrossing = 1e-7;
+
   // Long edges.
 
   /// Points of the regular triangulation whose edges, doubled, are the longest.

@@ -4,6 +4,7 @@
 
 #include "AtlasConstants.h"
 #include "PolyDataConversion.h"
+#include "SurfaceArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,116 +35,6 @@ using Constants = AtlasConstants;
 
 namespace
 {
-/// Names that Stipple's own stages use; an input that is itself an output of Stipple has them all.
-bool isReserved(const char* name)
-{
-  for (const char* own : { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature",
-         "SourceCellId", "AreaDistortion", "ChartId", "ChartCellId", "BarycentricCoordinates",
-         "SampleKind", "BackboneId", "ArcLength", "Density", "Control", "FaceIndex" })
-  {
-    if (std::string(own) == name)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* array)
-{
-  auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  copy->SetName(array->GetName());
-  copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->CopyComponentNames(array);
-  return copy;
-}
-
-/// For every inserted point the original one that weighs most in it; of two, the first.
-std::vector<int> nearestOriginalPoints(const CutSurface& surface)
-{
-  using Weights = std::vector<std::pair<int, double>>; // points inserted on inserted edges, too
-  std::vector<Weights> weightsOf(surface.inserted.size());
-  std::vector<int> nearest;
-  for (std::size_t j = 0; j < surface.inserted.size(); ++j)
-  {
-    Weights& weights = weightsOf[j];
-    const auto add = [&](int point, double weight) {
-      const auto found = std::find_if(
-        weights.begin(), weights.end(), [&](const auto& other) { return other.first == point; });
-      if (found != weights.end())
-      {
-        found->second += weight;
-      }
-      else
-      {
-        weights.emplace_back(point, weight);
-      }
-    };
-    const auto addEnd = [&](int point, double share) {
-      if (point < surface.numberOfOriginalPoints)
-      {
-        add(point, share);
-        return;
-      }
-      for (const auto& [origin, weight] : weightsOf[point - surface.numberOfOriginalPoints])
-      {
-        add(origin, share * weight);
-      }
-    };
-    const CutSurface::EdgePoint& e = surface.inserted[j];
-    addEnd(e.a, 1. - e.t);
-    addEnd(e.b, e.t);
-    nearest.push_back(
-      std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
-        return a.second < b.second || (a.second == b.second && a.first > b.first);
-      })->first);
-  }
-  return nearest;
-}
-
-/// The input's named point arrays at all points of the cut surface.
-std::vector<vtkSmartPointer<vtkAbstractArray>> pointArrays(
-  vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface)
-{
-  std::vector<vtkSmartPointer<vtkAbstractArray>> result;
-  std::vector<int> nearest; // found for the first array that needs it
-  for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* source = input->GetPointData()->GetAbstractArray(i);
-    if (!source->GetName() || isReserved(source->GetName()))
-    {
-      continue;
-    }
-    auto array = emptyLike(source);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(surface.points.size()));
-    for (int p = 0; p < surface.numberOfOriginalPoints; ++p)
-    {
-      array->SetTuple(p, repaired.sourcePoint[p], source);
-    }
-    const int type = source->GetDataType();
-    const bool continuous = type == VTK_FLOAT || type == VTK_DOUBLE;
-    if (!continuous && nearest.empty())
-    {
-      nearest = nearestOriginalPoints(surface);
-    }
-    for (std::size_t j = 0; j < surface.inserted.size(); ++j)
-    {
-      const CutSurface::EdgePoint& e = surface.inserted[j];
-      const vtkIdType p = surface.numberOfOriginalPoints + static_cast<vtkIdType>(j);
-      if (continuous)
-      {
-        array->InterpolateTuple(p, e.a, array, e.b, array, e.t);
-      }
-      else
-      {
-        array->SetTuple(p, nearest[j], array);
-      }
-    }
-    result.push_back(array);
-  }
-  return result;
-}
-
 /// A point quantity of the repaired surface, extended to inserted points.
 std::vector<double> atAllPoints(std::vector<double> values, const CutSurface& surface)
 {
@@ -160,7 +52,7 @@ void activate(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
   for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
   {
     vtkAbstractArray* active = from->GetAbstractAttribute(attribute);
-    if (active && active->GetName() && !isReserved(active->GetName()) &&
+    if (active && active->GetName() && !isReservedArrayName(active->GetName()) &&
       attribute != vtkDataSetAttributes::TCOORDS)
     {
       to->SetActiveAttribute(active->GetName(), attribute);
@@ -178,10 +70,33 @@ vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vt
   data->AddArray(array);
   return array;
 }
+
+/// Finds the place on a surface that is nearest to another.
+class SurfaceLocator
+{
+public:
+  explicit SurfaceLocator(const TriangleSurface& surface)
+  {
+    this->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
+    this->Locator->BuildLocator();
+  }
+  Face find(const Vec3& x, Vec3& nearest) const
+  {
+    vtkIdType face = 0;
+    int sub = 0;
+    double squared = 0;
+    this->Locator->FindClosestPoint(x.data(), nearest.data(), this->Cell, face, sub, squared);
+    return Face(static_cast<int>(face));
+  }
+
+private:
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+};
 }
 
 Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
-  const std::vector<FlatChart>& flat, const Curvature& curvature,
+  const std::vector<FlatChart>& flat, const Curvature& curvature, const FlatFaceCells& flatFaces,
   vtkPartitionedDataSetCollection* output, const Progress& progress)
 {
   const auto arrays = pointArrays(input, repaired, surface);
@@ -238,28 +153,28 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
     cellIds->SetNumberOfIds(cells);
     auto sourceCellId = addArray<vtkIdTypeArray>(cellData, "SourceCellId", 1, cells);
     auto distortion = addArray<vtkDoubleArray>(cellData, "AreaDistortion", 1, cells);
+    std::set<int> sources;
     for (vtkIdType f = 0; f < cells; ++f)
     {
       const Triangle& t = mesh.triangles[f];
-      cellIds->SetId(f, surface.sourceCell[mesh.faces[f].index()]);
-      sourceCellId->SetValue(f, surface.sourceCell[mesh.faces[f].index()]);
+      const int source = surface.sourceCell[mesh.faces[f].index()];
+      cellIds->SetId(f, source);
+      sourceCellId->SetValue(f, source);
+      sources.insert(source);
       const double plane = 0.5 * orient2(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]);
       distortion->SetValue(f, map.area[f] / plane);
     }
-    for (int i = 0; i < input->GetCellData()->GetNumberOfArrays(); ++i)
+    for (vtkAbstractArray* source : usersArrays(input->GetCellData()))
     {
-      vtkAbstractArray* source = input->GetCellData()->GetAbstractArray(i);
-      if (source->GetName() && !isReserved(source->GetName()))
-      {
-        auto part = emptyLike(source);
-        part->SetNumberOfTuples(cells);
-        source->GetTuples(cellIds, part);
-        cellData->AddArray(part);
-      }
+      auto part = emptyLike(source);
+      part->SetNumberOfTuples(cells);
+      source->GetTuples(cellIds, part);
+      cellData->AddArray(part);
     }
     activate(input->GetCellData(), cellData);
     auto extent = addArray<vtkDoubleArray>(chart->GetFieldData(), "ChartExtent", 2, 1);
     extent->SetTuple(0, map.extent.data());
+    flatFaces.write(sources, chart->GetFieldData());
     auto ratio = addArray<vtkDoubleArray>(chart->GetFieldData(), "DensityRatio", 1, 1);
     ratio->SetValue(0, map.densityRatio);
 
@@ -269,6 +184,23 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
     output->SetPartitionedDataSet(static_cast<unsigned int>(c), set);
   }
   return Status::success();
+}
+
+std::set<int> nearestCells(const RepairedSurface& repaired, vtkPoints* points)
+{
+  std::set<int> cells;
+  const SurfaceLocator locator(repaired.surface);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Vec3 x;
+    points->GetPoint(i, x.data());
+    if (x.allFinite()) // locateConstraints() tells what is not
+    {
+      Vec3 nearest;
+      cells.insert(repaired.sourceCell[locator.find(x, nearest).index()]);
+    }
+  }
+  return cells;
 }
 
 Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>& flat,
@@ -284,11 +216,7 @@ Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>
       cellOf[flat[c].mesh.faces[i]] = static_cast<int>(i);
     }
   }
-  const vtkSmartPointer<vtkPolyData> whole = toPolyData(surface.points, surface.triangles);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(whole);
-  locator->BuildLocator();
-  vtkNew<vtkGenericCell> cell;
+  const SurfaceLocator locator(surface);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     ConstraintPoint c;
@@ -299,11 +227,7 @@ Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>
       return Status::error(
         "Constraint " + std::to_string(i) + " has a coordinate that is not a finite number.");
     }
-    vtkIdType face = 0;
-    int sub = 0;
-    double squared = 0;
-    locator->FindClosestPoint(x.data(), c.position.data(), cell, face, sub, squared);
-    const Face f(static_cast<int>(face));
+    const Face f = locator.find(x, c.position);
     c.bary = clampedBarycentric(barycentricInSpace(
       c.position, surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)));
     c.chart = chartOf[f];
@@ -381,8 +305,8 @@ void constrainPoints(const CutSurface& surface, const std::vector<FlatChart>& fl
         if (wanted[p])
         {
           wanted[p] = 0;
-          constraints.push_back(
-            { surface.points[p], static_cast<int>(c), static_cast<int>(i), Vec3::Unit(k) });
+          constraints.push_back({ surface.points[p], static_cast<int>(c), static_cast<int>(i),
+            Vec3::Unit(k), Keep::Nothing });
         }
       }
     }

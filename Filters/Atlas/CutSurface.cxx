@@ -82,6 +82,48 @@ int CutSurface::numberOfCutsAround(Halfedge h) const
   return cuts;
 }
 
+void CutSurface::flipEdge(Halfedge h)
+{
+  const Halfedge g = this->twin[h];
+  struct Side
+  {
+    Halfedge twin;
+    char cut;
+    char sharp;
+    Keep keep;
+  };
+  const auto take = [&](Halfedge e) {
+    return Side{ this->twin[e], this->cut[e], this->sharp[e], this->keep[e] };
+  };
+  const auto put = [&](Halfedge e, const Side& side) {
+    this->link(e, side.twin);
+    this->cut[e] = side.cut;
+    this->sharp[e] = side.sharp;
+    this->keep[e] = side.keep;
+  };
+  // h from a to b under c, g back under d; then h from d to c beside a, g back beside b
+  const int a = this->tail(h).index();
+  const int b = this->head(h).index();
+  const int c = this->tail(previousHalfedge(h)).index();
+  const int d = this->tail(previousHalfedge(g)).index();
+  const Side bc = take(nextHalfedge(h));
+  const Side ca = take(previousHalfedge(h));
+  const Side ad = take(nextHalfedge(g));
+  const Side db = take(previousHalfedge(g));
+  const auto setCorners = [&](Halfedge e, int p, int q, int r) {
+    Triangle& t = this->triangles[faceOf(e).index()];
+    t[cornerOf(e)] = p;
+    t[cornerOf(nextHalfedge(e))] = q;
+    t[cornerOf(previousHalfedge(e))] = r;
+  };
+  setCorners(h, d, c, a);
+  setCorners(g, c, d, b);
+  put(nextHalfedge(h), ca);
+  put(previousHalfedge(h), ad);
+  put(nextHalfedge(g), db);
+  put(previousHalfedge(g), bc);
+}
+
 int CutSurface::splitEdge(Halfedge h, double t)
 {
   const int a = this->tail(h).index();

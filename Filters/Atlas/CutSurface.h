@@ -40,6 +40,10 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   /// appended and inherit source cell and marks; halfedge h then ends at the new point.
   int splitEdge(Halfedge h, double t);
 
+  /// Swaps the edge of h, which is neither cut nor a feature, between its two triangles for the
+  /// edge between their other corners: h then runs from the corner over it, its twin back.
+  void flipEdge(Halfedge h);
+
   /// The halfedge after h on the boundary of h's chart.
   Halfedge nextOnBoundary(Halfedge h) const;
   /// Cuts around the tail of h, two or more at the surface's boundary.

@@ -9,9 +9,11 @@
 #include "FeatureDetection.h"
 #include "FeatureGraphBuilder.h"
 #include "FilterExecution.h"
+#include "FlatFaces.h"
 #include "LongEdges.h"
 #include "NormalCurvature.h"
 #include "RegionArrays.h"
+#include "SurfaceArrays.h"
 #include "SurfaceRepair.h"
 #include "UserArrays.h"
 
@@ -30,6 +32,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -149,6 +152,9 @@ private:
   stipple::Status markFeatures(const stipple::RepairedSurface& repaired,
     const stipple::FeatureDetectionOptions& detection, stipple::CutSurface& surface,
     const stipple::Progress& progress);
+  /// Flat faces and long edges; what lies on flat faces is for charts to know.
+  stipple::FlatFaceCells triangulate(
+    const stipple::RepairedSurface& repaired, stipple::CutSurface& surface);
   stipple::Status constrain(const stipple::CutSurface& surface,
     const std::vector<stipple::FlatChart>& flat, const std::vector<int>& tips,
     stipple::FeatureGraph& graph);
@@ -285,7 +291,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
     input = withNormalCurvature(this->Input, surface); // before edges are split, which lie flat
   }
   const std::vector<int> tips = stipple::findTips(surface, detection);
-  stipple::splitLongEdges(surface, stipple::longestEdgeForCharts(surface));
+  const stipple::FlatFaceCells flatFaces = this->triangulate(repaired, surface);
 
   stipple::ChartPartitionOptions options;
   options.numberOfCharts = this->Self->NumberOfCharts;
@@ -312,13 +318,40 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
     return status;
   }
   if (stipple::Status status = stipple::writeCharts(
-        input, repaired, surface, flat, curvature, this->Charts, part(0.9, 1.));
+        input, repaired, surface, flat, curvature, flatFaces, this->Charts, part(0.9, 1.));
       !status.ok())
   {
     return status;
   }
   this->Graph->ShallowCopy(stipple::toPolyData(graph, surface.points));
   return stipple::Status::success();
+}
+
+stipple::FlatFaceCells vtkConformalAtlas::Work::triangulate(
+  const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
+{
+  // What is to be a vertex exactly stays where it is.
+  const std::set<int> held = this->Self->Constraints
+    ? stipple::nearestCells(repaired, this->Self->Constraints)
+    : std::set<int>();
+  std::vector<std::pair<int, int>> joined;
+  const auto flip = [&] {
+    const stipple::ArraysOverEdges arrays(this->Input, repaired, surface);
+    const auto isHeld = [&](stipple::Halfedge h) {
+      return held.count(surface.sourceCell[stipple::faceOf(h).index()]) > 0;
+    };
+    const auto pairs =
+      stipple::triangulateFlatFaces(surface, [&](stipple::Halfedge h, double s, double t) {
+        return !isHeld(h) && !isHeld(surface.twin[h]) && arrays.allowFlip(h, s, t);
+      });
+    joined.insert(joined.end(), pairs.begin(), pairs.end());
+  };
+  flip();
+  if (stipple::splitLongEdges(surface, stipple::longestEdgeForCharts(surface)) > 0)
+  {
+    flip();
+  }
+  return stipple::flatFaceCells(repaired, joined);
 }
 
 void vtkConformalAtlas::Work::count(const stipple::RepairedSurface& repaired)

@@ -19,12 +19,14 @@
  * "SurfacePointId" (vtkIdType, equal for the copies of a seam point), "GaussianCurvature",
  * "MeanCurvature" (double), and the input's point arrays, interpolated at points that cutting
  * inserted (integers: from the nearest corner of the input). Cell arrays: "SourceCellId"
- * (vtkIdType, the input cell), "AreaDistortion" (double, A3D / A2D), "LargestNormalCurvature"
- * (double, if asked for), and the input's cell arrays.
- * Field array: "ChartExtent" (double x2, the rectangle's width and height, of which the larger is
- * 1) and "DensityRatio" (double, see MaximumDensityRatio). An input array of one of these names, or
- * of one that the later stages give to their own arrays ("ChartId", "SampleKind", ...), is left
- * out.
+ * (vtkIdType, the input cell, or one on the same flat face), "AreaDistortion" (double, A3D / A2D),
+ * "LargestNormalCurvature" (double, if asked for), and the input's cell arrays. Field arrays:
+ * "ChartExtent" (double x2, the rectangle's width and height, of which the larger is 1),
+ * "DensityRatio" (double, see MaximumDensityRatio), and, of flat faces whose slivers were
+ * triangulated anew (only where that leaves all arrays of the input as they are),
+ * "FlatFaceOffsets", "FlatFaceCells" (vtkIdType) and "FlatFaceCorners" (double x9). An input array
+ * of one of these names, or of one that the later stages give to their own arrays ("ChartId",
+ * "SampleKind", ...), is left out.
  *
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),

@@ -117,6 +117,10 @@ public:
         " is not positive: " + Remedy + ".");
     }
     this->S.extent.push_back(size);
+    if (Status status = this->S.flatFaces.read(chart->GetFieldData(), owner); !status.ok())
+    {
+      return status;
+    }
     if (Status status = this->readPoints(chart, ids, uv, c); !status.ok())
     {
       return status;

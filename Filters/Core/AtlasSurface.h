@@ -5,6 +5,7 @@
 #ifndef stipple_AtlasSurface_h
 #define stipple_AtlasSurface_h
 
+#include "FlatFaceCells.h"
 #include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
@@ -26,7 +27,9 @@ struct STIPPLEFILTERSCORE_EXPORT AtlasSurface : TriangleSurface // points by Sur
   ElementArray<Face, Triangle> chartPoints; ///< per face, the chart's own point ids
   ElementArray<Halfedge, Vec2> uv;          ///< per corner, the parameter of its halfedge's tail
   ElementArray<Chart, Vec2> extent;         ///< per chart, width and height of its rectangle
-  ElementArray<Face, int> sourceCell;       ///< per face, the input cell that it lies in
+  ElementArray<Face, int> sourceCell; ///< per face, the input cell that it lies in, or one on the
+                                      ///< flat face that it lies in
+  FlatFaceCells flatFaces;
   std::vector<vtkSmartPointer<vtkPolyData>> charts; ///< the data sets themselves
 
   int numberOfCharts() const { return static_cast<int>(this->extent.size()); }

@@ -41,6 +41,7 @@ void addProvenance(vtkPolyData* mesh, const AtlasSurface& surface, const std::ve
   auto barycentric = pointArray<vtkDoubleArray>(mesh, "BarycentricCoordinates", 3, n);
   auto uv = pointArray<vtkDoubleArray>(mesh, "UV", 2, n);
   auto source = pointArray<vtkIdTypeArray>(mesh, "SourceCellId", 1, n);
+  FlatFaceLocator locator(surface.flatFaces);
   for (vtkIdType i = 0; i < n; ++i)
   {
     const int chart = surface.faceChart[face[i]];
@@ -48,7 +49,8 @@ void addProvenance(vtkPolyData* mesh, const AtlasSurface& surface, const std::ve
     chartCellId->SetValue(i, face[i] - surface.chartBegin[chart]);
     barycentric->SetTuple(i, bary[i].data());
     uv->SetTuple(i, surface.parameter(face[i], bary[i]).data());
-    source->SetValue(i, surface.sourceCell[face[i]]);
+    source->SetValue(
+      i, locator.cellAt(surface.sourceCell[face[i]], surface.position(face[i], bary[i])));
   }
 }
 

@@ -156,7 +156,7 @@ struct Charts
   Status write(const Progress& progress = {})
   {
     return writeCharts(this->input, this->repaired, this->surface, this->flat,
-      computeCurvature(this->repaired.surface), this->output, progress);
+      computeCurvature(this->repaired.surface), {}, this->output, progress);
   }
 };
 }
