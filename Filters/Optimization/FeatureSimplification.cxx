@@ -8,6 +8,7 @@
 #include "VertexStar.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -239,6 +240,35 @@ public:
     }
   }
 
+  /// Vertices that edges join to both ends of an edge without a triangle between the three: while
+  /// there are any, it may not be collapsed.
+  std::vector<Vertex> obstacles(Vertex v, Vertex u) const
+  {
+    const std::vector<Vertex> a = this->ring(v);
+    const std::vector<Vertex> b = this->ring(u);
+    std::vector<Vertex> result;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    const std::vector<int> gone = this->beside(v, u);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                   [&](Vertex w) {
+                     return std::any_of(
+                       gone.begin(), gone.end(), [&](int t) { return has(this->Triangles[t], w); });
+                   }),
+      result.end());
+    return result;
+  }
+
+  /// Swaps an edge between two triangles, no crease, for the one between their other corners.
+  void swap(Vertex p, Vertex q)
+  {
+    const std::vector<int> pair = this->beside(p, q);
+    const Triangle first = this->Triangles[pair[0]];
+    const Triangle second = this->Triangles[pair[1]];
+    const int sum = p.index() + q.index();
+    this->put(pair[0], replaced(first, q, Vertex(second[0] + second[1] + second[2] - sum)));
+    this->put(pair[1], replaced(second, p, Vertex(first[0] + first[1] + first[2] - sum)));
+  }
+
   /// Puts a vertex, which is in no triangle, on an edge between two.
   void split(Vertex a, Vertex b, Vertex middle)
   {
@@ -312,8 +342,9 @@ public:
   }
 
   /// Opens a triangle that the mesh had, if it is still there and poor: its shortest edge goes, or
-  /// its longest runs over the third corner. Where neither can and the triangle is as good as none,
-  /// that corner goes along one of the shorter ones however long they are.
+  /// its longest runs over the third corner, or edges that are in the way of that are swapped.
+  /// Where nothing of it can be done and the triangle is as good as none, that corner goes along
+  /// one of the shorter edges however long they are.
   void improve(int triangle)
   {
     if (this->Now.isGone(triangle) ||
@@ -334,8 +365,9 @@ public:
     const bool isNear = length(0) <= std::min(this->spacingAt(a), this->spacingAt(b));
     const Vertex middle = length(1) > length(2) ? a : b; // between the shorter edges
     const Vertex end = middle == a ? b : a;
-    const bool isDone =
-      (isNear && this->collapseOneOf({ { a, b }, { b, a } })) || this->bend(end, c, middle);
+    const bool isDone = (isNear && this->collapseOneOf({ { a, b }, { b, a } })) ||
+      this->bend(end, c, middle) ||
+      (isNear && (this->collapseAfterSwaps(a, b) || this->collapseAfterSwaps(b, a)));
     if (!isDone && this->angle(t) < Tuning::HopelessAngle)
     {
       this->collapseOneOf({ { middle, end }, { middle, c } });
@@ -551,6 +583,50 @@ private:
       ? distance
       : Never;
   }
+  /// Collapses an edge that third vertices obstruct, after edges from there to its ends have been
+  /// swapped; all stays as it was if that is no use.
+  bool collapseAfterSwaps(Vertex v, Vertex u, int depth = 0)
+  {
+    const std::vector<Vertex> obstacles = this->Now.obstacles(v, u);
+    if (obstacles.empty())
+    {
+      return depth > 0 && this->collapseOneOf({ { v, u } });
+    }
+    if (depth + static_cast<int>(obstacles.size()) > Tuning::MostObstacles)
+    {
+      return false;
+    }
+    const Vertex w = obstacles.front();
+    for (const Vertex e : { v, u })
+    {
+      const std::vector<int> pair = this->Now.beside(e, w);
+      if (this->Now.isCrease(e, w) || pair.size() != 2)
+      {
+        continue;
+      }
+      const std::array<Triangle, 2> before = { { this->Now.triangle(pair[0]),
+        this->Now.triangle(pair[1]) } };
+      const auto apex = [&](const Triangle& t) {
+        return Vertex(t[0] + t[1] + t[2] - e.index() - w.index());
+      };
+      const Vertex p = apex(before[0]);
+      const Vertex q = apex(before[1]);
+      if (p == q || !this->Now.beside(p, q).empty())
+      {
+        continue;
+      }
+      this->Now.swap(e, w);
+      if (!this->isTurnedOver(before[0], this->Now.triangle(pair[0])) &&
+        !this->isTurnedOver(before[1], this->Now.triangle(pair[1])) &&
+        this->collapseAfterSwaps(v, u, depth + 1))
+      {
+        return true;
+      }
+      this->Now.swap(p, q);
+    }
+    return false;
+  }
+
   /// Collapses the edge, from the first to the second vertex, that moves the surface least, if it
   /// is useful.
   bool collapseOneOf(const std::vector<std::pair<Vertex, Vertex>>& edges)

@@ -221,7 +221,8 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   }
   finish(edit, options, ofSurface);
   // Edges were swapped since features were simplified last; each time fewer are left for that.
-  for (int i = 0; i < Tuning::LastSimplifications && maySimplify(options); ++i)
+  bool isNearlyDone = true;
+  for (int i = 0; i < Tuning::LastSimplifications && isNearlyDone && maySimplify(options); ++i)
   {
     const int changes = mesh.numberOfChanges();
     status = simplifyFeatures(mesh, options.featureTolerance);
@@ -229,7 +230,8 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     {
       return status;
     }
-    if (mesh.numberOfChanges() == changes)
+    const int made = mesh.numberOfChanges() - changes;
+    if (made == 0)
     {
       break;
     }
@@ -240,6 +242,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       return status;
     }
     finish(edit, options, ofSurface);
+    isNearlyDone = Tuning::VerticesPerLastChange * made <= mesh.vertices().size();
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }

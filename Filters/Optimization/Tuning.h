@@ -173,10 +173,15 @@ struct Tuning
   static constexpr double PoorFeatureAngle = 30. * Pi / 180.; ///< of triangles that an edge is
                                                               ///< collapsed for
   static constexpr double LeastGainOfCollapse = 0.02; ///< by the sum of what triangles lack of it
+  /// Swaps before an edge that others are in the way of is collapsed.
+  static constexpr int MostObstacles = 3;
   /// Times that features are simplified when all is done, with rounds in between. A part with 25
   /// holes (netgen's frame, 5,000 points) has 1.1 % of its triangles below 30 degrees then,
   /// else 2.1.
   static constexpr int LastSimplifications = 5;
+  /// Vertices over the changes of such a look, at least, for another one: where more is left to do,
+  /// there are more features than points for them, and each look takes long.
+  static constexpr int VerticesPerLastChange = 200;
   /// Between two triangles: less, and a sheet is as good as folded onto itself.
   static constexpr double LeastCosineOfRim = -0.9;
 
