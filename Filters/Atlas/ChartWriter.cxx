@@ -160,7 +160,10 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
       const int source = surface.sourceCell[mesh.faces[f].index()];
       cellIds->SetId(f, source);
       sourceCellId->SetValue(f, source);
-      sources.insert(source);
+      if (!flatFaces.empty())
+      {
+        sources.insert(source);
+      }
       const double plane = 0.5 * orient2(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]);
       distortion->SetValue(f, map.area[f] / plane);
     }

@@ -32,6 +32,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -336,13 +337,17 @@ stipple::FlatFaceCells vtkConformalAtlas::Work::triangulate(
     : std::set<int>();
   std::vector<std::pair<int, int>> joined;
   const auto flip = [&] {
-    const stipple::ArraysOverEdges arrays(this->Input, repaired, surface);
+    std::optional<stipple::ArraysOverEdges> arrays; // of use to flat slivers alone
     const auto isHeld = [&](stipple::Halfedge h) {
       return held.count(surface.sourceCell[stipple::faceOf(h).index()]) > 0;
     };
     const auto pairs =
       stipple::triangulateFlatFaces(surface, [&](stipple::Halfedge h, double s, double t) {
-        return !isHeld(h) && !isHeld(surface.twin[h]) && arrays.allowFlip(h, s, t);
+        if (!arrays)
+        {
+          arrays.emplace(this->Input, repaired, surface);
+        }
+        return !isHeld(h) && !isHeld(surface.twin[h]) && arrays->allowFlip(h, s, t);
       });
     joined.insert(joined.end(), pairs.begin(), pairs.end());
   };

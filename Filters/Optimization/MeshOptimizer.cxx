@@ -221,6 +221,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   }
   finish(edit, options, ofSurface);
   // Edges were swapped since features were simplified last; each time fewer are left for that.
+  const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
   bool isNearlyDone = true;
   for (int i = 0; i < Tuning::LastSimplifications && isNearlyDone && maySimplify(options); ++i)
   {
@@ -236,7 +237,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       break;
     }
     status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::AcuteInterval),
-      ofSurface, progress);
+      ofSurface, goesOn);
     if (!status.ok())
     {
       return status;
