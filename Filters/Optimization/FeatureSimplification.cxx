@@ -332,10 +332,10 @@ public:
     , Tolerance(tolerance)
     , Spacing(spacingAtUnitDensity(mesh))
     , Now(mesh)
-    , Absorbed(static_cast<std::size_t>(mesh.vertices().size()))
   {
     for (const Vertex v : mesh.vertices())
     {
+      this->Absorbed.push_back(mesh.absorbed(v));
       this->Place.push_back(mesh.state(v));
       this->IsFree.push_back(mesh.isFree(v));
     }
@@ -412,6 +412,7 @@ public:
       std::back_inserter(change.triangles), [](const Triangle& t) { return t[0] >= 0; });
     change.fixed = this->Fixed;
     change.chains = this->Now.chains();
+    change.absorbed = this->Absorbed;
     change.count = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
     return change;
   }
@@ -528,9 +529,11 @@ private:
       return isOnCrease ? least : std::min(least, this->distanceToRest(p, v, u));
     };
     double largest = distanceOf(this->position(v));
-    for (const Vec3& p : this->Absorbed[v])
+    const std::vector<Vec3>& absorbed = this->Absorbed[v];
+    if (std::any_of(absorbed.begin(), absorbed.end(),
+          [&](const Vec3& p) { return distanceOf(p) > this->Tolerance * this->spacingAt(v); }))
     {
-      largest = std::max(largest, distanceOf(p));
+      return Never;
     }
     if (this->length(v, u) > this->spacingAt(v))
     {
@@ -663,6 +666,7 @@ private:
     std::vector<Vec3>& absorbed = this->Absorbed[u];
     absorbed.push_back(this->position(v));
     absorbed.insert(absorbed.end(), this->Absorbed[v].begin(), this->Absorbed[v].end());
+    this->Absorbed[v].clear();
     this->Freed.push_back(v);
   }
 

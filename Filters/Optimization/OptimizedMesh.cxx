@@ -64,6 +64,7 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   this->Free.assign(n, Freedom::Surface);
   this->BackboneOf.assign(n, -1);
   this->IsConstraint.assign(n, 0);
+  this->Absorbed.assign(n, {});
   // Corners, also tips of cones that a seam runs through, and where sharp and boundary backbones
   // end.
   std::vector<char> fixedNode = graph.isCorner;
@@ -149,6 +150,7 @@ Status OptimizedMesh::rebuild(Change change)
   {
     this->Free[v] = Freedom::None;
   }
+  this->Absorbed = std::move(change.absorbed);
   const Status status = this->connect(change.triangles);
   return status.ok() ? this->markCreases(std::move(change.chains)) : status;
 }

@@ -245,6 +245,8 @@ public:
   const std::vector<Chain>& chains() const { return this->Chains; }
   /// A position that users named, which must be a vertex.
   bool isConstraint(Vertex v) const { return this->IsConstraint[v] != 0; }
+  /// Places of the surface that vertices were at until changes led them, and creases, to this one.
+  const std::vector<Vec3>& absorbed(Vertex v) const { return this->Absorbed[v]; }
 
   /// The same vertices in other triangles, on other chains: some that were not free go where they
   /// are told to, and are, and some that slid on a backbone are where others cross it. Fails as
@@ -255,6 +257,7 @@ public:
     std::vector<Vertex> fixed;
     std::vector<Triangle> triangles;
     std::vector<Chain> chains;
+    ElementArray<Vertex, std::vector<Vec3>> absorbed;
     int count = 0; ///< of what was done
   };
   Status rebuild(Change change);
@@ -285,6 +288,7 @@ private:
   ElementArray<Vertex, Freedom> Free;
   ElementArray<Vertex, int> BackboneOf; // or -1
   ElementArray<Vertex, char> IsConstraint;
+  ElementArray<Vertex, std::vector<Vec3>> Absorbed;
   ElementArray<Edge, int> CreaseOf; // in Creases, or -1
   std::vector<Crease> Creases;
   std::vector<Chain> Chains;
