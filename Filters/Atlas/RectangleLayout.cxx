@@ -5,7 +5,9 @@
 #include "AtlasConstants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace stipple
 {
@@ -22,6 +24,8 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
     const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
     this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
   }
+  this->Area = std::accumulate(chart.faces.begin(), chart.faces.end(), 0.,
+    [&](double sum, Face f) { return sum + surface.faceArea(f); });
   std::vector<double> turn(chart.vertices.size(), Constants::Pi);
   for (const Triangle& t : chart.triangles)
   {
@@ -98,6 +102,61 @@ std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
   return corners.size() == 4 ? corners : std::vector<Corner>();
 }
 
+double RectangleLayout::sharpestNear(double at, double reach) const
+{
+  double turn = Constants::LeastTurn;
+  double best = at;
+  for (std::size_t i = 0; i < this->Turn.size(); ++i)
+  {
+    const double there = this->ArcLength[i] / this->ArcLength.back();
+    const double off = there - at - std::round(there - at); // the boundary is closed
+    if (std::abs(off) <= reach && this->Turn[i] > turn)
+    {
+      turn = this->Turn[i];
+      best = at + off;
+    }
+  }
+  return best;
+}
+
+std::vector<RectanglePlacement> RectangleLayout::slenderPlacements(
+  const std::vector<Corner>& corners) const
+{
+  const double half = 0.25 * this->ArcLength.back(); // of two sides
+  const double wide = (half - std::sqrt(std::max(0., half * half - this->Area))) / (4 * half);
+  if (wide > 0.5 / (1 + Constants::LongestTried))
+  {
+    return {};
+  }
+  const auto endsAt = [&](double corner) {
+    const double sharp = this->sharpestNear(corner, Constants::CornerWindow);
+    return std::array<std::array<double, 2>, 2>{
+      { { { sharp, this->sharpestNear(sharp + wide, 0.5 * wide) } },
+        { { this->sharpestNear(sharp - wide, 0.5 * wide), sharp } } }
+    };
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const auto [near, far] = std::minmax(corners[i].at, corners[j].at);
+      if (far - near > 0.25 && far - near < 0.75)
+      {
+        std::vector<RectanglePlacement> placements;
+        for (const auto& s : endsAt(near))
+        {
+          for (const auto& t : endsAt(far))
+          {
+            placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1) });
+          }
+        }
+        return placements;
+      }
+    }
+  }
+  return {};
+}
+
 std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
 {
   std::vector<Corner> corners = this->sharpestCorners();
@@ -112,12 +171,19 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   addTurned(1, 1. / 8);
   if (!square)
   {
-    for (double aspect : { 2., 4. })
+    for (double aspect : { 2., Constants::LongestTried })
     {
       for (int turn = 0; turn < 4; ++turn)
       {
         addTurned(aspect, turn / 8.);
       }
+    }
+  }
+  if (!square)
+  {
+    for (const RectanglePlacement& p : this->slenderPlacements(corners))
+    {
+      placements.push_back(p);
     }
   }
   if (corners.size() < 4)
@@ -157,9 +223,7 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   {
     const double width = (c.at[1] - c.at[0]) + (c.at[3] - c.at[2]);
     const double height = (c.at[2] - c.at[1]) + (1 + c.at[0] - c.at[3]);
-    const double aspect = square
-      ? 1.
-      : std::clamp(width / height, 1 / Constants::LongestRectangle, Constants::LongestRectangle);
+    const double aspect = square ? 1. : width / height;
     placements.push_back({ c.at, aspect > 1 ? Vec2(1, 1 / aspect) : Vec2(aspect, 1) });
   }
   return placements;

@@ -37,10 +37,17 @@ private:
     double turn; // radians, to the left
   };
   std::vector<Corner> sharpestCorners() const;
+  /// Of the boundary's vertices so near to a place the one that turns most; the place if none does.
+  double sharpestNear(double at, double reach) const;
+  /// For a boundary as long, about the area, as that of a rectangle much longer than wide: the two
+  /// sharpest corners that are far from each other are each one of an end's two, the first or the
+  /// second.
+  std::vector<RectanglePlacement> slenderPlacements(const std::vector<Corner>& corners) const;
   /// The corners of a chart that has four, as near to each other as they are; else none.
   std::vector<Corner> cornersOfSlender() const;
 
   const ChartMesh& Chart;
+  double Area = 0;
   std::vector<double> ArcLength; // at the boundary's vertices and, last, in total
   std::vector<double> Turn;      // at the boundary's vertices, radians
 };
