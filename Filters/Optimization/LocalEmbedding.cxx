@@ -6,6 +6,7 @@
 #include "LocalRepair.h"
 #include "ParallelFor.h"
 #include "Relaxation.h"
+#include "TriangleDistance.h"
 #include "Tuning.h"
 #include "VertexStar.h"
 
@@ -87,6 +88,17 @@ void improve(MeshEdit& edit, const std::vector<Vertex>& vertices)
   }
 }
 
+/// Whether one of the triangles at least is no farther from a place than a distance.
+bool isNear(
+  const OptimizedMesh& mesh, const Vec3& place, const std::vector<Face>& faces, double distance)
+{
+  return std::any_of(faces.begin(), faces.end(), [&](Face f) {
+    const auto [a, b, c] = mesh.corners(f);
+    return squaredDistanceToTriangle(place, mesh.position(a), mesh.position(b), mesh.position(c)) <=
+      distance * distance;
+  });
+}
+
 double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 {
   double sum = 0;
@@ -103,6 +115,11 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
 {
   const OptimizedMesh& mesh = edit.mesh();
   const double longest = longestEdge(mesh, faces);
+  std::vector<Vec3> places;
+  for (const Vertex v : vertices)
+  {
+    places.push_back(mesh.position(v));
+  }
   placeInwards(edit, vertices);
   for (int round = 0; round < Tuning::RoundsOfEmbedding; ++round)
   {
@@ -115,7 +132,9 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
   {
     improve(edit, vertices);
   }
-  return longestEdge(mesh, faces) <= Tuning::GrowthByEmbedding * longest;
+  return longestEdge(mesh, faces) <= Tuning::GrowthByEmbedding * longest &&
+    std::all_of(places.begin(), places.end(),
+      [&](const Vec3& p) { return isNear(mesh, p, faces, Tuning::FarthestLeft * longest); });
 }
 
 std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)

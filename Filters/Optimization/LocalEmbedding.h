@@ -14,9 +14,10 @@ namespace stipple
 {
 /// Puts every vertex to the middle of its neighbours (Tutte's embedding, on the surface: without
 /// folds where the region is nearly flat), starting over from the vertices around; then swaps and
-/// moves for good angles. The vertices are free; `faces` are all triangles about them. False if the
-/// longest edge became much longer: vertices were drawn off a part of the surface, which a few
-/// large triangles then cut off.
+/// moves for good angles. The vertices are free; `faces` are all triangles about them. False if
+/// vertices were drawn off a part of the surface, which a few triangles then cut off: the longest
+/// edge became much longer, or a place where a vertex was is farther from all triangles than half
+/// of it.
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(
   MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces);
 

@@ -117,6 +117,10 @@ struct Tuning
   static constexpr double AngleOfEmbedding = 0.6; ///< up to which these improve triangles
   /// Of the longest edge: more, and vertices were drawn off a part of the surface.
   static constexpr double GrowthByEmbedding = 1.2;
+  /// Of it, too: how far the mesh may be in the end from where its vertices were. A pocket that
+  /// vertices were drawn out of is lost (l_camelhead at 1,500 points: the mouth, 6 % of the
+  /// diagonal deep).
+  static constexpr double FarthestLeft = 0.5;
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
   static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air

@@ -430,6 +430,25 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
   EXPECT_GT(worstOf(t->mesh), 0.3);
 }
 
+// Placed in the middle of their neighbours, vertices leave what is deeper than wide: a shallow
+// hollow is as good as before, a pocket would be lost.
+TEST(LocalEmbedding, DoesNotLeaveAPocket)
+{
+  for (const double depth : { 0.05, 0.5, 3. })
+  {
+    const auto t = meshes::patch(8, [=](double x, double y) {
+      return -depth * std::exp(-100. * Vec2(x - 0.5, y - 0.5).squaredNorm());
+    });
+    const std::vector<Vertex> vertices = withRings(t->mesh, { Vertex(40) }, 2);
+    const meshes::Snapshot before(t->mesh);
+    const bool isKept =
+      t->edit.attempt([&]() { return embed(t->edit, vertices, facesAbout(t->mesh, vertices)); });
+    EXPECT_EQ(isKept, depth < 0.1) << depth;
+    EXPECT_EQ(meshes::Snapshot(t->mesh) == before, depth > 0.1) << depth;
+    EXPECT_NEAR(t->mesh.position(Vertex(40)).z(), -depth, 0.1 * depth);
+  }
+}
+
 TEST(LocalEmbedding, GroupsHangTogetherAtVertices)
 {
   const auto t = meshes::patch(4);
