@@ -64,8 +64,8 @@ struct AtlasConstants
   static constexpr double BetweenCorners = 0.04;
   static constexpr double LeastTurn = Pi / 9;
   static constexpr double LeastTurnOfSlender = Pi / 3;
-  /// Length of a rectangle over its width that is tried on any chart; beyond, it takes corners.
-  static constexpr double LongestTried = 4;
+  /// Length of a rectangle over its width, but for ribbons with ends.
+  static constexpr double LongestRectangle = 8;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace stipple
 {
@@ -102,10 +103,10 @@ std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
   return corners.size() == 4 ? corners : std::vector<Corner>();
 }
 
-double RectangleLayout::sharpestNear(double at, double reach) const
+std::optional<double> RectangleLayout::sharpCornerNear(double at, double reach) const
 {
-  double turn = Constants::LeastTurn;
-  double best = at;
+  double turn = Constants::LeastTurnOfSlender;
+  std::optional<double> sharpest;
   for (std::size_t i = 0; i < this->Turn.size(); ++i)
   {
     const double there = this->ArcLength[i] / this->ArcLength.back();
@@ -113,10 +114,10 @@ double RectangleLayout::sharpestNear(double at, double reach) const
     if (std::abs(off) <= reach && this->Turn[i] > turn)
     {
       turn = this->Turn[i];
-      best = at + off;
+      sharpest = at + off;
     }
   }
-  return best;
+  return sharpest;
 }
 
 std::vector<RectanglePlacement> RectangleLayout::slenderPlacements(
@@ -124,37 +125,38 @@ std::vector<RectanglePlacement> RectangleLayout::slenderPlacements(
 {
   const double half = 0.25 * this->ArcLength.back(); // of two sides
   const double wide = (half - std::sqrt(std::max(0., half * half - this->Area))) / (4 * half);
-  if (wide > 0.5 / (1 + Constants::LongestTried))
+  if (wide > Constants::BetweenCorners) // else an end's corners are told apart
   {
     return {};
   }
-  const auto endsAt = [&](double corner) {
-    const double sharp = this->sharpestNear(corner, Constants::CornerWindow);
-    return std::array<std::array<double, 2>, 2>{
-      { { { sharp, this->sharpestNear(sharp + wide, 0.5 * wide) } },
-        { { this->sharpestNear(sharp - wide, 0.5 * wide), sharp } } }
-    };
-  };
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  using End = std::array<double, 2>;
+  std::vector<End> ends;
+  for (const Corner& c : corners)
   {
-    for (std::size_t j = 0; j < i; ++j)
+    const auto sharp = this->sharpCornerNear(c.at, Constants::CornerWindow);
+    for (const double side : { -1., 1. })
     {
-      const auto [near, far] = std::minmax(corners[i].at, corners[j].at);
-      if (far - near > 0.25 && far - near < 0.75)
+      const auto other =
+        sharp ? this->sharpCornerNear(*sharp + side * wide, 0.5 * wide) : std::nullopt;
+      if (other)
       {
-        std::vector<RectanglePlacement> placements;
-        for (const auto& s : endsAt(near))
-        {
-          for (const auto& t : endsAt(far))
-          {
-            placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1) });
-          }
-        }
-        return placements;
+        ends.push_back({ { std::min(*sharp, *other), std::max(*sharp, *other) } });
       }
     }
   }
-  return {};
+  std::vector<RectanglePlacement> placements;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const auto [s, t] = std::minmax(ends[i], ends[j]);
+      if (t[0] - s[0] > 0.25 && t[0] - s[0] < 0.75)
+      {
+        placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1) });
+      }
+    }
+  }
+  return placements;
 }
 
 std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
@@ -171,7 +173,7 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   addTurned(1, 1. / 8);
   if (!square)
   {
-    for (double aspect : { 2., Constants::LongestTried })
+    for (double aspect : { 2., 4. })
     {
       for (int turn = 0; turn < 4; ++turn)
       {
@@ -223,7 +225,9 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   {
     const double width = (c.at[1] - c.at[0]) + (c.at[3] - c.at[2]);
     const double height = (c.at[2] - c.at[1]) + (1 + c.at[0] - c.at[3]);
-    const double aspect = square ? 1. : width / height;
+    const double aspect = square
+      ? 1.
+      : std::clamp(width / height, 1 / Constants::LongestRectangle, Constants::LongestRectangle);
     placements.push_back({ c.at, aspect > 1 ? Vec2(1, 1 / aspect) : Vec2(aspect, 1) });
   }
   return placements;

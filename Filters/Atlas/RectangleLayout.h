@@ -6,6 +6,9 @@
 
 #include "ChartMesh.h"
 
+#include <array>
+#include <optional>
+
 namespace stipple
 {
 /// A rectangle and where its corners sit on the boundary, counterclockwise, as fractions of the
@@ -37,11 +40,11 @@ private:
     double turn; // radians, to the left
   };
   std::vector<Corner> sharpestCorners() const;
-  /// Of the boundary's vertices so near to a place the one that turns most; the place if none does.
-  double sharpestNear(double at, double reach) const;
-  /// For a boundary as long, about the area, as that of a rectangle much longer than wide: the two
-  /// sharpest corners that are far from each other are each one of an end's two, the first or the
-  /// second.
+  /// Of the boundary's vertices so near to a place, as a share of it, the one that turns most, if
+  /// one is a corner.
+  std::optional<double> sharpCornerNear(double at, double reach) const;
+  /// For a boundary as long, about the area, as that of a rectangle much longer than wide: its
+  /// short sides between two corners as near to each other as that, each pair far from the other.
   std::vector<RectanglePlacement> slenderPlacements(const std::vector<Corner>& corners) const;
   /// The corners of a chart that has four, as near to each other as they are; else none.
   std::vector<Corner> cornersOfSlender() const;
