@@ -152,7 +152,7 @@ std::vector<RectanglePlacement> RectangleLayout::slenderPlacements(
       const auto [s, t] = std::minmax(ends[i], ends[j]);
       if (t[0] - s[0] > 0.25 && t[0] - s[0] < 0.75)
       {
-        placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1) });
+        placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1), true });
       }
     }
   }

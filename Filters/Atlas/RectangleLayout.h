@@ -17,6 +17,7 @@ struct RectanglePlacement
 {
   std::array<double, 4> corner;
   Vec2 extent; ///< width and height; the larger is 1
+  bool isOfRibbon = false;
 };
 
 class RectangleLayout
