@@ -64,11 +64,8 @@ struct AtlasConstants
   static constexpr double BetweenCorners = 0.04;
   static constexpr double LeastTurn = Pi / 9;
   static constexpr double LeastTurnOfSlender = Pi / 3;
-  /// Length of a rectangle over its width, but for ribbons with ends.
+  /// Length of a rectangle over its width.
   static constexpr double LongestRectangle = 8;
-  /// Mean density of a ribbon in its rectangle, over the least possible: what is cut open, and
-  /// therefore long about, is denser.
-  static constexpr double DensityOfRibbon = 1.5;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 

@@ -155,7 +155,7 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
       }
       solve(placement, uv);
       const double cost = meanDensity(area, chart, uv);
-      if (cost < (placement.isOfRibbon ? std::min(least, Constants::DensityOfRibbon) : least))
+      if (cost < least)
       {
         least = cost;
         best = &placement;

@@ -5,10 +5,7 @@
 #include "AtlasConstants.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 namespace stipple
 {
@@ -25,8 +22,6 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
     const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
     this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
   }
-  this->Area = std::accumulate(chart.faces.begin(), chart.faces.end(), 0.,
-    [&](double sum, Face f) { return sum + surface.faceArea(f); });
   std::vector<double> turn(chart.vertices.size(), Constants::Pi);
   for (const Triangle& t : chart.triangles)
   {
@@ -103,62 +98,6 @@ std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
   return corners.size() == 4 ? corners : std::vector<Corner>();
 }
 
-std::optional<double> RectangleLayout::sharpCornerNear(double at, double reach) const
-{
-  double turn = Constants::LeastTurnOfSlender;
-  std::optional<double> sharpest;
-  for (std::size_t i = 0; i < this->Turn.size(); ++i)
-  {
-    const double there = this->ArcLength[i] / this->ArcLength.back();
-    const double off = there - at - std::round(there - at); // the boundary is closed
-    if (std::abs(off) <= reach && this->Turn[i] > turn)
-    {
-      turn = this->Turn[i];
-      sharpest = at + off;
-    }
-  }
-  return sharpest;
-}
-
-std::vector<RectanglePlacement> RectangleLayout::slenderPlacements(
-  const std::vector<Corner>& corners) const
-{
-  const double half = 0.25 * this->ArcLength.back(); // of two sides
-  const double wide = (half - std::sqrt(std::max(0., half * half - this->Area))) / (4 * half);
-  if (wide > Constants::BetweenCorners) // else an end's corners are told apart
-  {
-    return {};
-  }
-  using End = std::array<double, 2>;
-  std::vector<End> ends;
-  for (const Corner& c : corners)
-  {
-    const auto sharp = this->sharpCornerNear(c.at, Constants::CornerWindow);
-    for (const double side : { -1., 1. })
-    {
-      const auto other =
-        sharp ? this->sharpCornerNear(*sharp + side * wide, 0.5 * wide) : std::nullopt;
-      if (other)
-      {
-        ends.push_back({ { std::min(*sharp, *other), std::max(*sharp, *other) } });
-      }
-    }
-  }
-  std::vector<RectanglePlacement> placements;
-  for (std::size_t i = 0; i < ends.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      const auto [s, t] = std::minmax(ends[i], ends[j]);
-      if (t[0] - s[0] > 0.25 && t[0] - s[0] < 0.75)
-      {
-        placements.push_back({ { s[0], s[1], t[0], t[1] }, Vec2(wide / (0.5 - wide), 1), true });
-      }
-    }
-  }
-  return placements;
-}
-
 std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
 {
   std::vector<Corner> corners = this->sharpestCorners();
@@ -179,13 +118,6 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
       {
         addTurned(aspect, turn / 8.);
       }
-    }
-  }
-  if (!square)
-  {
-    for (const RectanglePlacement& p : this->slenderPlacements(corners))
-    {
-      placements.push_back(p);
     }
   }
   if (corners.size() < 4)

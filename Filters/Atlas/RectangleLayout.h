@@ -6,9 +6,6 @@
 
 #include "ChartMesh.h"
 
-#include <array>
-#include <optional>
-
 namespace stipple
 {
 /// A rectangle and where its corners sit on the boundary, counterclockwise, as fractions of the
@@ -17,7 +14,6 @@ struct RectanglePlacement
 {
   std::array<double, 4> corner;
   Vec2 extent; ///< width and height; the larger is 1
-  bool isOfRibbon = false;
 };
 
 class RectangleLayout
@@ -41,17 +37,10 @@ private:
     double turn; // radians, to the left
   };
   std::vector<Corner> sharpestCorners() const;
-  /// Of the boundary's vertices so near to a place, as a share of it, the one that turns most, if
-  /// one is a corner.
-  std::optional<double> sharpCornerNear(double at, double reach) const;
-  /// For a boundary as long, about the area, as that of a rectangle much longer than wide: its
-  /// short sides between two corners as near to each other as that, each pair far from the other.
-  std::vector<RectanglePlacement> slenderPlacements(const std::vector<Corner>& corners) const;
   /// The corners of a chart that has four, as near to each other as they are; else none.
   std::vector<Corner> cornersOfSlender() const;
 
   const ChartMesh& Chart;
-  double Area = 0;
   std::vector<double> ArcLength; // at the boundary's vertices and, last, in total
   std::vector<double> Turn;      // at the boundary's vertices, radians
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What charts are made with, each alone and against closed forms: cells, paths, harmonic functions,
 // rectangles, maps, and work that reports.
-#include "AtlasConstants.h"
 #include "ChartMesh.h"
 #include "ConformalMap.h"
 #include "HarmonicSystem.h"
@@ -352,47 +351,6 @@ TEST(ConformalMap, OfARectangleIsTheIdentityUpToScale)
   measureMap(s, chart, map);
   EXPECT_FALSE(map.valid) << "a flipped triangle is seen";
   EXPECT_FALSE(mapToRectangle(s, chart, {}, [] { return true; }).valid) << "stopped";
-}
-
-// A ribbon that winds about an axis, up to 200 times as long as wide, its outer side longer than
-// the inner one: its ends are the short sides of a rectangle as slender, wherever the boundary
-// begins.
-TEST(ConformalMap, OfAWoundRibbonIsNearlyConformal)
-{
-  for (const double turns : { 0.9, 3.3, 8. })
-  {
-    const int n = static_cast<int>(150 * turns);
-    TriangleSurface ribbon = rectangle(1, 1, n, 4);
-    for (Vec3& p : ribbon.points)
-    {
-      const double angle = 2. * AtlasConstants::Pi * turns * p.x();
-      const double radius = 4. + p.y();
-      p = Vec3(radius * std::cos(angle), radius * std::sin(angle), 0.5 * angle);
-    }
-    const CutSurface s = shapes::cutSurface(ribbon);
-    const ChartMesh chart = extractChart(s, allFaces(s));
-    const ConformalMap map = mapToRectangle(s, chart, {});
-    ASSERT_TRUE(map.valid);
-    double sum = 0;
-    double total = 0;
-    for (std::size_t i = 0; i < chart.triangles.size(); ++i)
-    {
-      Vec3 u = Vec3::Zero(); // derivatives in the plane, up to a factor
-      Vec3 v = Vec3::Zero();
-      for (int k = 0; k < 3; ++k)
-      {
-        const Triangle& t = chart.triangles[i];
-        const Vec2 opposite = map.uv[t[(k + 1) % 3]] - map.uv[t[(k + 2) % 3]];
-        u += opposite.y() * s.points[chart.vertices[t[k]]];
-        v -= opposite.x() * s.points[chart.vertices[t[k]]];
-      }
-      const double sine = u.cross(v).norm() / (u.norm() * v.norm());
-      sum += map.area[i] * 0.5 * (u.norm() / v.norm() + v.norm() / u.norm()) / sine;
-      total += map.area[i];
-    }
-    EXPECT_LT(sum / total, 1.15) << turns; // 1: conformal; K = 1.7
-    EXPECT_LT(map.densityRatio, 2.) << turns;
-  }
 }
 
 TEST(ConformalMap, IsHarmonicInsideACurvedChart)
