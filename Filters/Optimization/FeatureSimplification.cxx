@@ -412,7 +412,7 @@ public:
       std::back_inserter(change.triangles), [](const Triangle& t) { return t[0] >= 0; });
     change.fixed = this->Fixed;
     change.chains = this->Now.chains();
-    change.absorbed = this->Absorbed;
+    change.absorbed = std::move(this->Absorbed);
     change.count = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
     return change;
   }

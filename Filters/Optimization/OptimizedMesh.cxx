@@ -150,7 +150,10 @@ Status OptimizedMesh::rebuild(Change change)
   {
     this->Free[v] = Freedom::None;
   }
-  this->Absorbed = std::move(change.absorbed);
+  if (!change.absorbed.empty())
+  {
+    this->Absorbed = std::move(change.absorbed);
+  }
   const Status status = this->connect(change.triangles);
   return status.ok() ? this->markCreases(std::move(change.chains)) : status;
 }

@@ -257,8 +257,8 @@ public:
     std::vector<Vertex> fixed;
     std::vector<Triangle> triangles;
     std::vector<Chain> chains;
-    ElementArray<Vertex, std::vector<Vec3>> absorbed;
-    int count = 0; ///< of what was done
+    ElementArray<Vertex, std::vector<Vec3>> absorbed; ///< of all vertices; empty: as before
+    int count = 0;                                    ///< of what was done
   };
   Status rebuild(Change change);
   /// The sum of the counts.

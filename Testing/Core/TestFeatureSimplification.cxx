@@ -14,6 +14,7 @@
 #include "vtkRemeshOptimizer.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 using namespace stipple;
