@@ -7,7 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkWindowToImageFilter
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory of what is drawn
 
@@ -59,8 +59,8 @@ def _actor(mesh, edges):
     look = actor.GetProperty()
     look.SetInterpolationToFlat()
     look.SetColor(_CLAY)
-    look.SetAmbient(0.25)
-    look.SetDiffuse(0.75)
+    look.SetAmbient(0.08)
+    look.SetDiffuse(0.92)
     look.SetEdgeVisibility(edges)
     look.SetEdgeColor(_EDGE)
     return actor
@@ -116,14 +116,10 @@ def show(mesh, edges=True, size=(640, 480), view=_VIEW_FROM, up=(0.0, 1.0, 0.0))
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(_actor(data, bool(edges)))
-    renderer.AutomaticLightCreationOff()
-    for place, intensity in (((-0.4, 0.6, 1.0), 0.9), ((0.8, -0.2, 0.6), 0.25)):
-        light = vtkLight()
-        light.SetLightTypeToCameraLight()
-        light.SetPosition(*place)
-        light.SetFocalPoint(0, 0, 0)
-        light.SetIntensity(intensity)
-        renderer.AddLight(light)
+    lights = vtkLightKit()
+    lights.SetKeyLightIntensity(0.85)
+    lights.SetKeyLightWarmth(0.53)
+    lights.AddLightsToRenderer(renderer)
     window = vtkHeadlessRenderWindow()
     if not window.SupportsOpenGL():
         raise StippleError(window.GetOpenGLSupportMessage())
