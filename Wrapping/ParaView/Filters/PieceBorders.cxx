@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 
 namespace stipple
@@ -109,17 +111,21 @@ public:
   {
   }
 
-  void add(const Place& place, double reach)
+  struct Point
   {
-    this->Cells[key(place)].push_back({ place, reach });
-  }
+    Place place;
+    double reach; ///< what is farther away is another point
+    vtkIdType id;
+  };
 
-  /// The nearest one that is within both reaches; null if there is none.
-  const Place* nearest(const Place& place, double reach) const
+  void add(const Point& point) { this->Cells[key(point.place)].push_back(point); }
+
+  /// The id of the nearest one that is within both reaches; -1 if there is none.
+  vtkIdType nearest(const Point& to) const
   {
-    const Place* best = nullptr;
+    vtkIdType best = -1;
     double least = std::numeric_limits<double>::infinity();
-    const std::array<long long, 3> middle = key(place);
+    const std::array<long long, 3> middle = key(to.place);
     for (int i = 0; i < 27; ++i)
     {
       const auto cell = this->Cells.find(
@@ -128,13 +134,13 @@ public:
       {
         continue;
       }
-      for (const auto& [other, otherReach] : cell->second)
+      for (const Point& point : cell->second)
       {
-        const double d = distance(place, other);
-        if (d < least && d <= std::min(reach, otherReach))
+        const double d = distance(to.place, point.place);
+        if (d < least && d <= std::min(to.reach, point.reach))
         {
           least = d;
-          best = &other;
+          best = point.id;
         }
       }
     }
@@ -152,53 +158,42 @@ private:
   }
 
   double Tolerance;
-  std::unordered_map<std::array<long long, 3>, std::vector<std::pair<Place, double>>, Hash<3>>
-    Cells;
+  std::unordered_map<std::array<long long, 3>, std::vector<Point>, Hash<3>> Cells;
 };
 
-void joinByGlobalIds(vtkDataArray* ids, vtkPoints* points)
+/// What point each one becomes: itself, or an earlier one.
+std::vector<vtkIdType> sameGlobalIds(vtkDataArray* ids)
 {
   std::unordered_map<long long, vtkIdType> first;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  std::vector<vtkIdType> becomes(static_cast<std::size_t>(ids->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < becomes.size(); ++i)
   {
-    const auto [found, isNew] = first.emplace(static_cast<long long>(ids->GetComponent(i, 0)), i);
-    if (!isNew)
-    {
-      points->SetPoint(i, placeOf(points, found->second).data());
-    }
+    const auto point = static_cast<vtkIdType>(i);
+    becomes[i] =
+      first.emplace(static_cast<long long>(ids->GetComponent(point, 0)), point).first->second;
   }
-}
+  return becomes;
 }
 
-vtkSmartPointer<vtkPolyData> joinPieces(
+std::vector<vtkIdType> samePlaces(
   const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, vtkPolyData* appended)
 {
-  vtkNew<vtkPolyData> joined;
-  joined->ShallowCopy(appended);
-  vtkNew<vtkPoints> points;
-  points->DeepCopy(appended->GetPoints());
-  joined->SetPoints(points);
-  const bool haveIds = std::all_of(pieces.begin(), pieces.end(),
-    [](vtkPolyData* piece) { return piece->GetPointData()->GetGlobalIds() != nullptr; });
-  if (vtkDataArray* ids = haveIds ? joined->GetPointData()->GetGlobalIds() : nullptr)
-  {
-    joinByGlobalIds(ids, points);
-    return joined.Get();
-  }
+  std::vector<vtkIdType> becomes(static_cast<std::size_t>(appended->GetNumberOfPoints()));
+  std::iota(becomes.begin(), becomes.end(), 0);
   double bounds[6];
   appended->GetBounds(bounds);
   const double tolerance = RelativeTolerance *
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   if (!(tolerance > 0) || !std::isfinite(tolerance))
   {
-    return joined.Get();
+    return becomes;
   }
   Lattice earlier(tolerance);
   vtkIdType begin = 0;
   for (vtkPolyData* piece : pieces)
   {
     const std::vector<double> edges = shortestBorderEdges(piece);
-    std::vector<std::pair<Place, double>> own; // two of a piece are two
+    std::vector<Lattice::Point> own; // two of a piece are two
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       if (std::isinf(edges[i]))
@@ -206,23 +201,83 @@ vtkSmartPointer<vtkPolyData> joinPieces(
         continue;
       }
       const vtkIdType point = begin + static_cast<vtkIdType>(i);
-      const Place place = placeOf(points, point);
-      const double reach = std::min(tolerance, ShareOfEdge * edges[i]);
-      if (const Place* same = earlier.nearest(place, reach))
+      const Lattice::Point here{ placeOf(appended->GetPoints(), point),
+        std::min(tolerance, ShareOfEdge * edges[i]), point };
+      const vtkIdType same = earlier.nearest(here);
+      if (same >= 0)
       {
-        points->SetPoint(point, same->data());
+        becomes[static_cast<std::size_t>(point)] = same;
       }
       else
       {
-        own.emplace_back(place, reach);
+        own.push_back(here);
       }
     }
-    for (const auto& [place, reach] : own)
+    for (const Lattice::Point& point : own)
     {
-      earlier.add(place, reach);
+      earlier.add(point);
     }
     begin += piece->GetNumberOfPoints();
   }
+  return becomes;
+}
+
+vtkSmartPointer<vtkCellArray> renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& newIds)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  std::vector<vtkIdType> cell;
+  auto each = vtk::TakeSmartPointer(cells->NewIterator());
+  for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+  {
+    each->GetCurrentCell(size, ids);
+    cell.assign(ids, ids + size);
+    for (vtkIdType& id : cell)
+    {
+      const bool isPoint = id >= 0 && id < static_cast<vtkIdType>(newIds.size());
+      id = isPoint ? newIds[static_cast<std::size_t>(id)] : id; // the filter will complain
+    }
+    result->InsertNextCell(size, cell.data());
+  }
+  return result;
+}
+}
+
+vtkSmartPointer<vtkPolyData> joinPieces(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, vtkPolyData* appended)
+{
+  const bool haveIds = std::all_of(pieces.begin(), pieces.end(),
+    [](vtkPolyData* piece) { return piece->GetPointData()->GetGlobalIds() != nullptr; });
+  vtkDataArray* ids = haveIds ? appended->GetPointData()->GetGlobalIds() : nullptr;
+  const std::vector<vtkIdType> becomes = ids ? sameGlobalIds(ids) : samePlaces(pieces, appended);
+
+  std::vector<vtkIdType> newIds(becomes.size());
+  vtkNew<vtkIdList> kept;
+  for (std::size_t i = 0; i < becomes.size(); ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    newIds[i] = becomes[i] == point ? kept->InsertNextId(point)
+                                    : newIds[static_cast<std::size_t>(becomes[i])];
+  }
+  vtkNew<vtkPolyData> joined;
+  joined->ShallowCopy(appended); // for the cells' arrays, and those of the whole
+  joined->GetPointData()->Initialize();
+  joined->GetPointData()->CopyAllOn();
+  joined->GetPointData()->CopyAllocate(appended->GetPointData(), kept->GetNumberOfIds());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(appended->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    points->SetPoint(i, appended->GetPoint(kept->GetId(i)));
+    joined->GetPointData()->CopyData(appended->GetPointData(), kept->GetId(i), i);
+  }
+  joined->SetPoints(points);
+  joined->SetVerts(renumbered(appended->GetVerts(), newIds));
+  joined->SetLines(renumbered(appended->GetLines(), newIds));
+  joined->SetPolys(renumbered(appended->GetPolys(), newIds));
+  joined->SetStrips(renumbered(appended->GetStrips(), newIds));
   return joined.Get();
 }
 }

@@ -12,10 +12,10 @@
 namespace stipple
 {
 /// Closes the cracks of pieces that were appended in their order: what is one point of the surface
-/// gets one place (the first piece's), so that welding finds it. These are points of the same
-/// global id where the pieces have global ids, and otherwise points on the borders of two pieces
-/// that are nearer to each other than a millionth of the diagonal and a quarter of their shortest
-/// border edge: a source that computes its pieces apart makes the copies differ in their last bits.
+/// becomes one, the first piece's. These are points of the same global id where the pieces have
+/// global ids, and otherwise points on the borders of two pieces that are nearer to each other than
+/// a millionth of the diagonal and a quarter of their shortest border edge: a source that computes
+/// its pieces apart makes the copies differ in their last bits.
 vtkSmartPointer<vtkPolyData> joinPieces(
   const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, vtkPolyData* appended);
 }

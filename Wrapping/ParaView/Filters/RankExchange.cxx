@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankExchange.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
-#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
 
 namespace stipple
 {
@@ -177,5 +179,49 @@ void RankExchange::share(std::vector<Block>& blocks) const
     block.data = hasData ? vtkSmartPointer<vtkPolyData>::New() : nullptr;
     blocks.push_back(block);
   }
+}
+
+void RankExchange::share(vtkPartitionedDataSetCollection* collection) const
+{
+  if (!this->Controller || !collection)
+  {
+    return;
+  }
+  std::vector<std::string> names;
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    const char* name = collection->HasMetaData(i)
+      ? collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
+      : nullptr;
+    names.emplace_back(name ? name : "");
+  }
+  this->share(names);
+  if (this->isRoot())
+  {
+    return;
+  }
+  collection->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(names.size()));
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (!names[i].empty())
+    {
+      collection->GetMetaData(static_cast<unsigned int>(i))
+        ->Set(vtkCompositeDataSet::NAME(), names[i].c_str());
+    }
+  }
+}
+
+int runOnRoot(vtkInformationVector* output, const std::function<int()>& work)
+{
+  const RankExchange ranks;
+  if (ranks.isRoot())
+  {
+    work();
+  }
+  for (int port = 0; port < output->GetNumberOfInformationObjects(); ++port)
+  {
+    ranks.share(vtkPartitionedDataSetCollection::GetData(output, port));
+  }
+  return 1;
 }
 }

@@ -7,10 +7,13 @@
 
 #include "BlockTree.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
+class vtkInformationVector;
 class vtkMultiProcessController;
+class vtkPartitionedDataSetCollection;
 
 namespace stipple
 {
@@ -33,10 +36,18 @@ public:
   /// The root's words and blocks (their paths alone) to all.
   void share(std::vector<std::string>& words) const;
   void share(std::vector<Block>& blocks) const;
+  /// The members of the root's collection, by their names, without data, to all: ParaView's views
+  /// wait forever for ranks whose trees differ. Null is none.
+  void share(vtkPartitionedDataSetCollection* collection) const;
 
 private:
   vtkMultiProcessController* Controller = nullptr; ///< null with one rank
 };
+
+/// What RequestData() of a filter behind others of these does: work() on the root, which answers
+/// whether it went well. The other ranks have outputs of the same structure, without data. Answers
+/// 1: who failed has said so, has empty outputs, and need not be tried again with every frame.
+int runOnRoot(vtkInformationVector* output, const std::function<int()>& work);
 }
 
 #endif

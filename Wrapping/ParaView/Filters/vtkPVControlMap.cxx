@@ -3,6 +3,7 @@
 #include "vtkPVControlMap.h"
 
 #include "PointRows.h"
+#include "RankExchange.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -15,11 +16,31 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkPVControlMap);
+
+namespace
+{
+const char* nullIfNone(const char* name)
+{
+  return name && *name && std::string(name) != "None" ? name : nullptr;
+}
+}
 
 vtkPVControlMap::vtkPVControlMap()
 {
   this->SetNumberOfInputPorts(5);
+}
+
+void vtkPVControlMap::SetImportanceArrayName(const char* name)
+{
+  this->Superclass::SetImportanceArrayName(nullIfNone(name));
+}
+
+void vtkPVControlMap::SetSizeArrayName(const char* name)
+{
+  this->Superclass::SetSizeArrayName(nullIfNone(name));
 }
 
 int vtkPVControlMap::FillInputPortInformation(int port, vtkInformation* info)
@@ -48,6 +69,13 @@ int vtkPVControlMap::RequestUpdateExtent(
 int vtkPVControlMap::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  return stipple::runOnRoot(output, [&]() {
+    return this->TakeInputs(input) && this->Superclass::RequestData(request, input, output);
+  });
+}
+
+bool vtkPVControlMap::TakeInputs(vtkInformationVector** input)
+{
   this->SetImportanceImage(vtkImageData::GetData(input[3]));
   vtkNew<vtkPolyData> points;
   if (vtkPointSet* given = vtkPointSet::GetData(input[4]))
@@ -61,7 +89,7 @@ int vtkPVControlMap::RequestData(
   {
     this->ErrorCode = static_cast<unsigned long>(status.code());
     vtkErrorMacro(<< status.message());
-    return 0;
+    return false;
   }
   vtkNew<vtkDoubleArray> strokes;
   strokes->SetNumberOfComponents(5);
@@ -70,7 +98,7 @@ int vtkPVControlMap::RequestData(
     strokes->InsertNextTypedTuple(row.data());
   }
   this->SetStrokes(strokes);
-  return this->Superclass::RequestData(request, input, output);
+  return true;
 }
 
 void vtkPVControlMap::PrintSelf(ostream& os, vtkIndent indent)

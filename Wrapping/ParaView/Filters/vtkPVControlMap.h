@@ -8,6 +8,8 @@
  * - 3: the picture of the importance IMAGE, a vtkImageData (vtkControlMap::SetImportanceImage)
  * - 4: strokes, a vtkPointSet with the point arrays "radius" and "strength"
  *
+ * With several ranks rank 0 has all data and works alone (see vtkPVSurfaceAlgorithm).
+ *
  * @sa vtkControlMap
  */
 #ifndef vtkPVControlMap_h
@@ -23,6 +25,12 @@ public:
   vtkTypeMacro(vtkPVControlMap, vtkControlMap);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /// As vtkControlMap has it; "None", as ParaView says it, and "" are none.
+  void SetImportanceArrayName(const char* name) override;
+  void SetSizeArrayName(const char* name) override;
+  ///@}
+
 protected:
   vtkPVControlMap();
   ~vtkPVControlMap() override = default;
@@ -36,6 +44,8 @@ protected:
 private:
   vtkPVControlMap(const vtkPVControlMap&) = delete;
   void operator=(const vtkPVControlMap&) = delete;
+
+  bool TakeInputs(vtkInformationVector** input);
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "MessageText.h"
 #include "OptionTable.h"
 #include "RankExchange.h"
+#include "TextNumbers.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -471,41 +472,18 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   for (int port = 0; port < ports; ++port)
   {
     vtkDataObject* result = vtkDataObject::GetData(output, port);
-    auto* members = vtkPartitionedDataSetCollection::SafeDownCast(whole[port]);
     if (tree && d.isOf(port, "vtkPolyData"))
     {
       ranks.share(blocks[port]);
       stipple::fillTree(blocks[port], result);
     }
-    else if (whole[port])
+    else
     {
-      result->ShallowCopy(whole[port]);
-    }
-    if (vtkPartitionedDataSetCollection::SafeDownCast(result) && !d.isOf(port, "vtkPolyData"))
-    {
-      // The same members on all ranks.
-      std::vector<std::string> names;
-      for (unsigned int i = 0; members && i < members->GetNumberOfPartitionedDataSets(); ++i)
+      if (whole[port])
       {
-        const char* name = members->HasMetaData(i)
-          ? members->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
-          : nullptr;
-        names.emplace_back(name ? name : "");
+        result->ShallowCopy(whole[port]);
       }
-      ranks.share(names);
-      if (!ranks.isRoot())
-      {
-        members = vtkPartitionedDataSetCollection::SafeDownCast(result);
-        members->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(names.size()));
-        for (std::size_t i = 0; i < names.size(); ++i)
-        {
-          if (!names[i].empty())
-          {
-            members->GetMetaData(static_cast<unsigned int>(i))
-              ->Set(vtkCompositeDataSet::NAME(), names[i].c_str());
-          }
-        }
-      }
+      ranks.share(vtkPartitionedDataSetCollection::SafeDownCast(result));
     }
   }
 }
@@ -612,6 +590,24 @@ void vtkPVSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeBlocks: " << this->MergeBlocks << "\n";
+  os << indent << "Options:\n";
+  for (const auto& [name, value] : this->Data->Values.given())
+  {
+    os << indent.GetNextIndent() << name << ":";
+    if (const auto* number = std::get_if<double>(&value))
+    {
+      os << " " << stipple::shortestText(*number);
+    }
+    else if (const auto* text = std::get_if<std::string>(&value))
+    {
+      os << " " << *text;
+    }
+    for (const double number : this->Data->Values.list(name))
+    {
+      os << " " << stipple::shortestText(number);
+    }
+    os << "\n";
+  }
   os << indent << "Filter:\n";
   this->Data->Filter->PrintSelf(os, indent.GetNextIndent());
 }
