@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Inputs of blocks, as many kinds as ParaView has."""
+import sys
+
+from common import blocks, count, fetch, say, topology
+from paraview import simple
+
+MAKE = """
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkMultiPieceDataSet
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+def ball(x):
+    source = vtkSphereSource()
+    source.SetCenter(x, 0, 0)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(24)
+    source.Update()
+    return source.GetOutput()
+def half(x, part):
+    source = vtkSphereSource()
+    source.SetCenter(x, 0, 0)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(24)
+    source.SetStartTheta(180 * part)
+    source.SetEndTheta(180 * (part + 1))
+    source.Update()
+    return source.GetOutput()
+def name(data, i, text):
+    data.GetMetaData(i).Set(data.NAME(), text)
+output = self.GetOutputDataObject(0)
+"""
+KINDS = {
+    "flat": (
+        "vtkMultiBlockDataSet",
+        "output.SetBlock(0, ball(0)); name(output, 0, 'left'); output.SetBlock(1, ball(2))",
+    ),
+    "nested": (
+        "vtkMultiBlockDataSet",
+        "inner = vtkMultiBlockDataSet(); inner.SetBlock(0, ball(0)); inner.SetBlock(2, ball(2)); name(inner, 2, 'deep');"
+        "output.SetBlock(0, inner); name(output, 0, 'inner'); output.SetBlock(1, None); output.SetBlock(2, vtkPolyData())",
+    ),
+    "collection": (
+        "vtkPartitionedDataSetCollection",
+        "output.SetPartition(0, 0, half(0, 0)); output.SetPartition(0, 1, half(0, 1)); output.SetPartition(1, 0, ball(2));"
+        "name(output, 0, 'halves')",
+    ),
+    "partitioned": ("vtkPartitionedDataSet", "output.SetPartition(0, half(0, 0)); output.SetPartition(1, half(0, 1))"),
+    "pieces": (
+        "vtkMultiBlockDataSet",
+        "pieces = vtkMultiPieceDataSet(); pieces.SetPiece(0, half(0, 0)); pieces.SetPiece(1, half(0, 1));"
+        "output.SetBlock(0, pieces)",
+    ),
+    "collection in blocks": (
+        "vtkMultiBlockDataSet",
+        "inner = vtkPartitionedDataSetCollection(); inner.SetPartition(0, 0, ball(0)); inner.SetPartition(1, 0, ball(2));"
+        "output.SetBlock(0, inner)",
+    ),
+    "empty": ("vtkMultiBlockDataSet", ""),
+}
+said = {}
+for kind, (type_, script) in KINDS.items():
+    if kind == "collection in blocks" and len(sys.argv) < 2:
+        continue
+    source = simple.ProgrammableSource(OutputDataSetType=type_.replace("MultiBlock", "Multiblock"), Script=MAKE + script)
+    merged = simple.GeometryRemesher(Input=source, NumberOfPoints=600)
+    merged.UpdatePipeline()
+    alone = simple.GeometryRemesher(Input=source, NumberOfPoints=300, MergeBlocks=0)
+    alone.UpdatePipeline()
+    data, charts = fetch(alone), fetch(alone, 2)
+    atlas = simple.ConformalAtlas(Input=source)
+    atlas.UpdatePipeline()
+    ids = fetch(merged).GetCellData().GetArray("BlockId")
+    said[kind] = {
+        "merged": [count(merged), topology(merged)] if count(merged) else 0,
+        "ids": [int(x) for x in ids.GetRange()] if ids else None,
+        "each": blocks(data) if data.IsA("vtkDataObjectTree") and not data.IsA("vtkPartitionedDataSet")
+        else data.GetNumberOfPoints(),
+        "class": data.GetClassName(),
+        "charts": [charts.GetClassName(), charts.GetNumberOfPartitionedDataSets() >= len(blocks(charts)) > 0],
+        "atlas": count(atlas) > 0,
+        "quality": topology(source),
+        "stages": [],
+    }
+    # What no stage behind the atlas takes must not end ParaView either.
+    for stage in (simple.GeometryMapRenderer, simple.ControlMap, simple.ErrorDiffusionSampler, simple.CDTRemesh,
+                  simple.RemeshOptimizer, simple.QuadRemesh, simple.SemiRegularSubdivision):
+        wrong = stage(Input=source)
+        for name in ("Charts", "FeatureGraph"):
+            if name in wrong.ListProperties():
+                setattr(wrong, name, atlas if name == "Charts" else simple.OutputPort(atlas, 1))
+        if "--stages" in sys.argv:
+            wrong.UpdatePipeline()
+            said[kind]["stages"].append(count(wrong))
+say(said)
