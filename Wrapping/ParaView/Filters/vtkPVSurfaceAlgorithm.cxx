@@ -245,6 +245,7 @@ struct vtkPVSurfaceAlgorithm::Internals
     const bool updated = this->Filter->GetExecutive()->Update() != 0;
     if (this->Filter->GetAbortExecute() || this->Self->GetAbortExecute())
     {
+      this->Stopped = true;
       return "The run was stopped: the output is empty.";
     }
     if (!updated || !this->Sentence.empty())
@@ -451,7 +452,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   }
   if (readable) // otherwise all ranks know it already
   {
-    std::vector<std::string> words{ sentence, this->AbortExecute ? "stopped" : "" };
+    std::vector<std::string> words{ sentence, d.Stopped ? "stopped" : "" };
     ranks.share(words);
     sentence = words[0];
     d.Stopped = !words[1].empty();
