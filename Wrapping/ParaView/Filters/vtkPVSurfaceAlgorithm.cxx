@@ -86,7 +86,7 @@ struct vtkPVSurfaceAlgorithm::Internals
   std::string Sentence; ///< the first that the filter, or its executive, said
   double ProgressFrom = 0;
   double ProgressTo = 1;
-  bool Stopped = false; ///< the last run was, so that the output is not up to date
+  bool Stopped = false; ///< the last run was
 
   explicit Internals(vtkPVSurfaceAlgorithm* self)
     : Self(self)
@@ -246,6 +246,7 @@ struct vtkPVSurfaceAlgorithm::Internals
     if (this->Filter->GetAbortExecute() || this->Self->GetAbortExecute())
     {
       this->Stopped = true;
+      this->Self->SetAbortExecute(0); // newer versions of VTK leave that to us
       return "The run was stopped: the output is empty.";
     }
     if (!updated || !this->Sentence.empty())
@@ -575,16 +576,6 @@ vtkMTimeType vtkPVSurfaceAlgorithm::GetMTime()
 {
   const vtkMTimeType time = this->Superclass::GetMTime();
   return this->Data->Transfer ? std::max(time, this->Data->Transfer->GetMTime()) : time;
-}
-
-int vtkPVSurfaceAlgorithm::ComputePipelineMTime(vtkInformation* request,
-  vtkInformationVector** input, vtkInformationVector* output, int port, vtkMTimeType* time)
-{
-  if (this->Data->Stopped) // an update begins: what was stopped is done again
-  {
-    this->Modified();
-  }
-  return this->Superclass::ComputePipelineMTime(request, input, output, port, time);
 }
 
 void vtkPVSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -18,7 +18,8 @@
  * - With several ranks, all pieces of all inputs go to rank 0, which runs the filter. The other
  * ranks have empty outputs of the same structure.
  * - A failure on any rank ends all: outputs are empty, and rank 0 says one sentence. RequestData()
- * answers 1 then, so that ParaView neither repeats the run with every frame nor says more.
+ * answers 1 then, so that ParaView neither repeats the run with every frame nor says more. So it is
+ * with a run that was stopped by SetAbortExecute(1), but for the sentence, which is a warning.
  *
  * Output ports are the filter's. If blocks are worked on alone, those of vtkPolyData are of the
  * input's class, vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, with the input's blocks;
@@ -109,8 +110,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** input,
-    vtkInformationVector* output, int port, vtkMTimeType* time) override;
 
 private:
   vtkPVSurfaceAlgorithm(const vtkPVSurfaceAlgorithm&) = delete;

@@ -11,5 +11,6 @@ tag = vtk.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(
 remesher.UpdatePipeline()
 said = [count(remesher, port) for port in range(7)]
 vtk.RemoveObserver(tag)
+remesher.NumberOfPoints = 4000
 remesher.UpdatePipeline()
 say([said, count(remesher)])
