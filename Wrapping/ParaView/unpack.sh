@@ -18,7 +18,7 @@ stipple_unpack_paraview()
     (
       cd "$1/packages"
       # Lists may be old, or none.
-      packages="paraview paraview-dev python3-paraview libqt5help5 libqt5opengl5 libqt5sql5"
+      packages="paraview paraview-dev python3-paraview libqt5help5 libqt5opengl5 libqt5sql5 libqt5svg5"
       # shellcheck disable=SC2086 # words on purpose
       if ! apt-get download -q $packages >download.log 2>&1; then
         [ "$(id -u)" -ne 0 ] || apt-get update -q >update.log 2>&1 || true
@@ -37,5 +37,6 @@ stipple_unpack_paraview()
   fi
   stipple_paraview_libraries=$(dirname "$(find "$1/usr/lib" -name 'libvtkRemotingCore-pv*.so' | head -n 1)")
   stipple_paraview_cmake=$(dirname "$(find "$stipple_paraview_libraries/cmake" -name paraview-config.cmake)")
+  export QT_PLUGIN_PATH="$stipple_paraview_libraries/qt5/plugins" # icons
   export LD_LIBRARY_PATH="$stipple_paraview_libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 }

@@ -54,7 +54,7 @@ def drag(display, begin, end):
 def write(pixels, path):
     image = vtkImageData()
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
-    few = (pixels.astype(int) // 12 * 255 // 21).astype(np.uint8)  # 22 levels a color: half the size of the file
+    few = pixels // 8 * 8 + pixels // 32  # 32 levels a color: two thirds of the file's size
     colors = np.ascontiguousarray(few[::-1]).reshape(-1, 3)
     image.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
     writer = vtkPNGWriter()

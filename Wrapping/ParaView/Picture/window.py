@@ -18,7 +18,7 @@ view.OrientationAxesVisibility = 0
 shown = simple.Show(remesher, view)
 shown.ColorArrayName = [None, ""]
 shown.Representation = "Surface With Edges"
-shown.AmbientColor = shown.DiffuseColor = [0.93, 0.86, 0.72]
+shown.AmbientColor = shown.DiffuseColor = [0.92, 0.92, 0.92]
 shown.EdgeColor = [0.35, 0.33, 0.35]
 shown.Ambient, shown.Diffuse = 0.35, 0.7
 features = simple.Show(simple.OutputPort(remesher, 1), view)

@@ -39,6 +39,11 @@ class Blocks(unittest.TestCase):
     def test_pieces_are_one_surface(self):
         self.check("pieces", ONE, None, [[None, 300]])
 
+    def test_blocks_that_touch_are_welded_and_their_border_may_be_kept(self):
+        said = self.said["touching"]
+        self.assertEqual(said["merged"], [600, [1, 1, 1, 0, 0]])
+        self.assertEqual(said["regions"], [600, [0, 1], True])
+
     def test_empty(self):
         self.assertEqual([self.said["empty"]["merged"], self.said["empty"]["each"]], [0, []])
 

@@ -9,7 +9,7 @@ from paraview import simple
 MAKE = """
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkMultiPieceDataSet
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 def ball(x):
     source = vtkSphereSource()
     source.SetCenter(x, 0, 0)
@@ -24,6 +24,14 @@ def half(x, part):
     source.SetPhiResolution(24)
     source.SetStartTheta(180 * part)
     source.SetEndTheta(180 * (part + 1))
+    source.Update()
+    return source.GetOutput()
+def quad(x):
+    source = vtkPlaneSource()
+    source.SetOrigin(x, 0, 0)
+    source.SetPoint1(x + 1, 0, 0)
+    source.SetPoint2(x, 1, 0)
+    source.SetResolution(8, 8)
     source.Update()
     return source.GetOutput()
 def name(data, i, text):
@@ -51,6 +59,7 @@ KINDS = {
         "pieces = vtkMultiPieceDataSet(); pieces.SetPiece(0, half(0, 0)); pieces.SetPiece(1, half(0, 1));"
         "output.SetBlock(0, pieces)",
     ),
+    "touching": ("vtkMultiBlockDataSet", "output.SetBlock(0, quad(0)); output.SetBlock(1, quad(1))"),
     "empty": ("vtkMultiBlockDataSet", ""),
 }
 said = {}
@@ -64,7 +73,16 @@ for kind, (type_, script) in KINDS.items():
     atlas = simple.ConformalAtlas(Input=tree)
     atlas.UpdatePipeline()
     ids = fetch(merged).GetCellData().GetArray("BlockId")
+    regions = None
+    if kind == "touching":
+        kept = simple.GeometryRemesher(Input=tree, NumberOfPoints=600, FeatureAngle=180, RegionArray="BlockId")
+        kept.UpdatePipeline()
+        labels = fetch(kept).GetCellData().GetArray("BlockId")
+        border = fetch(kept, 1)
+        regions = [count(kept), sorted({labels.GetValue(i) for i in range(labels.GetNumberOfTuples())}),
+                   border.GetNumberOfLines() > 0]
     said[kind] = {
+        "regions": regions,
         "merged": [count(merged), topology(merged)] if count(merged) else 0,
         "ids": [int(x) for x in ids.GetRange()] if ids else None,
         "each": blocks(data) if data.IsA("vtkDataObjectTree") and not data.IsA("vtkPartitionedDataSet")
