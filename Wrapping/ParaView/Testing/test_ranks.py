@@ -11,7 +11,7 @@ CLOSED = [1, 0, 2, 0, 0]  # components, boundary loops, Euler characteristic, no
 
 class Ranks(unittest.TestCase):
     def check(self, ranks):
-        said = run("ranks.py", models.labelled(), models.path_of("seen.vtp"), ranks=ranks).result
+        said = run("ranks.py", models.labelled(), ranks=ranks).result
         self.assertEqual(said["ranks"], ranks)
         self.assertEqual(said["sphere"][0], 1000)
         self.assertEqual(said["sphere"][5], 1000)
@@ -30,7 +30,11 @@ class Ranks(unittest.TestCase):
         self.assertEqual(said["blocks"], [["ball", 1500], ["disk", 1500]])
         self.assertEqual(said["held"], 500)
         self.assertEqual(said["held points"], 2)
-        self.assertEqual(said["image"], 600)
+        self.assertEqual(said["image"][0], 600)
+        for mean in said["image"][1]:  # the picture is bright in the middle
+            self.assertAlmostEqual(mean, 0, delta=0.01)
+        self.assertEqual(said["ghosts"], [1500, CLOSED, 0])
+        self.assertEqual(said["ghosts measured"], 12946)
 
     def test_one(self):
         self.check(1)

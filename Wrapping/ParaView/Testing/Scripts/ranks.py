@@ -39,6 +39,13 @@ labels = fetch(two).GetCellData().GetArray("Label")
 said["spread labels"] = [labels.GetRange()[0], labels.GetRange()[1]]
 said["spread area"] = figures(two, model)["area_ratio"]
 
+# Ghost cells are no part of the surface.
+ghosts = simple.GhostCellsGenerator(Input=surface, BuildIfRequired=0)
+three = simple.GeometryRemesher(Input=ghosts, NumberOfPoints=1500)
+three.UpdatePipeline()
+said["ghosts"] = [count(three), topology(three), fetch(three).GetPointData().HasArray("vtkGhostType")]
+said["ghosts measured"] = figures(ghosts)["F"]
+
 # The stages one by one.
 atlas = simple.ConformalAtlas(Input=sphere)
 behind = {"Charts": atlas, "FeatureGraph": simple.OutputPort(atlas, 1)}
@@ -68,11 +75,12 @@ kinds = fetch(held, 5).GetPointData().GetArray("SampleKind")
 said["held points"] = sum(kinds.GetValue(i) == 3 for i in range(kinds.GetNumberOfTuples()))
 
 # A picture, all of which is wanted on one rank, though a source makes pieces of it.
-wavelet = simple.Wavelet(WholeExtent=[0, 20, 0, 20, 0, 0])
+wavelet = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0], XMag=0, YMag=0, ZMag=0)
 seen = simple.GeometryRemesher(
     Input=sphere, ImportanceImage=wavelet, Importance="image", ImageProjection="z", NumberOfPoints=600
 )
 seen.UpdatePipeline()
-said["image"] = count(seen)
-simple.SaveData(sys.argv[2], seen) if said["ranks"] == 1 else None
+mesh = fetch(seen)
+places = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
+said["image"] = [count(seen), [sum(place[axis] for place in places) / len(places) for axis in range(3)]]
 say(said)
