@@ -30,6 +30,7 @@ def write(data, name, writer=None):
     path = path_of(name)
     writer = writer or vtkXMLPolyDataWriter()
     writer.SetInputData(data)
+    writer.SetDataModeToBinary()  # inline: not all of Debian's versions of Expat let ParaView read what is appended
     writer.SetFileName(path + f".{os.getpid()}")
     assert writer.Write()
     os.replace(path + f".{os.getpid()}", path)
