@@ -34,7 +34,10 @@ class Ranks(unittest.TestCase):
         for mean in said["image"][1]:  # the picture is bright in the middle
             self.assertAlmostEqual(mean, 0, delta=0.01)
         self.assertEqual(said["ghosts"], [1500, CLOSED, 0])
+        self.assertEqual(said["cells of ranks"], 12946)
         self.assertEqual(said["ghosts measured"], 12946)
+        if ranks > 1:
+            self.assertGreater(said["cells with ghosts"], 12946)
 
     def test_one(self):
         self.check(1)

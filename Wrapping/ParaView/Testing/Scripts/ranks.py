@@ -3,7 +3,7 @@
 """ranks.py MODEL.vtp: remeshes on all ranks together; says numbers over all ranks, and topologies."""
 import sys
 
-from common import blocks, count, fetch, figures, say, topology
+from common import blocks, centre, count, fetch, figures, say, spread, topology, values
 from paraview import servermanager, simple
 
 said = {"ranks": servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()}
@@ -29,10 +29,10 @@ model = simple.XMLPolyDataReader(FileName=[sys.argv[1]])
 one = simple.GeometryRemesher(Input=model, NumberOfPoints=1500, RegionArray="Label")
 one.UpdatePipeline()
 said["model"] = [count(one), topology(one)]
-spread = simple.RedistributeDataSet(Input=model)
-spread.UpdatePipeline()
-surface = simple.ExtractSurface(Input=spread)
-two = simple.GeometryRemesher(Input=surface, NumberOfPoints=1500, RegionArray="Label")
+parts = spread(sys.argv[1])
+parts.UpdatePipeline()
+said["cells of ranks"] = parts.GetDataInformation().GetNumberOfCells()
+two = simple.GeometryRemesher(Input=parts, NumberOfPoints=1500, RegionArray="Label")
 two.UpdatePipeline()
 said["spread"] = [count(two), topology(two)]
 labels = fetch(two).GetCellData().GetArray("Label")
@@ -40,7 +40,9 @@ said["spread labels"] = [labels.GetRange()[0], labels.GetRange()[1]]
 said["spread area"] = figures(two, model)["area_ratio"]
 
 # Ghost cells are no part of the surface.
-ghosts = simple.GhostCellsGenerator(Input=surface, BuildIfRequired=0)
+ghosts = spread(sys.argv[1], True)
+ghosts.UpdatePipeline()
+said["cells with ghosts"] = ghosts.GetDataInformation().GetNumberOfCells()
 three = simple.GeometryRemesher(Input=ghosts, NumberOfPoints=1500)
 three.UpdatePipeline()
 said["ghosts"] = [count(three), topology(three), fetch(three).GetPointData().HasArray("vtkGhostType")]
@@ -71,8 +73,7 @@ ends = simple.Line(Point1=[0, 0, 1], Point2=[0, 0, -1], Resolution=1)
 held = simple.GeometryRemesher(Input=sphere, ConstraintPoints=ends, NumberOfPoints=500)
 held.UpdatePipeline()
 said["held"] = count(held)
-kinds = fetch(held, 5).GetPointData().GetArray("SampleKind")
-said["held points"] = sum(kinds.GetValue(i) == 3 for i in range(kinds.GetNumberOfTuples()))
+said["held points"] = values(fetch(held, 5).GetPointData().GetArray("SampleKind")).count(3)
 
 # A picture, all of which is wanted on one rank, though a source makes pieces of it.
 wavelet = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0], XMag=0, YMag=0, ZMag=0)
@@ -80,7 +81,5 @@ seen = simple.GeometryRemesher(
     Input=sphere, ImportanceImage=wavelet, Importance="image", ImageProjection="z", NumberOfPoints=600
 )
 seen.UpdatePipeline()
-mesh = fetch(seen)
-places = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
-said["image"] = [count(seen), [sum(place[axis] for place in places) / len(places) for axis in range(3)]]
+said["image"] = [count(seen), centre(fetch(seen))]
 say(said)
