@@ -19,7 +19,7 @@ class Ranks(unittest.TestCase):
         self.assertEqual(said["sphere topology"], CLOSED)
         self.assertLess(said["sphere distance"], 0.5)
         self.assertEqual(said["fewer"], 900)
-        self.assertEqual(said["other surface"], [900, CLOSED])
+        self.assertEqual(said["other surface"], [900, CLOSED, 5])
         self.assertEqual(said["model"], [1500, CLOSED])
         self.assertEqual(said["spread"], [1500, CLOSED])
         self.assertEqual(said["spread labels"], [0, 1])

@@ -20,9 +20,10 @@ said["sphere distance"] = figures(remesher, sphere)["hausdorff_pct"]
 remesher.NumberOfPoints = 900
 remesher.UpdatePipeline()
 said["fewer"] = count(remesher)
-sphere.ThetaResolution = 50
+sphere.Center = [5, 0, 0]
 remesher.UpdatePipeline()
-said["other surface"] = [count(remesher), topology(remesher)]
+said["other surface"] = [count(remesher), topology(remesher), round(centre(fetch(remesher))[0], 2)]
+sphere.Center = [0, 0, 0]
 
 # A reader that has all of it on rank 0, so that other ranks are empty; and the same spread over the ranks.
 model = simple.XMLPolyDataReader(FileName=[sys.argv[1]])
@@ -68,8 +69,9 @@ for merge in (1, 0):
     if not merge:
         said["blocks"] = blocks(fetch(each))
 
-# Points that must become vertices, spread over the ranks: duplicates are one.
-ends = simple.Line(Point1=[0, 0, 1], Point2=[0, 0, -1], Resolution=1)
+# Points that must become vertices: duplicates, as on the borders of ranks, are one.
+twice = [simple.Line(Point1=[0, 0, 1], Point2=[0, 0, -1], Resolution=1) for _ in range(2)]
+ends = simple.AppendGeometry(Input=twice)
 held = simple.GeometryRemesher(Input=sphere, ConstraintPoints=ends, NumberOfPoints=500)
 held.UpdatePipeline()
 said["held"] = count(held)
