@@ -7,22 +7,16 @@
 #include "vtkPolyData.h"
 
 #include <array>
-#include <set>
 
 namespace stipple
 {
 void addConstraints(vtkPolyData* points, OptionValues& values)
 {
   auto rows = values.rows<3>("constraints");
-  std::set<std::array<double, 3>> known(rows.begin(), rows.end());
   for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
   {
-    std::array<double, 3> place;
-    points->GetPoint(i, place.data());
-    if (known.insert(place).second) // ranks and pieces may share some
-    {
-      rows.push_back(place);
-    }
+    rows.emplace_back();
+    points->GetPoint(i, rows.back().data());
   }
   values.setRows("constraints", rows);
 }

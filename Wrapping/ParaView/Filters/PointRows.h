@@ -11,7 +11,7 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// Adds points to the option "constraints", each place once. Null adds none.
+/// Adds points to the option "constraints". Null adds none.
 void addConstraints(vtkPolyData* points, OptionValues& values);
 
 /// Adds points with the point arrays "radius" and "strength" to the option "strokes". Null adds
