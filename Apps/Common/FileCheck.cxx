@@ -9,6 +9,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -105,8 +106,12 @@ bool isObjCorner(
     const std::size_t end = std::min(word.find('/'), word.size());
     const std::string_view part = word.substr(0, end);
     long long id = 0;
-    if (part.empty() && k == 1 && end < word.size())
+    if (part.empty() && k > 0) // "7//3", "7/1/"
     {
+      if (end == word.size())
+      {
+        return true;
+      }
       word.remove_prefix(end + 1);
       continue;
     }
@@ -281,9 +286,11 @@ public:
 
   Status run()
   {
-    if (this->line().rfind("# vtk DataFile", 0) != 0)
+    const std::string first(this->line());
+    int minor = 0;
+    if (std::sscanf(first.c_str(), "# vtk DataFile Version %d.%d", &this->Version, &minor) != 2)
     {
-      return this->error("it does not begin with '# vtk DataFile'");
+      return this->error("it does not begin with '# vtk DataFile Version'");
     }
     this->line();
     const std::string form = upper(this->word());
@@ -469,10 +476,17 @@ private:
     {
       return this->error(key + " does not say how many");
     }
-    const std::string_view before = this->Rest;
     std::vector<long long> numbers;
-    if (upper(this->word()) == "OFFSETS") // from version 5 on
+    if (this->Version >= 5)
     {
+      if (n == 0 && size == 0)
+      {
+        return Status::success();
+      }
+      if (upper(this->word()) != "OFFSETS")
+      {
+        return this->error(key + " has no OFFSETS");
+      }
       std::vector<long long> ends;
       if (Status status = this->pass(n, upper(this->word()), &ends); !status.ok())
       {
@@ -494,7 +508,6 @@ private:
       this->Cells += std::max(0LL, n - 1);
       return this->checkIds(key, numbers);
     }
-    this->Rest = before;
     if (Status status = this->pass(size, "INT", &numbers); !status.ok())
     {
       return status;
@@ -556,28 +569,22 @@ private:
       }
       if (type == "STRING" || type == "UTF8_STRING" || type == "VARIANT")
       {
-        return this->strings(components * tuples, type);
+        if (this->Binary) // texts have lengths of their own: what follows is not looked at
+        {
+          this->Rest = {};
+          return Status::success();
+        }
+        this->line();
+        for (long long t = 0; t < components * tuples; ++t)
+        {
+          this->line();
+        }
+        continue;
       }
       if (Status status = this->pass(components * tuples, type); !status.ok())
       {
         return status;
       }
-    }
-    return Status::success();
-  }
-
-  /// Texts are a line each in ASCII; in binary they have lengths of their own, and what comes
-  /// behind them is not looked at.
-  Status strings(long long count, const std::string&)
-  {
-    this->line();
-    for (long long i = 0; i < count && !this->Binary; ++i)
-    {
-      this->line();
-    }
-    if (this->Binary)
-    {
-      this->Rest = {};
     }
     return Status::success();
   }
@@ -652,6 +659,7 @@ private:
   std::string File;
   std::string Content;
   std::string_view Rest;
+  int Version = 0; // the first of its two numbers
   bool Binary = false;
   bool HasDataset = false;
   long long Points = 0;

@@ -56,6 +56,14 @@ std::string valueText(const Option& option, const OptionValue& value)
     : shortestText(std::get<double>(value));
 }
 
+/// A sentence that quotes a file.
+std::string onOneLine(std::string sentence)
+{
+  std::replace_if(
+    sentence.begin(), sentence.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return sentence;
+}
+
 /// Whether the bytes are UTF-8 (RFC 3629), as JSON must be, without escapes of the byte 0, which no
 /// name of a file has.
 bool isText(const std::string& text)
@@ -246,7 +254,7 @@ Status fromJson(const std::string& text, Session& session)
     }
     else if (!option || !option->in(Option::Session))
     {
-      return Status::error("there is no entry '" + name + "' in a session");
+      return Status::error(onOneLine("there is no entry '" + name + "' in a session"));
     }
     else
     {
@@ -254,7 +262,7 @@ Status fromJson(const std::string& text, Session& session)
     }
     if (!wrong.empty())
     {
-      return Status::error("the entry '" + name + "' " + wrong);
+      return Status::error(onOneLine("the entry '" + name + "' " + wrong));
     }
   }
   session = s;
