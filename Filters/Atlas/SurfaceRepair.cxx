@@ -132,20 +132,22 @@ std::vector<int> weldMap(const TriangleSurface& surface)
   return map;
 }
 
-/// How far rounding moves coordinates as large as a surface's: a few units in the last place, of
-/// double precision, or of single precision if all coordinates are such numbers.
-double roundingOf(const std::vector<Vec3>& points)
+/// How far apart points can be that were computed by different formulas, and would else be one. In
+/// single precision each coordinate is off by a unit in the last place at most, which makes less
+/// than two units of the largest coordinate. Numbers in double precision may have been single ones
+/// before they were turned and moved: then it was the surface's size that they were rounded by.
+double roundingOf(const TriangleSurface& surface)
 {
   double largest = 0;
   bool single = true;
-  for (const Vec3& p : points)
+  for (const Vec3& p : surface.points)
   {
     largest = std::max(largest, p.cwiseAbs().maxCoeff());
     single = single && p.cast<float>().cast<double>() == p;
   }
-  constexpr double UnitsInLastPlace = 16;
-  return UnitsInLastPlace * largest *
-    (single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+  return 2. *
+    std::max(std::numeric_limits<float>::epsilon() * (single ? largest : largestSide(surface)),
+      8. * std::numeric_limits<double>::epsilon() * largest);
 }
 
 /// For every point, itself or one on an open edge, too, that rounding alone keeps from its place:
@@ -164,7 +166,7 @@ std::vector<int> weldOpenEdges(const TriangleSurface& surface)
   }
   std::sort(open.begin(), open.end());
   open.erase(std::unique(open.begin(), open.end()), open.end());
-  const double near = open.empty() ? 0. : roundingOf(surface.points);
+  const double near = open.empty() ? 0. : roundingOf(surface);
   // Two points that near are in the same cell of a lattice, or in cells side by side.
   using Cell = std::array<long long, 3>;
   const auto cellOf = [&](int p) {

@@ -478,6 +478,13 @@ TEST(SurfaceRepair, SeamsThatRoundingOpensAreWelded)
       EXPECT_EQ(r.pointOfInput.back(), r.pointOfInput.front());
     }
   }
+  // Rounded first, then turned.
+  TriangleSurface turned = formulaTorus(24, 1., Vec3::Zero(), true);
+  for (Vec3& p : turned.points)
+  {
+    p = 1e9 * Vec3(.6 * p.x() - .8 * p.y(), .8 * p.x() + .6 * p.y(), p.z());
+  }
+  EXPECT_EQ(repaired(turned).surface.topology().boundaryLoops, 0);
 }
 
 TEST(SurfaceRepair, SlitsWiderThanRoundingStayOpen)
