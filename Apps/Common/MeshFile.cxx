@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFile.h"
 
+#include "FileCheck.h"
 #include "Messages.h"
 #include "OffFile.h"
 #include "PlyFile.h"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace stipple
 {
@@ -46,7 +48,14 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
 {
   ErrorCollector errors(reader);
   const MessageWatch others; // readers warn where they should fail: "Error reading binary data!"
-  reader->Update();
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&) // by counts within the data
+  {
+    return Status::error("cannot read '" + file + "': it asks for more memory than there is");
+  }
   vtkDataObject* output = reader->GetOutputDataObject(0);
   vtkPolyData* read = vtkPolyData::SafeDownCast(output);
   const std::string sentence = errors.first().empty() ? others.firstError() : errors.first();
@@ -200,7 +209,11 @@ Status readChecked(
   {
     return Status::error("'" + file + "' is empty");
   }
-  Status status = readByExtension(file, data);
+  Status status = checkFile(file, fileExtension(file));
+  if (status.ok())
+  {
+    status = readByExtension(file, data);
+  }
   for (const Check& check : checks)
   {
     if (status.ok())

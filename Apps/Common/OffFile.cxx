@@ -126,7 +126,8 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
                  "are missing");
   }
   reader.dropLine(); // the number of edges, which nothing needs and some writers leave out
-  if (2 * (numberOfPoints + numberOfFaces) > static_cast<long long>(reader.size()))
+  const auto mostItems = static_cast<long long>(reader.size() / 2);
+  if (numberOfPoints > mostItems || numberOfFaces > mostItems - numberOfPoints)
   {
     return error("the file is too short for " + std::to_string(numberOfPoints) + " points and " +
       std::to_string(numberOfFaces) + " faces");

@@ -56,6 +56,51 @@ std::string valueText(const Option& option, const OptionValue& value)
     : shortestText(std::get<double>(value));
 }
 
+/// A sentence that quotes a file.
+std::string onOneLine(std::string sentence)
+{
+  std::replace_if(
+    sentence.begin(), sentence.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return sentence;
+}
+
+/// Whether the bytes are UTF-8 (RFC 3629), as JSON must be, without escapes of the byte 0, which no
+/// name of a file has.
+bool isText(const std::string& text)
+{
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const auto first = static_cast<unsigned char>(text[i]);
+    const int more = first < 0x80 ? 0
+      : first < 0xC2              ? -1
+      : first < 0xE0              ? 1
+      : first < 0xF0              ? 2
+      : first < 0xF5              ? 3
+                                  : -1;
+    unsigned long code = more <= 0 ? first : first & (0x3FU >> more);
+    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size())
+    {
+      return false;
+    }
+    for (int k = 1; k <= more; ++k)
+    {
+      const auto next = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
+      if ((next & 0xC0U) != 0x80U)
+      {
+        return false;
+      }
+      code = code << 6U | (next & 0x3FU);
+    }
+    const bool isTooLong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
+    if (isTooLong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000) || code == 0)
+    {
+      return false;
+    }
+    i += static_cast<std::size_t>(more) + 1;
+  }
+  return text.find("\\u0000") == std::string::npos;
+}
+
 /// Appends the numbers of a JSON list; false if it is none of numbers, in as many columns.
 bool readRow(const Json::Value& row, std::size_t columns, std::vector<double>& numbers)
 {
@@ -174,6 +219,10 @@ std::string toJson(const Session& session)
 
 Status fromJson(const std::string& text, Session& session)
 {
+  if (!isText(text))
+  {
+    return Status::error("it is not JSON: it is no text in UTF-8");
+  }
   Json::CharReaderBuilder builder;
   Json::CharReaderBuilder::strictMode(&builder.settings_);
   const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
@@ -205,7 +254,7 @@ Status fromJson(const std::string& text, Session& session)
     }
     else if (!option || !option->in(Option::Session))
     {
-      return Status::error("there is no entry '" + name + "' in a session");
+      return Status::error(onOneLine("there is no entry '" + name + "' in a session"));
     }
     else
     {
@@ -213,7 +262,7 @@ Status fromJson(const std::string& text, Session& session)
     }
     if (!wrong.empty())
     {
-      return Status::error("the entry '" + name + "' " + wrong);
+      return Status::error(onOneLine("the entry '" + name + "' " + wrong));
     }
   }
   session = s;

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -128,6 +130,85 @@ std::vector<int> weldMap(const TriangleSurface& surface)
     }
   }
   return map;
+}
+
+/// How far apart points can be that were computed by different formulas, and would else be one. In
+/// single precision each coordinate is off by a unit in the last place at most, which makes less
+/// than two units of the largest coordinate. Numbers in double precision may have been single ones
+/// before they were turned and moved: then it was the surface's size that they were rounded by.
+double roundingOf(const TriangleSurface& surface)
+{
+  double largest = 0;
+  bool single = true;
+  for (const Vec3& p : surface.points)
+  {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    single = single && p.cast<float>().cast<double>() == p;
+  }
+  return 2. *
+    std::max(std::numeric_limits<float>::epsilon() * (single ? largest : largestSide(surface)),
+      8. * std::numeric_limits<double>::epsilon() * largest);
+}
+
+/// For every point, itself or one on an open edge, too, that rounding alone keeps from its place:
+/// the seam of a closed parametric surface, whose two sides were computed by different formulas.
+/// Empty if there are none.
+std::vector<int> weldOpenEdges(const TriangleSurface& surface)
+{
+  std::vector<int> open;
+  for (const Halfedge h : surface.halfedges())
+  {
+    if (surface.isBoundary(h))
+    {
+      open.push_back(surface.tail(h).index());
+      open.push_back(surface.head(h).index());
+    }
+  }
+  std::sort(open.begin(), open.end());
+  open.erase(std::unique(open.begin(), open.end()), open.end());
+  const double near = open.empty() ? 0. : roundingOf(surface);
+  // Two points that near are in the same cell of a lattice, or in cells side by side.
+  using Cell = std::array<long long, 3>;
+  const auto cellOf = [&](int p) {
+    Cell cell;
+    for (int k = 0; k < 3; ++k)
+    {
+      cell[k] = static_cast<long long>(std::floor(surface.points[p][k] / near));
+    }
+    return cell;
+  };
+  std::map<Cell, std::vector<int>> cells;
+  std::vector<int> map(surface.points.size());
+  std::iota(map.begin(), map.end(), 0);
+  bool any = false;
+  for (std::size_t i = 0; near > 0 && i < open.size(); ++i)
+  {
+    const int p = open[i];
+    const Cell at = cellOf(p);
+    for (int side = 0; side < 27 && map[p] == p; ++side)
+    {
+      const auto found =
+        cells.find({ at[0] + side % 3 - 1, at[1] + side / 3 % 3 - 1, at[2] + side / 9 - 1 });
+      if (found == cells.end())
+      {
+        continue;
+      }
+      for (const int q : found->second)
+      {
+        if ((surface.points[p] - surface.points[q]).norm() <= near)
+        {
+          map[p] = q;
+          any = true;
+          break;
+        }
+      }
+    }
+    if (map[p] == p)
+    {
+      cells[at].push_back(p);
+    }
+  }
+  return any ? map : std::vector<int>();
 }
 
 Triangle sorted(Triangle t)
@@ -269,6 +350,39 @@ void compactPoints(RepairedSurface& r)
   r.surface.points = std::move(points);
   r.sourcePoint = std::move(source);
 }
+
+/// Welds open edges that are apart by rounding alone. `weld`, the representatives of the input's
+/// points, follows.
+void weldSeams(RepairedSurface& r, std::vector<int>& weld)
+{
+  TriangleSurface& s = r.surface;
+  const std::vector<int> map = weldOpenEdges(s);
+  if (map.empty())
+  {
+    return;
+  }
+  std::vector<int> representative(weld.size());
+  std::iota(representative.begin(), representative.end(), 0);
+  for (std::size_t p = 0; p < map.size(); ++p)
+  {
+    representative[r.sourcePoint[p]] = r.sourcePoint[map[p]];
+    r.counts.weldedPoints += map[p] != static_cast<int>(p);
+  }
+  for (int& p : weld)
+  {
+    p = representative[p];
+  }
+  for (Triangle& t : s.triangles)
+  {
+    for (int& p : t)
+    {
+      p = map[p];
+    }
+  }
+  dropRepeated(r);
+  compactPoints(r);
+  s.connect();
+}
 }
 
 Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& progress)
@@ -302,7 +416,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     return Status::aborted();
   }
-  const std::vector<int> weld = weldMap(s);
+  std::vector<int> weld = weldMap(s);
   if (isAborted())
   {
     return Status::aborted();
@@ -334,6 +448,12 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     return Status::success();
   }
+  s.connect();
+  weldSeams(r, weld);
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   r.counts.splitEdges = countNonManifoldEdges(s.triangles);
   std::vector<Triangle> before(s.triangles.size());
   for (std::size_t f = 0; f < before.size(); ++f)
@@ -348,11 +468,6 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
     return Status::aborted();
   }
   // The usual input is clean already: only the others pay for the orienter.
-  s.connect();
-  if (isAborted())
-  {
-    return Status::aborted();
-  }
   if (!s.topology().manifold)
   {
     const std::vector<int> original = r.sourcePoint;

@@ -6,6 +6,9 @@
 
 #include "ReportingThread.h"
 
+#include <exception>
+#include <new>
+
 class vtkAlgorithm;
 
 namespace stipple
@@ -19,11 +22,26 @@ Progress progressOf(vtkAlgorithm* filter);
 int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCode);
 
 /// All of RequestData(): calls work(progress), which returns a Status, on another thread while this
-/// one reports and hears whether to stop.
+/// one reports and hears whether to stop. What a library throws is an error: VTK's executives let
+/// no exception through.
 template <typename Work>
 int execute(vtkAlgorithm* filter, unsigned long& errorCode, const Work& work)
 {
-  return endAfter(runReporting(progressOf(filter), work), filter, errorCode);
+  const auto guarded = [&work](const Progress& progress) -> Status {
+    try
+    {
+      return work(progress);
+    }
+    catch (const std::bad_alloc&)
+    {
+      return Status::error("There is not enough memory.");
+    }
+    catch (const std::exception& exception)
+    {
+      return Status::internal(exception.what());
+    }
+  };
+  return endAfter(runReporting(progressOf(filter), guarded), filter, errorCode);
 }
 }
 

@@ -89,6 +89,35 @@ std::array<int, 2> automaticMapSize(const MapDemand& demand, double samples)
   return withAspect(demand.extent, std::min(longer, largestSide), smallestSide);
 }
 
+std::vector<std::array<int, 2>> automaticMapSizes(
+  const std::vector<MapDemand>& demands, double samples)
+{
+  double area = 0.;
+  double largestRatio = 1.;
+  for (const MapDemand& demand : demands)
+  {
+    area += demand.area;
+    largestRatio = std::max(largestRatio, demand.densityRatio);
+  }
+  const double most = std::max(MostPixels, 32. * samples);
+  std::vector<std::array<int, 2>> sizes(demands.size());
+  for (double ratio = largestRatio;; ratio = std::max(1., 0.5 * ratio)) // 1 at last
+  {
+    double pixels = 0.;
+    for (std::size_t i = 0; i < demands.size(); ++i)
+    {
+      MapDemand demand = demands[i];
+      demand.densityRatio = std::min(demand.densityRatio, ratio);
+      sizes[i] = automaticMapSize(demand, area > 0. ? samples * demand.area / area : 0.);
+      pixels += static_cast<double>(sizes[i][0]) * sizes[i][1];
+    }
+    if (pixels <= most || ratio <= 1.)
+    {
+      return sizes;
+    }
+  }
+}
+
 std::array<int, 2> fixedMapSize(const Vec2& extent, int longer)
 {
   return withAspect(extent, longer, std::min(longer, 2));

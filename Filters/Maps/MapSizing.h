@@ -8,6 +8,7 @@
 #include "MapRasterizer.h"
 
 #include <array>
+#include <vector>
 
 namespace stipple
 {
@@ -30,6 +31,13 @@ STIPPLEFILTERSMAPS_EXPORT MapDemand demandOf(const MapChart& chart);
 /// factor sqrt(2), so that the size seldom changes with the number of samples.
 STIPPLEFILTERSMAPS_EXPORT std::array<int, 2> automaticMapSize(
   const MapDemand& demand, double samples);
+
+/// The same for all charts that share so many samples by their areas. Together they have at most
+/// MostPixels or 32 a sample, whichever is more, or the least that is possible: where maps are so
+/// distorted that it would be more, the densest places of the densest charts get fewer.
+constexpr double MostPixels = 1 << 26;
+STIPPLEFILTERSMAPS_EXPORT std::vector<std::array<int, 2>> automaticMapSizes(
+  const std::vector<MapDemand>& demands, double samples);
 
 /// Width and height for a longer side of this many pixels.
 STIPPLEFILTERSMAPS_EXPORT std::array<int, 2> fixedMapSize(const Vec2& extent, int longer);

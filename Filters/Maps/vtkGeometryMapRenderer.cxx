@@ -109,18 +109,14 @@ stipple::Status vtkGeometryMapRenderer::Internals::read(vtkPartitionedDataSetCol
 
 std::vector<Size> vtkGeometryMapRenderer::Internals::sizes(int mapSize, vtkIdType samples) const
 {
-  double area = 0.;
-  for (const stipple::MapDemand& demand : this->Demands)
+  if (mapSize <= 0)
   {
-    area += demand.area;
+    return stipple::automaticMapSizes(this->Demands, static_cast<double>(samples));
   }
   std::vector<Size> result;
   for (const stipple::MapDemand& demand : this->Demands)
   {
-    result.push_back(mapSize > 0
-        ? stipple::fixedMapSize(demand.extent, mapSize)
-        : stipple::automaticMapSize(
-            demand, area > 0. ? static_cast<double>(samples) * demand.area / area : 0.));
+    result.push_back(stipple::fixedMapSize(demand.extent, mapSize));
   }
   return result;
 }

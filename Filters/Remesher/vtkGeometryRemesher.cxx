@@ -390,7 +390,8 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   {
     this->AbortExecute = 1;
     this->ErrorCode = ABORTED;
-    filter->Modified(); // what it left is not its result
+    filter->SetAbortExecute(0); // as executives did until VTK 9.2
+    filter->Modified();         // what it left is not its result
     return false;
   }
   if (!updated || !s.StageError.empty())

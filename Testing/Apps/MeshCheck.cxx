@@ -335,6 +335,20 @@ private:
   std::map<Cube, std::vector<int>> Cubes;
 };
 
+/// Mean length of the triangles' edges.
+double meanEdge(const Mesh& mesh)
+{
+  double total = 0;
+  for (const auto& t : mesh.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      total += norm(mesh.points[t[k]] - mesh.points[t[(k + 1) % 3]]);
+    }
+  }
+  return total / std::max(1., 3. * static_cast<double>(mesh.triangles.size()));
+}
+
 /// Largest distance of some points spread over `from` (vertices, and points within triangles) to
 /// `to`.
 double oneSided(const Mesh& from, const Mesh& to)
@@ -527,6 +541,7 @@ int main(int argc, char* argv[])
   Figures figures;
   measureTopology(mesh, "", figures);
   measureTopology(reference, "reference_", figures);
+  figures["edge_percent"] = 100. * meanEdge(mesh) / diagonal(reference);
   figures["hausdorff_percent"] =
     100. * std::max(oneSided(mesh, reference), oneSided(reference, mesh)) / diagonal(reference);
   if (argc > 3)

@@ -33,6 +33,38 @@ class BadInput(ProgramTest):
             for part in (0.05, 0.2, 0.5, 0.8, 0.95):
                 self.refuse("half", f"half.{extension}", whole.read_bytes()[: int(part * whole.stat().st_size)])
 
+    def test_counts_and_ids_that_vtk_would_believe(self):
+        """VTK's readers allocate by them, or read and write beyond their arrays."""
+        facets = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+        self.refuse("too short for 3 triangles", "short.stl", b"x" * 75 + b"\0" * 5 + struct.pack("<I", 3) + 2 * facets)
+        self.refuse("too short for 4294967295", "long.stl", b"\0" * 80 + b"\xff" * 4 + facets)
+        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for face in ("f 1 2 4", "f 1 2 -4", "f 1 2 0", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1 2 x", "l 1 9"):
+            self.refuse(r"bad\.obj:4: '\S+' names", "bad.obj", f"{corners}{face}\nf 1 2 3\n")
+        self.refuse(r"bad\.obj:2: 'x' is no coordinate", "bad.obj", corners.replace("1 0 0", "1 x 0") + "f 1 2 3\n")
+        head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+        points = "POINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+        for pattern, text in (
+            ("too short for 1000000000 points", head + "POINTS 1000000000 float\n0 0 0\n"),
+            ("cell 0 of POLYGONS has no number", head + points + "POLYGONS 1 4\n32 0 1 2\n"),
+            ("names point 7", head + points + "POLYGONS 1 4\n3 0 1 7\n"),
+            ("more numbers than its cells", head + points + "POLYGONS 1 6\n3 0 1 2 0 0\n"),
+            ("POINT_DATA of 9", head + points + "POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 9\nSCALARS s float\n"),
+            ("no OFFSETS", head.replace("3.0", "5.1") + points + "POLYGONS 1 4\n3 0 1 2\n"),
+            (
+                "do not part",
+                head.replace("3.0", "5.1")
+                + points
+                + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 9\nCONNECTIVITY vtktypeint64\n0 1 2\n",
+            ),
+        ):
+            self.refuse(pattern, "bad.vtk", text)
+        self.refuse(
+            "too short for 99999999999 items",
+            "bad.vtp",
+            '<VTKFile type="PolyData" version="0.1"><PolyData><Piece NumberOfPoints="99999999999" NumberOfPolys="1">',
+        )
+
     def test_no_faces(self):
         self.refuse("holds an empty mesh", "a.off", "OFF\n0 0 0\n")
         self.refuse("holds only lines", "lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")

@@ -49,3 +49,31 @@ TEST(MapSizing, TheDensityRatioForgetsTheDensestThousandth)
   EXPECT_GT(stipple::densityRatio(chart), 50.);
 }
 } // namespace
+
+using namespace stipple;
+
+TEST(MapSizing, AllMapsTogetherAreBounded)
+{
+  // As of a wire that was cut into thousands of charts, infinitely dense at their corners.
+  std::vector<MapDemand> demands(3000);
+  for (std::size_t i = 0; i < demands.size(); ++i)
+  {
+    demands[i].area = 1. + static_cast<double>(i % 7);
+    demands[i].densityRatio = i % 2 == 0 ? 1e15 : 3.;
+  }
+  const auto sizes = automaticMapSizes(demands, 1000);
+  double pixels = 0;
+  for (const std::array<int, 2>& size : sizes)
+  {
+    pixels += static_cast<double>(size[0]) * size[1];
+  }
+  EXPECT_LE(pixels, MostPixels);
+  EXPECT_GE(pixels, 0.1 * MostPixels); // no less than it must be
+  // Charts that are not that dense are as large as ever.
+  const std::vector<MapDemand> few(demands.begin(), demands.begin() + 2);
+  const auto alone = automaticMapSizes(few, 1000);
+  for (std::size_t i = 0; i < few.size(); ++i)
+  {
+    EXPECT_EQ(alone[i], automaticMapSize(few[i], 1000 * few[i].area / 3.));
+  }
+}

@@ -431,3 +431,77 @@ TEST(SurfaceRepair, APointOfVeryManyTrianglesTakesNoMoreTimeThanItsTriangles)
   EXPECT_EQ(topology.euler, 1);
   EXPECT_EQ(topology.boundaryLoops, 1);
 }
+
+namespace
+{
+/// A torus as formulas make it: the last row and column of points lie where the first do, but for
+/// rounding.
+TriangleSurface formulaTorus(int n, double scale, const Vec3& center, bool single)
+{
+  TriangleSurface torus;
+  const double turn = 2 * std::acos(-1.) / n;
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      const Vec3 p((2 + std::cos(turn * j)) * std::cos(turn * i + .3),
+        (2 + std::cos(turn * j)) * std::sin(turn * i + .3), std::sin(turn * j + .1));
+      const Vec3 q = center + scale * p;
+      torus.points.push_back(single ? q.cast<float>().cast<double>() : q);
+    }
+  }
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const int a = j * (n + 1) + i;
+      torus.triangles.push_back({ a, a + 1, a + n + 2 });
+      torus.triangles.push_back({ a, a + n + 2, a + n + 1 });
+    }
+  }
+  return torus;
+}
+}
+
+TEST(SurfaceRepair, SeamsThatRoundingOpensAreWelded)
+{
+  for (const bool single : { false, true })
+  {
+    for (const double scale : { 1e-6, 1., 1e6 })
+    {
+      const RepairedSurface r = repaired(formulaTorus(24, scale, scale * Vec3(5, -3, 2), single));
+      const SurfaceTopology topology = r.surface.topology();
+      EXPECT_EQ(topology.euler, 0) << single << " " << scale;
+      EXPECT_EQ(topology.boundaryLoops, 0);
+      EXPECT_EQ(topology.components, 1);
+      EXPECT_EQ(r.counts.weldedPoints, 49);
+      EXPECT_EQ(r.pointOfInput.back(), r.pointOfInput.front());
+    }
+  }
+  // Rounded first, then turned.
+  TriangleSurface turned = formulaTorus(24, 1., Vec3::Zero(), true);
+  for (Vec3& p : turned.points)
+  {
+    p = 1e9 * Vec3(.6 * p.x() - .8 * p.y(), .8 * p.x() + .6 * p.y(), p.z());
+  }
+  EXPECT_EQ(repaired(turned).surface.topology().boundaryLoops, 0);
+}
+
+TEST(SurfaceRepair, SlitsWiderThanRoundingStayOpen)
+{
+  // Two squares side by side, a millionth apart.
+  TriangleSurface squares;
+  for (const double x : { 0., 1 + 1e-6 })
+  {
+    const int n = static_cast<int>(squares.points.size());
+    for (const Vec3& p : { Vec3(0, 0, .1), Vec3(1, 0, .1), Vec3(1, 1, .1), Vec3(0, 1, .1) })
+    {
+      squares.points.push_back(p + Vec3(x, 0, 0));
+    }
+    squares.triangles.push_back({ n, n + 1, n + 2 });
+    squares.triangles.push_back({ n, n + 2, n + 3 });
+  }
+  const RepairedSurface r = repaired(squares);
+  EXPECT_EQ(r.counts.weldedPoints, 0);
+  EXPECT_EQ(r.surface.topology().components, 2);
+}

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// StippleAbortTimes MODEL.off SUBDIVISIONS POINTS ABORTS
+//
+// Remeshes a surface, and again, stopped at random moments of that time, so often; then once more
+// to the end. Prints as JSON the seconds that it took from the wish to the end (median, largest,
+// and in which stage), and what must not be: aborts that left a mesh, threads or memory behind,
+// other bytes afterwards.
+#include "MeshFile.h"
+#include "Messages.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkConformalAtlas.h"
+#include "vtkGeometryRemesher.h"
+#include "vtkLoopSubdivisionFilter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+using Clock = std::chrono::steady_clock;
+
+namespace
+{
+constexpr std::array<const char*, 6> StageNames = { "atlas", "maps", "control", "sampling",
+  "meshing", "optimisation" };
+
+double secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A number of /proc/self/status: "Threads", "VmRSS" (in KB).
+long statusOf(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, name.size() + 1, name + ":") == 0)
+    {
+      return std::atol(line.c_str() + name.size() + 1);
+    }
+  }
+  return -1;
+}
+
+/// Points and corners, hashed (FNV-1a).
+std::uint64_t hashOf(vtkPolyData* mesh)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  const auto add = [&hash](const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      hash = (hash ^ bytes[i]) * 1099511628211u;
+    }
+  };
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    mesh->GetPoint(p, x);
+    add(x, sizeof(x));
+  }
+  for (vtkIdType c = 0; c < mesh->GetNumberOfPolys(); ++c)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(c, size, ids);
+    add(ids, sizeof(vtkIdType) * static_cast<std::size_t>(size));
+  }
+  return hash;
+}
+
+/// Wishes the end of a remesh at a moment, which the remesher hears of as users' programs tell it:
+/// by an observer of its progress.
+class Wish
+{
+public:
+  explicit Wish(vtkGeometryRemesher* remesher)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject* caller, unsigned long event, void* self, void* data) {
+      auto* wish = static_cast<Wish*>(self);
+      if (event == vtkGeometryRemesher::StageStartEvent)
+      {
+        wish->Stage = *static_cast<int*>(data);
+      }
+      else if (secondsSince(wish->Begin) >= wish->After)
+      {
+        static_cast<vtkGeometryRemesher*>(caller)->SetAbortExecute(1);
+      }
+    });
+    remesher->AddObserver(vtkCommand::ProgressEvent, command);
+    remesher->AddObserver(vtkGeometryRemesher::StageStartEvent, command);
+  }
+  void make(double after)
+  {
+    this->After = after;
+    this->Begin = Clock::now();
+  }
+  /// Seconds since the wish; negative if its moment has not come.
+  double waited() const { return secondsSince(this->Begin) - this->After; }
+  int stage() const { return this->Stage; }
+
+private:
+  Clock::time_point Begin;
+  double After = 0;
+  int Stage = 0;
+};
+
+vtkSmartPointer<vtkPolyData> readInput(const char* file, int subdivisions)
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  if (!stipple::readMesh(file, mesh).ok())
+  {
+    return nullptr;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(mesh);
+  vtkNew<vtkLoopSubdivisionFilter> subdivision;
+  subdivision->SetInputConnection(triangles->GetOutputPort());
+  subdivision->SetNumberOfSubdivisions(subdivisions);
+  vtkAlgorithm* last = triangles;
+  if (subdivisions > 0)
+  {
+    last = subdivision;
+  }
+  last->Update();
+  return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 5)
+  {
+    std::fprintf(stderr, "usage: StippleAbortTimes MODEL SUBDIVISIONS POINTS ABORTS\n");
+    return 2;
+  }
+  const auto window = stipple::CollectingOutputWindow::install();
+  const auto input = readInput(argv[1], std::atoi(argv[2]));
+  if (!input)
+  {
+    std::fprintf(stderr, "AbortTimes: cannot read '%s'\n", argv[1]);
+    return 2;
+  }
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->SetNumberOfPoints(std::atoi(argv[3]));
+  Wish wish(remesher);
+
+  const auto runToTheEnd = [&] {
+    remesher->GetAtlas()->Modified(); // from the beginning
+    wish.make(1e9);
+    remesher->Update();
+    return 1e9 + wish.waited();
+  };
+  runToTheEnd();
+  const double whole = runToTheEnd(); // libraries are loaded, caches are warm
+  const std::uint64_t expected = hashOf(remesher->GetOutput());
+  const long threads = statusOf("Threads");
+
+  std::mt19937 random(1);
+  std::vector<double> waits;
+  double longest = 0;
+  int stageOfLongest = 0;
+  int meshes = 0;
+  int missed = 0;
+  long memory = 0;
+  const int aborts = std::atoi(argv[4]);
+  for (int i = 0; i < aborts; ++i)
+  {
+    if (i == aborts / 2)
+    {
+      runToTheEnd();
+      memory = statusOf("VmRSS");
+    }
+    remesher->GetAtlas()->Modified();
+    wish.make(whole * std::uniform_real_distribution<>(0., .98)(random));
+    remesher->Update();
+    const double waited = wish.waited();
+    if (remesher->GetErrorCode() == 0) // it was done before its time
+    {
+      ++missed;
+      continue;
+    }
+    meshes += remesher->GetOutput()->GetNumberOfPoints() > 0 ||
+      remesher->GetErrorCode() != vtkGeometryRemesher::ABORTED;
+    waits.push_back(waited);
+    if (waited > longest)
+    {
+      longest = waited;
+      stageOfLongest = wish.stage();
+    }
+  }
+  const long moreThreads = statusOf("Threads") - threads;
+  runToTheEnd();
+  const long growth = statusOf("VmRSS") - memory;
+  std::sort(waits.begin(), waits.end());
+  std::printf(
+    "{\"triangles\": %lld, \"seconds\": %.3f, \"aborts\": %zu, \"missed\": %d, \"median\": "
+    "%.4f, \"largest\": %.4f, \"stage_of_largest\": \"%s\", \"left_meshes\": %d, "
+    "\"more_threads\": %ld, \"memory_growth_kb\": %ld, \"same_bytes\": %s}\n",
+    static_cast<long long>(input->GetNumberOfPolys()), whole, waits.size(), missed,
+    waits.empty() ? 0. : waits[waits.size() / 2], longest, StageNames[stageOfLongest], meshes,
+    moreThreads, growth, hashOf(remesher->GetOutput()) == expected ? "true" : "false");
+  return 0;
+}
