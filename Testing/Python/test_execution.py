@@ -28,14 +28,15 @@ class Threads(unittest.TestCase):
         thread.start()
         try:
             begin = time.monotonic()
-            stipple.remesh(mesh, points=20000)
+            stipple.remesh(mesh, points=40000)
             end = time.monotonic()
         finally:
             ended.set()
             thread.join()
-        inside = np.array([begin, *(t for t in ticks if begin < t < end), end])
-        self.assertGreater(len(inside), 10)
-        self.assertLess(np.diff(inside).max(), (end - begin) / 2, "there was a pause")
+        inside = [t for t in ticks if begin < t < end]
+        # 200 a second; 50 at most, if they ran only when progress is told.
+        self.assertGreater(end - begin, 0.3)
+        self.assertGreater(len(inside) / (end - begin), 90)
 
     def test_two_at_once(self):
         mesh = shapes.arrays(shapes.torus())

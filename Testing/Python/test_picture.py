@@ -26,10 +26,14 @@ class Show(unittest.TestCase):
         drawn = inked(picture.pixels)
         self.assertTrue(drawn[100, 150])
         self.assertFalse(drawn[0].any() or drawn[-1].any() or drawn[:, 0].any() or drawn[:, -1].any())
-        rows = np.flatnonzero(drawn.any(axis=1))
-        self.assertGreater((rows[-1] - rows[0]) / 200, 0.75, "it fills the picture")
         colours = {tuple(c // 8) for c in picture.pixels[drawn]}
         self.assertGreater(len(colours), 5, "sides differ by their light")
+
+    def test_it_fills_the_picture(self):
+        for mesh in (shapes.cube(), shapes.sphere(), shapes.torus()):
+            rows, columns = np.nonzero(inked(stipple.show(mesh, size=(300, 200)).pixels))
+            farthest = max(np.abs(rows - 99.5).max() / 100, np.abs(columns - 149.5).max() / 150)
+            self.assertAlmostEqual(farthest, 0.9, delta=0.02)
 
     def test_arrays_and_other_views(self):
         mesh = shapes.arrays(shapes.cube())
