@@ -696,12 +696,7 @@ int vtkGeometryRemesher::RequestData(
     // Of points that are others: normals, which differ across creases that have one point now, and
     // numbers that no two points have.
     vtkPointData* points = vtkPolyData::GetData(outputVector)->GetPointData();
-    if (vtkDataArray* normals = points->GetNormals())
-    {
-      const std::string name = normals->GetName() ? normals->GetName() : "";
-      points->SetNormals(nullptr);
-      points->RemoveArray(name.c_str());
-    }
+    points->SetNormals(nullptr);
     points->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
     return 1;
   }
