@@ -11,8 +11,8 @@ stipple_packages="
   libcgal-dev libeigen3-dev libopenmesh-dev
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libgtest-dev libbenchmark-dev"
-# What the tests need beside: linters, Doxygen, and an X server without a screen.
-stipple_test_packages="clang-format clang-tidy doxygen libxtst6 xauth xvfb"
+# What the tests need beside: linters, Doxygen, who reads manual pages and completions, and an X server without a screen.
+stipple_test_packages="clang-format clang-tidy desktop-file-utils doxygen dpkg-dev groff lintian man-db shared-mime-info xauth xvfb libxtst6 zsh"
 
 stipple_say()
 {

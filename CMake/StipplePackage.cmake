@@ -32,4 +32,4 @@ install(
 install(
   FILES "${CMAKE_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Stipple"
-  COMPONENT runtime)
+  COMPONENT libraries)

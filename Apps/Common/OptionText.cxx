@@ -208,8 +208,10 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
       onlyFiles = true;
       continue;
     }
-    const std::size_t equals =
-      argument.compare(0, 2, "--") == 0 ? argument.find('=') : std::string::npos;
+    const bool isShort = argument.compare(0, 2, "-o") == 0; // -oFILE, -o=FILE
+    const std::size_t equals = isShort    ? (argument.size() > 2 ? 2 : std::string::npos)
+      : argument.compare(0, 2, "--") == 0 ? argument.find('=')
+                                          : std::string::npos;
     const bool hasValue = equals != std::string::npos;
     const std::string typed = argument.substr(0, equals);
     const std::string name = typed == "-o" ? "--output" : (typed == "-h" ? "--help" : typed);
@@ -239,8 +241,8 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
       complainIf(true, typed + " needs " + option.argument);
       break;
     }
-    const std::string value =
-      hasValue ? argument.substr(equals + 1) : (isFlag ? std::string() : arguments[++i]);
+    const std::string value = hasValue ? argument.substr(equals + (argument[equals] == '='))
+                                       : (isFlag ? std::string() : arguments[++i]);
     const std::string wrong = parseOption(option, value, result.options);
     complainIf(!wrong.empty(), typed + " " + wrong);
     result.inOrder.emplace_back(option.name, value);
@@ -308,7 +310,7 @@ std::string helpEntry(const std::string& left, const std::string& right)
   return text + "\n";
 }
 
-std::string helpEntry(const Option& option)
+std::pair<std::string, std::string> optionEntry(const Option& option)
 {
   std::string columns;
   for (const Option::Column& column : option.columns)
@@ -318,9 +320,10 @@ std::string helpEntry(const Option& option)
   const std::string range = option.range();
   const std::string initial = option.initialText();
   const bool words = option.kind == Option::Kind::Choice;
-  return helpEntry(option.flag() + (option.argument.empty() ? "" : " " + option.argument),
+  return { (option.name == "output" ? "-o, " : "") + option.flag() +
+      (option.argument.empty() ? "" : " " + option.argument),
     (words ? range + ": " : "") + option.help + (option.fromFile ? columns + " a line" : "") +
       (words || range.empty() ? "" : "; " + range) +
-      (initial.empty() ? "" : " (default: " + initial + ")"));
+      (initial.empty() ? "" : " (default: " + initial + ")") };
 }
 }

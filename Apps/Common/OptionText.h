@@ -8,6 +8,7 @@
 #include "Progress.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stipple
@@ -37,8 +38,8 @@ struct Arguments
   std::string problem; ///< what is wrong first, one sentence
 };
 
-/// Reads a command line with these options; -o is --output and -h is --help. It needs a model or a
-/// session.
+/// Reads a command line with these options; -o FILE and -oFILE are --output, and -h is --help;
+/// what follows -- is the input. It needs a model or a session.
 [[nodiscard]] Arguments parseArguments(const std::vector<std::string>& arguments,
   const std::vector<Option>& table, const std::string& usage);
 
@@ -48,8 +49,8 @@ struct Arguments
 
 /// An entry of a help text: `left`, and `right` in lines beside it.
 [[nodiscard]] std::string helpEntry(const std::string& left, const std::string& right);
-/// The same of an option, with its range and default.
-[[nodiscard]] std::string helpEntry(const Option& option);
+/// The two sides of an option's entry: how it is typed; what it means, its range and default.
+[[nodiscard]] std::pair<std::string, std::string> optionEntry(const Option& option);
 }
 
 #endif

@@ -21,6 +21,13 @@ int Program::print(const std::string& text) const
                                   : this->complain("cannot write to the standard output", Failed);
 }
 
+int Program::tell(const ProgramDescription& description, const std::string& asked) const
+{
+  std::string text;
+  const Status status = tellAbout(description, asked, text);
+  return status.ok() ? this->print(text) : this->complain(status.message(), WrongUsage);
+}
+
 int Program::perform(const std::function<Status()>& work) const
 {
   try

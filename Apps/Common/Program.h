@@ -4,6 +4,7 @@
 #ifndef stipple_Program_h
 #define stipple_Program_h
 
+#include "ProgramText.h"
 #include "Progress.h"
 
 #include <functional>
@@ -31,6 +32,8 @@ public:
   [[nodiscard]] int complain(const std::string& sentence, ExitStatus status) const;
   /// Text on stdout.
   [[nodiscard]] int print(const std::string& text) const;
+  /// What --help or --help=... asks for, on stdout.
+  [[nodiscard]] int tell(const ProgramDescription& description, const std::string& asked) const;
   /// Does it, and tells why it failed, if it did; exceptions too.
   [[nodiscard]] int perform(const std::function<Status()>& work) const;
 

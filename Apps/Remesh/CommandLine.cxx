@@ -6,6 +6,7 @@
 #include "OptionText.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace stipple
@@ -57,7 +58,8 @@ std::vector<Option> programOptions()
   add(Group::General, Kind::Flag, "verbose", "", "warnings, seconds and repairs, on stderr");
   add(Group::General, Kind::Flag, "version", "",
     "versions of Stipple, VTK, CGAL and the GL renderer");
-  add(Group::General, Kind::Flag, "help", "", "this text (--help=readme: README's table)");
+  add(Group::General, Kind::Flag, "help", "",
+    "this text; --help=man, bash, zsh: as a manual page, completion for shells");
   return options;
 }
 
@@ -146,23 +148,33 @@ Arguments parseCommandLine(const std::vector<std::string>& arguments)
   return line;
 }
 
-std::string helpText()
+ProgramDescription describeProgram()
 {
-  std::string help = "usage: stipple INPUT -o OUTPUT [options]\n\n"
-                     "Remeshes a triangle surface: charts, maps, halftoned samples, triangles.\n"
-                     "Meshes are read and written as " +
-    listed(meshFileExtensions(), ", ") + ".\n\n" +
-    helpEntry("-o, --output FILE", "the mesh to write");
-  forEachGroup([&help](const char* title, const std::vector<Option>& options) {
-    help += std::string("\n") + title + ":\n";
-    for (const Option& option : options)
-    {
-      help += helpEntry(option);
-    }
+  ProgramDescription program;
+  program.name = "stipple";
+  program.version = STIPPLE_VERSION;
+  program.brief = "remesh triangle surfaces with an exact number of points";
+  program.arguments = "INPUT -o OUTPUT [options]";
+  program.text = "Remeshes a triangle surface: charts, maps, halftoned samples, triangles.\n"
+                 "Meshes are read and written as " +
+    listed(meshFileExtensions(), ", ") + ".\n";
+  const std::vector<Option> table = programOptions();
+  program.groups.push_back({ "", {} });
+  std::copy_if(table.begin(), table.end(), std::back_inserter(program.groups.back().options),
+    [](const Option& option) { return option.name == "output"; });
+  forEachGroup([&program](const char* title, const std::vector<Option>& options) {
+    program.groups.push_back({ title, options });
   });
-  return help +
-    "\nExit status: 0 written, 1 could not be done (one sentence on stderr, no output file),\n"
-    "2 wrong usage.\n";
+  program.exitStatus = "0 written, 1 could not be done (one sentence on stderr, no output file),\n"
+                       "2 wrong usage; interrupted, it ends by the signal (130 in a shell).\n";
+  program.examples = { { "stipple scan.ply -o scan-5000.ply --points 5000",
+                         "Exactly 5,000 points, spread evenly." },
+    { "stipple part.stl -o part.vtp --max-deviation 0.1 --feature-angle 30",
+      "About as few points as stay within 0.1 % of the diagonal." },
+    { "stipple bunny.off -o bunny.ply --points 2000 --importance mean --picture bunny.png",
+      "More points where the surface is bent more, and a picture of every stage." } };
+  program.seeAlso = { "stipple-view" };
+  return program;
 }
 
 std::string readmeTable()

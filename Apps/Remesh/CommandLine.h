@@ -5,6 +5,7 @@
 #define stipple_CommandLine_h
 
 #include "OptionText.h"
+#include "ProgramText.h"
 
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ namespace stipple
 /// Rows that come from a file are still its name; "help=readme" asks for README's table.
 [[nodiscard]] Arguments parseCommandLine(const std::vector<std::string>& arguments);
 
-/// The text of --help: every option in its group, with its unit, range and default.
-[[nodiscard]] std::string helpText();
+/// The program in words: every option in its group.
+[[nodiscard]] ProgramDescription describeProgram();
 
 /// README's table of options.
 [[nodiscard]] std::string readmeTable();

@@ -3,6 +3,7 @@
 #include "Terminal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -13,12 +14,12 @@ namespace stipple
 {
 namespace
 {
-volatile std::sig_atomic_t Interrupted = 0;
+volatile std::sig_atomic_t Interrupted = 0; // by this signal
 volatile std::sig_atomic_t Holding = 0;
 
-void onSignal(int)
+void onSignal(int number)
 {
-  Interrupted = 1;
+  Interrupted = number;
   if (!Holding)
   {
     alarm(1);
@@ -32,7 +33,7 @@ void onAlarm(int)
   {
     constexpr char Text[] = "stipple: interrupted\n";
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, Text, sizeof(Text) - 1);
-    _exit(1);
+    endByInterrupt();
   }
 }
 }
@@ -59,6 +60,14 @@ bool interrupted()
   return Interrupted != 0;
 }
 
+void endByInterrupt()
+{
+  const int number = Interrupted;
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+  _exit(128 + number); // not reached
+}
+
 ProgressBar::ProgressBar(bool wanted)
   : On(wanted && isatty(STDERR_FILENO) != 0)
 {
@@ -72,16 +81,37 @@ void ProgressBar::show(double fraction, const std::string& what)
   {
     return;
   }
+  fraction = std::clamp(fraction, 0., 1.);
   constexpr int Width = 32;
-  const int full = static_cast<int>(Width * std::clamp(fraction, 0., 1.));
-  std::string line = "[" + std::string(full, '=') + std::string(Width - full, ' ') + "] " +
-    std::to_string(static_cast<int>(100 * std::clamp(fraction, 0., 1.))) + " % " + what;
+  const int full = static_cast<int>(Width * fraction);
+  const std::string line = "[" + std::string(full, '=') + std::string(Width - full, ' ') + "] " +
+    std::to_string(static_cast<int>(100 * fraction)) + " % " + what + this->timeLeft(fraction);
   if (line != this->Shown)
   {
     std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
     std::fflush(stderr);
     this->Shown = line;
   }
+}
+
+std::string ProgressBar::timeLeft(double fraction)
+{
+  const Clock::time_point now = Clock::now();
+  const double passed = std::chrono::duration<double>(now - this->Begin).count();
+  if (fraction <= 0 || fraction >= 1)
+  {
+    return {};
+  }
+  // Before some seconds have passed, and a twentieth of the work is done, it would be a guess.
+  constexpr double Seconds = 2;
+  constexpr double Part = 0.05;
+  if (passed < Seconds || fraction < Part)
+  {
+    return {};
+  }
+  const int left = static_cast<int>(std::ceil(passed / fraction * (1 - fraction)));
+  return ", " +
+    (left < 60 ? std::to_string(left) + " s" : std::to_string((left + 59) / 60) + " min") + " left";
 }
 
 void ProgressBar::clear()

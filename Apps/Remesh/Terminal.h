@@ -4,6 +4,7 @@
 #ifndef stipple_Terminal_h
 #define stipple_Terminal_h
 
+#include <chrono>
 #include <string>
 
 namespace stipple
@@ -15,8 +16,12 @@ void catchInterrupts();
 /// else ends the program.
 void holdInterrupts();
 [[nodiscard]] bool interrupted();
+/// Ends the program as the signal would have, had it not been caught: that is what a shell goes by
+/// to end a loop or a script too, and calls 130 (SIGINT) or 143 (SIGTERM).
+[[noreturn]] void endByInterrupt();
 
-/// A bar on stderr if that is a terminal and it is wanted; else nothing at all.
+/// A bar on stderr if that is a terminal and it is wanted; else nothing at all. It tells the time
+/// that is left, as soon as that can be told from the time that has passed.
 class ProgressBar
 {
 public:
@@ -28,7 +33,12 @@ public:
   void clear();
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string timeLeft(double fraction);
+
   bool On;
+  Clock::time_point Begin = Clock::now();
   std::string Shown;
 };
 }

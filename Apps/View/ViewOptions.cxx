@@ -35,7 +35,8 @@ std::vector<Option> viewOptions()
       "another"),
     option(Kind::File, "benchmark", "FILE.json", "measure how fast the window answers, and end"),
     option(Kind::Flag, "version", "", "versions of Stipple, VTK and OpenGL"),
-    option(Kind::Flag, "help", "", "this text") };
+    option(Kind::Flag, "help", "",
+      "this text; --help=man, bash, zsh: as a manual page, completion for shells") };
 }
 }
 
@@ -56,22 +57,27 @@ Arguments parseViewOptions(const std::vector<std::string>& arguments)
   return line;
 }
 
-std::string viewHelpText()
+ProgramDescription describeViewer()
 {
-  std::string text =
-    "usage: stipple-view FILE [options]\n\n"
-    "Remeshes a triangle surface while you watch: a live preview of the samples, the\n"
-    "mesh when a slider rests. Needs a display with OpenGL.\n\nOptions:\n";
-  for (const Option& option : viewOptions())
-  {
-    text += helpEntry(option);
-  }
-  text += "\nIn the window:\n";
+  ProgramDescription program;
+  program.name = "stipple-view";
+  program.version = STIPPLE_VERSION;
+  program.brief = "remesh triangle surfaces in a window, while you watch";
+  program.arguments = "FILE [options]";
+  program.text = "Remeshes a triangle surface while you watch: a live preview of the samples, the\n"
+                 "mesh when a slider rests. Needs a display with OpenGL.\n";
+  program.groups = { { "Options", viewOptions() } };
+  program.keysTitle = "In the window";
   for (const auto& line : keyHelp())
   {
-    text += line.second.empty() ? "" : helpEntry(line.first, line.second);
+    if (!line.second.empty())
+    {
+      program.keys.push_back(line);
+    }
   }
-  return text +
-    "\nExit status: 0 done, 1 could not be done (one sentence on stderr), 2 wrong usage.\n";
+  program.exitStatus = "0 done, 1 could not be done (one sentence on stderr), 2 wrong usage.\n";
+  program.examples = { { "stipple-view scan.ply", "Opens a window on it." } };
+  program.seeAlso = { "stipple" };
+  return program;
 }
 }

@@ -5,6 +5,7 @@
 #define stipple_ViewOptions_h
 
 #include "OptionText.h"
+#include "ProgramText.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ constexpr int MostPoints = 1'000'000;
 /// "play" and "shot", which may come many times, are in order; "size" is a row of two numbers.
 [[nodiscard]] Arguments parseViewOptions(const std::vector<std::string>& arguments);
 
-[[nodiscard]] std::string viewHelpText();
+[[nodiscard]] ProgramDescription describeViewer();
 }
 
 #endif

@@ -11,10 +11,13 @@ int main(int argc, char* argv[])
   const auto window = stipple::CollectingOutputWindow::install();
   const stipple::Program program("stipple-view");
   const stipple::Arguments line = stipple::parseViewOptions({ argv + 1, argv + argc });
+  if (line.asked == "version")
+  {
+    return program.print(stipple::viewVersionText());
+  }
   if (!line.asked.empty())
   {
-    return program.print(
-      line.asked == "version" ? stipple::viewVersionText() : stipple::viewHelpText());
+    return program.tell(stipple::describeViewer(), line.asked);
   }
   if (!line.problem.empty())
   {

@@ -162,13 +162,21 @@ int vtkSurfaceQuality::RequestData(
     vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
     vtkPolyData* referenceData = vtkPolyData::GetData(inputVector[1]);
     std::vector<int> cellOf;
-    const stipple::TriangleSurface mesh = stipple::fromPolyData(input, &cellOf);
-    stipple::Status status = checkPoints(mesh, "mesh");
+    stipple::TriangleSurface mesh;
+    stipple::Status status = stipple::readPolyData(input, mesh, &cellOf);
+    if (status.ok())
+    {
+      status = checkPoints(mesh, "mesh");
+    }
     stipple::MeshDistance distance;
     if (status.ok() && referenceData)
     {
-      const stipple::TriangleSurface reference = stipple::fromPolyData(referenceData);
-      status = checkPoints(reference, "reference");
+      stipple::TriangleSurface reference;
+      status = stipple::readPolyData(referenceData, reference);
+      if (status.ok())
+      {
+        status = checkPoints(reference, "reference");
+      }
       if (status.ok() && !(reference.area() > 0))
       {
         status = stipple::Status::error(

@@ -3,6 +3,7 @@
 #include "vtkGeometryRemesher.h"
 
 #include "Atlas.h"
+#include "DensityArray.h"
 #include "DeviationSearch.h"
 #include "FilterExecution.h"
 #include "MeshCheck.h"
@@ -421,9 +422,22 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
 bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
 {
   const std::string selection = this->SelectionArrayName ? this->SelectionArrayName : "";
-  const stipple::Status status = !selection.empty() && this->Pattern != TRIANGLES
+  vtkControlMap* control = this->Stages->ControlMap;
+  stipple::Status status = !selection.empty() && this->Pattern != TRIANGLES
     ? stipple::Status::error("A selected part can be remeshed with the pattern TRIANGLES only.")
-    : this->Stages->takeInput(input, selection);
+    : stipple::Status::success();
+  if (status.ok() && control->GetImportance() == vtkControlMap::ARRAY)
+  {
+    status = stipple::checkDensityArray(input, control->GetImportanceArrayName());
+  }
+  if (status.ok())
+  {
+    status = stipple::checkDensityArray(input, control->GetSizeArrayName());
+  }
+  if (status.ok())
+  {
+    status = this->Stages->takeInput(input, selection);
+  }
   return noted(status, this->ErrorCode, this->Stages->Sentence);
 }
 
@@ -679,6 +693,16 @@ int vtkGeometryRemesher::RequestData(
     {
       vtkPolyData::GetData(outputVector)->GetPointData()->SetActiveTCoords(texture->GetName());
     }
+    // Of points that are others: normals, which differ across creases that have one point now, and
+    // numbers that no two points have.
+    vtkPointData* points = vtkPolyData::GetData(outputVector)->GetPointData();
+    if (vtkDataArray* normals = points->GetNormals())
+    {
+      const std::string name = normals->GetName() ? normals->GetName() : "";
+      points->SetNormals(nullptr);
+      points->RemoveArray(name.c_str());
+    }
+    points->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
     return 1;
   }
   s.Stopped = this->ErrorCode == ABORTED;

@@ -37,7 +37,8 @@ int main(int argc, char* argv[])
   const Arguments line = parseCommandLine(arguments);
   if (!line.asked.empty())
   {
-    return program.print(line.asked == "help" ? helpText() : readmeTable());
+    return line.asked == "help=readme" ? program.print(readmeTable())
+                                       : program.tell(describeProgram(), line.asked);
   }
   if (!line.problem.empty())
   {

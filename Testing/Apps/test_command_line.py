@@ -4,10 +4,12 @@
 import json
 import os
 import pty
+import re
 import subprocess
+import time
 import unittest
 
-from stipple_program import STIPPLE, ProgramTest
+from stipple_program import MODELS, STIPPLE, ProgramTest
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
 --band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
@@ -26,6 +28,12 @@ class CommandLine(ProgramTest):
     def test_help_wins_over_what_is_wrong(self):
         self.assertIn("usage: stipple INPUT -o OUTPUT", self.succeed("a.off", "--help"))
 
+    def test_output_without_a_space(self):
+        cube = self.cube()
+        for name, option in (("a.ply", "-oa.ply"), ("b.ply", "-o=b.ply"), ("c.ply", "--output=c.ply")):
+            self.succeed(cube, option, "--points", 100, cwd=self.folder)
+            self.assertTrue((self.folder / name).exists(), option)
+
     def test_version_names_the_libraries(self):
         out = self.succeed("--version")
         self.assertRegex(out, r"(?s)stipple \d+\.\d+\.\d+\nVTK 9\.\d.*CGAL \d.*OpenGL renderer: .+")
@@ -37,6 +45,9 @@ class CommandLine(ProgramTest):
             ([], "no input file"),
             ([cube], "no output file"),
             ([cube, "-o"], "-o needs FILE"),
+            (["--help=klingon"], "--help takes man, bash or zsh, not 'klingon'"),
+            ([cube, "-oout.xyz"], "'out.xyz' must end in"),
+            (["-o", out, "--", "--points"], "the input '--points' must end in"),
             ([cube, cube, "-o", out], "two input files"),
             ([cube, "-o", out, "--point", 10], "unknown option '--point'; did you mean '--points'"),
             ([cube, "-o", out, "--feature-angel", 10], "did you mean '--feature-angle'"),
@@ -122,6 +133,28 @@ class CommandLine(ProgramTest):
         self.assertEqual(status, 0)
         self.assertIn("remeshing", shown)
         self.assertTrue(shown.endswith("\x1b[K"), "the bar is wiped away")
+
+    def test_long_work_tells_the_time_left(self):
+        leader, follower = pty.openpty()
+        program = subprocess.Popen(
+            [STIPPLE, MODELS / "armadillo.off", "-o", self.folder / "a.ply", "--points", "60000"],
+            stderr=follower, env={**os.environ, "TERM": "xterm"},
+        )  # fmt: skip
+        os.close(follower)
+        begin, told = time.monotonic(), []
+        try:
+            while text := os.read(leader, 65536).decode():
+                for left, unit in re.findall(r"remeshing, (\d+) (s|min) left", text):
+                    told.append((time.monotonic() - begin, int(left) * (60 if unit == "min" else 1)))
+        except OSError:  # the program has ended
+            pass
+        os.close(leader)
+        self.assertEqual(program.wait(), 0)
+        end = time.monotonic() - begin
+        self.assertTrue(told)
+        self.assertGreaterEqual(told[0][0], 2, "it is no guess")
+        for at, left in told:
+            self.assertLess(abs(at + left - end), end, f"after {at} s, {left} s left; it took {end} s")
 
     def test_verbose_tells_seconds(self):
         cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))

@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C at any time leaves no file, and says so in one line."""
+"""Ctrl-C at any time leaves no file, says so in one line, and ends the program as a signal does."""
 import os
 import pathlib
 import re
 import signal
+import subprocess
 import time
 import unittest
 
-from stipple_program import MODELS, ProgramTest, start
+from stipple_program import MODELS, STIPPLE, ProgramTest, start
 
 
 def catches(program, *numbers):
@@ -37,8 +38,21 @@ class Interrupt(ProgramTest):
                     begin = time.monotonic()
                     out, err = program.communicate(timeout=60)
                     self.assertLess(time.monotonic() - begin, 5)
-                    self.assertEqual((program.returncode, out, err), (1, "", "stipple: interrupted\n"))
+                    self.assertEqual((program.returncode, out, err), (-number, "", "stipple: interrupted\n"))
                     self.assertEqual(os.listdir(self.folder), [])
+
+    def test_ctrl_c_ends_a_script(self):
+        """A shell goes on after a program that ends with a status, but not after one that Ctrl-C ended."""
+        script = self.file("loop.sh", f"for i in 1 2; do '{STIPPLE}' '{MODELS}/armadillo.off' -o out.ply "
+                           "--points 300000 --iterations 1000; echo $?; done; echo after\n")
+        shell = subprocess.Popen(["bash", script], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 text=True, start_new_session=True)
+        self.addCleanup(shell.kill)
+        time.sleep(1)
+        os.killpg(shell.pid, signal.SIGINT)
+        out, err = shell.communicate(timeout=60)
+        self.assertEqual((out, err), ("", "stipple: interrupted\n"))
+        self.assertEqual(shell.returncode, -signal.SIGINT)
 
 
 if __name__ == "__main__":

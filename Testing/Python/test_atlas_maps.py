@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """stipple.atlas and stipple.maps: the data contracts, seen from numpy."""
+import dataclasses
+import pickle
 import unittest
 
 import numpy as np
@@ -56,6 +58,33 @@ class AtlasTest(unittest.TestCase):
         for chart in stipple.atlas(shapes.sphere(60)):
             self.assertAlmostEqual(np.median(chart.gaussian_curvature), 4, delta=0.2)
             self.assertAlmostEqual(abs(np.median(chart.mean_curvature)), 2, delta=0.1)
+
+    def test_equality(self):
+        """An atlas and a chart are what they are, not their numbers: no array is compared on the way."""
+        first, second = (stipple.atlas(shapes.sphere(10)) for _ in range(2))
+        self.assertEqual(first, first)
+        self.assertNotEqual(first, second)
+        self.assertIn(first[0], first)
+        self.assertNotIn(first[0], second)
+        self.assertEqual(len({first, second, *first, *second, first}), 2 + len(first) + len(second))
+
+    def test_pickle(self):
+        first = stipple.atlas(shapes.cube(), charts=4)
+        second = pickle.loads(pickle.dumps(first))
+        self.assertEqual(second.properties, first.properties)
+        self.assertEqual(second.feature_graph.GetNumberOfLines(), first.feature_graph.GetNumberOfLines())
+        self.assertEqual(len(second), len(first))
+        chart = pickle.loads(pickle.dumps(first[1]))
+        for a, b in (*zip(first, second), (first[1], chart)):
+            for field in dataclasses.fields(stipple.Chart):
+                if field.name != "data":
+                    mine, its = getattr(a, field.name), getattr(b, field.name)
+                    self.assertEqual(mine.dtype, its.dtype, field.name)
+                    np.testing.assert_array_equal(mine, its, field.name)
+        for a, b in zip(stipple.maps(first, points=500), stipple.maps(second, points=500)):
+            self.assertEqual(set(a), set(b))
+            for name in a:
+                np.testing.assert_array_equal(a[name], b[name], name)
 
     def test_bad_input(self):
         with self.assertRaisesRegex(ValueError, "no triangles"):

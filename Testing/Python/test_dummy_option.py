@@ -50,6 +50,10 @@ class DummyOption(unittest.TestCase):
         help_ = " ".join(self.run_program("--help").split())
         self.assertIn("--dummy-power P what no one needs; 0 to 7.5 dummies (default: 1.25)", help_)
         self.assertIn(" · `--dummy-power P`", self.run_program("--help=readme"))
+        manual = " ".join(self.run_program("--help=man").split())
+        self.assertIn(r"\fB\-\-dummy\-power\fR \fIP\fR what no one needs; 0 to 7.5 dummies (default: 1.25)", manual)
+        self.assertRegex(self.run_program("--help=bash"), "compgen -W '[^']* --dummy-power ")
+        self.assertIn("'--dummy-power=[what no one needs]:P: '", self.run_program("--help=zsh"))
         out = self.folder / "out.ply"
         message = self.run_program("a.ply", "-o", out, "--dummy-power", 8, status=2)
         self.assertEqual(message, "stipple: --dummy-power needs a number from 0 to 7.5, not '8'\n")
@@ -96,7 +100,8 @@ class DummyOption(unittest.TestCase):
             "except ValueError as error: assert str(error) == 'dummy_power must be from 0 to 7.5, not 8', error\n"
             "else: raise AssertionError\n"
         )
-        libraries = pathlib.Path(stipple.__file__).parents[3]  # the copies don't find them by themselves
+        # The copies don't find the libraries by themselves.
+        libraries = next(pathlib.Path(stipple.__file__).parents[3].rglob("libStippleFiltersCore.so")).parent
         environment = {**os.environ, "PYTHONPATH": str(self.folder), "LD_LIBRARY_PATH": str(libraries)}
         subprocess.run([sys.executable, "-B", "-c", code], check=True, env=environment)
         stub = self.folder / "stub.pyi"

@@ -3,8 +3,11 @@
 """The package itself: names, documentation, and a stub that agrees with the code."""
 import ast
 import dataclasses
+import importlib.metadata
+import importlib.util
 import inspect
 import os
+import subprocess
 import sys
 import types
 import unittest
@@ -14,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 import shapes
 import stipple
 
-FUNCTIONS = ("remesh", "atlas", "maps", "quality")
+FUNCTIONS = ("remesh", "atlas", "maps", "quality", "show")
 CLASSES = (
     "vtkConformalAtlas", "vtkGeometryMapRenderer", "vtkControlMap", "vtkErrorDiffusionSampler",
     "vtkCDTRemesh", "vtkRemeshOptimizer", "vtkGeometryRemesher", "vtkHeadlessRenderWindow",
@@ -66,7 +69,7 @@ class Package(unittest.TestCase):
 
 
 class Pyvista(unittest.TestCase):
-    """With a module of that name that has what stipple needs of it; pyvista itself need not be there."""
+    """With a module of that name that has what stipple needs of it; pyvista itself is not in Debian."""
 
     def setUp(self):
         class PolyData(vtkPolyData):
@@ -85,8 +88,7 @@ class Pyvista(unittest.TestCase):
         if self.saved is not None:
             sys.modules["pyvista"] = self.saved
 
-    def test_accessor(self):
-        stipple.add_to_pyvista()
+    def check_accessor(self):
         mesh = self.module.PolyData(shapes.sphere())
         result = mesh.stipple.remesh(points=300, gamma=2)
         self.assertIsInstance(result, self.module.PolyData)
@@ -95,11 +97,64 @@ class Pyvista(unittest.TestCase):
         self.assertGreaterEqual(len(mesh.stipple.atlas(charts=3)), 3)
         self.assertEqual(len(mesh.stipple.maps(size=32)), len(mesh.stipple.atlas()))
         self.assertEqual(mesh.stipple.remesh.__doc__, stipple.remesh.__doc__)
+        self.assertEqual(mesh.stipple.show(size=(32, 24)).pixels.shape, (24, 32, 3))
+
+    def test_before_0_48(self):
+        stipple.add_to_pyvista()
+        self.check_accessor()
+
+    def test_entry_point(self):
+        """As pyvista 0.48 does it: what is not found on a mesh may be a module that registers it."""
+        registered = []
+
+        def register_dataset_accessor(name, target):
+            def decorate(accessor):
+                registered.append((name, target, accessor))
+                setattr(target, name, property(accessor))
+                return accessor
+
+            return decorate
+
+        def find(mesh, name):
+            for entry in importlib.metadata.entry_points(group="pyvista.accessors"):
+                if entry.name == name:
+                    # In a new interpreter, the first import; here the module is there already.
+                    importlib.reload(importlib.import_module(entry.value))
+                    return getattr(mesh, name)
+            raise AttributeError(name)
+
+        self.module.register_dataset_accessor = register_dataset_accessor
+        self.module.PolyData.__getattr__ = find
+        with self.assertRaises(AttributeError):
+            self.module.PolyData().tetgen
+        self.check_accessor()
+        self.assertEqual([r[:2] for r in registered], [("stipple", self.module.PolyData)])
+
+    def test_importing_it_alone(self):
+        """Half of pyvista, as while it is imported itself, does no harm."""
+        code = "import sys, types; sys.modules['pyvista'] = types.ModuleType('pyvista'); import stipple; print('good')"
+        done = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True, check=False)
+        self.assertEqual((done.stdout, done.stderr), ("good\n", ""))
 
     def test_no_pyvista(self):
         sys.modules["pyvista"] = None  # what import makes an ImportError of
         with self.assertRaises(ImportError):
             stipple.add_to_pyvista()
+
+    def test_version(self):
+        self.assertEqual(importlib.metadata.version("stipple"), stipple.__version__)
+
+
+@unittest.skipUnless(importlib.util.find_spec("pyvista"), "pyvista is not installed; it is not in Debian")
+class RealPyvista(unittest.TestCase):
+    def test_accessor(self):
+        import pyvista
+
+        if not hasattr(pyvista, "register_dataset_accessor"):
+            stipple.add_to_pyvista()
+        result = pyvista.Sphere().stipple.remesh(points=300)
+        self.assertIsInstance(result, pyvista.PolyData)
+        self.assertEqual(result.n_points, 300)
 
 
 if __name__ == "__main__":

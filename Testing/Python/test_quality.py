@@ -4,6 +4,8 @@
 import unittest
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import shapes
 import stipple
@@ -84,6 +86,22 @@ class Quality(unittest.TestCase):
                 stipple.quality(mesh, reference=mesh, samples=samples)
         with self.assertRaises(TypeError):
             stipple.quality(mesh, reference=mesh, samples=2.5)
+
+    def test_malformed_data(self):
+        """Cells of points that there are not."""
+        good = shapes.sphere(10)
+        for bad_id in (-1, 77777, None):
+            mesh = vtkPolyData()
+            mesh.DeepCopy(good)
+            if bad_id is None:
+                mesh.SetPoints(vtkPoints())
+            else:
+                mesh.GetPolys().GetConnectivityArray().SetValue(0, bad_id)
+            with self.subTest(bad_id):
+                with self.assertRaisesRegex(ValueError, "Cell 0 of the input has the point"):
+                    stipple.quality(mesh)
+                with self.assertRaisesRegex(ValueError, "has the point"):
+                    stipple.quality(good, reference=mesh)
 
     def test_both_directions(self):
         """Half a square against the whole: nothing is missing on the way there, half of it on the way back."""

@@ -12,9 +12,16 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 import shapes
 import stipple
+
+
+def named(values, name):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    return array
 
 
 class Lengths(unittest.TestCase):
@@ -346,6 +353,64 @@ class Result(unittest.TestCase):
         first, second = (stipple.remesh(mesh, points=800, importance="mean") for _ in range(2))
         np.testing.assert_array_equal(first[0], second[0])
         np.testing.assert_array_equal(first[1], second[1])
+
+
+class Attributes(unittest.TestCase):
+    """What the input's data says of other points than the result's does not come out."""
+
+    def test_normals_global_ids_and_field_data(self):
+        source = vtkCubeSource()
+        source.Update()
+        mesh = source.GetOutput()
+        self.assertIsNotNone(mesh.GetPointData().GetNormals())
+        mesh.GetPointData().SetGlobalIds(named(np.arange(24), "ids"))
+        mesh.GetPointData().AddArray(named(np.ones(24), "weight"))
+        mesh.GetFieldData().AddArray(named(np.array([3.5]), "time"))
+        result = stipple.remesh(mesh, points=600)
+        data = result.GetPointData()
+        self.assertIsNone(data.GetNormals())
+        self.assertFalse(data.HasArray("Normals"))
+        self.assertIsNone(data.GetGlobalIds())
+        self.assertTrue(data.HasArray("ids"))
+        np.testing.assert_allclose(vtk_to_numpy(data.GetArray("weight")), 1)
+        self.assertEqual(result.GetFieldData().GetArray("time").GetValue(0), 3.5)
+        self.assertIsNotNone(mesh.GetPointData().GetNormals(), "the input keeps its own")
+
+    def test_a_density_that_is_no_number(self):
+        for keyword in ("importance_array", "size_array"):
+            for value, word in ((np.nan, "NaN"), (np.inf, "infinite")):
+                mesh = shapes.sphere(10)
+                values = np.ones(mesh.GetNumberOfPoints())
+                values[3] = value
+                mesh.GetPointData().AddArray(named(values, "w"))
+                with self.subTest(keyword), self.assertRaisesRegex(
+                    stipple.StippleError, f"array w of the input is {word} at point 3"
+                ):
+                    stipple.remesh(mesh, points=300, **{keyword: "w"})
+
+    def test_a_density_that_would_be_lost(self):
+        for name in ("MeanCurvature", "SurfacePointId", "Control"):
+            mesh = shapes.sphere(10)
+            mesh.GetPointData().AddArray(named(np.ones(mesh.GetNumberOfPoints()), name))
+            with self.subTest(name), self.assertRaisesRegex(stipple.StippleError, f"{name} has the name .*rename it"):
+                stipple.remesh(mesh, points=300, importance_array=name)
+            self.assertEqual(stipple.remesh(mesh, points=300).GetNumberOfPoints(), 300, "it is in nobody's way else")
+
+
+class Warned(unittest.TestCase):
+    def test_splits(self):
+        """Three triangles at one edge; the warning is at this file's line."""
+        mesh = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1.0)]), [(0, 1, 2), (1, 0, 3), (0, 1, 4)]
+        for call in (lambda: stipple.remesh(mesh, 100), lambda: stipple.atlas(mesh), lambda: stipple.maps(mesh)):
+            with warnings.catch_warnings(record=True) as seen:
+                warnings.simplefilter("always")
+                call()
+            self.assertEqual({(w.category, w.filename) for w in seen}, {(stipple.StippleWarning, __file__)})
+            self.assertRegex(" ".join(str(w.message) for w in seen), "^1 edges, not manifold .* 2 points that are not manifold")
+
+    def test_no_area(self):
+        with self.assertRaisesRegex(stipple.StippleError, "no triangle with an area"):
+            stipple.remesh((np.zeros((3, 3)), [(0, 1, 2)]), points=10)
 
 
 class Progress(unittest.TestCase):

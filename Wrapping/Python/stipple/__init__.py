@@ -13,25 +13,31 @@ or a pair `(points, triangles)` of numpy arrays, and return new objects of the s
 - `remesh`: the whole pipeline;
 - `atlas`: the charts that a surface is cut into, and its feature graph;
 - `maps`: the geometry maps of the charts as numpy arrays;
-- `quality`: figures of a triangle mesh, and its distance to a reference.
+- `quality`: figures of a triangle mesh, and its distance to a reference;
+- `show`: a picture of a mesh, inline in a notebook.
 
 The wrapped VTK classes (`vtkGeometryRemesher`, `vtkConformalAtlas`, ...) are here too, to compose a pipeline
 by hand. VTK 9.1's own Python rules hold for them: `Update()` raises nothing on error, and an attribute that does
 not exist can be assigned without a word. No function of this package needs a display.
 
-Where pyvista is there, `stipple.add_to_pyvista()` gives its meshes the functions: `mesh.stipple.remesh(points=5000)`.
+While a function works, Python's other threads run, and Ctrl-C stops it.
+
+pyvista's meshes have the functions: `mesh.stipple.remesh(points=5000)` (before pyvista 0.48, after
+`stipple.add_to_pyvista()`).
 """
 from . import _classes
 from ._classes import *  # noqa: F401,F403
 from ._classes import __version__
 from ._accessor import add_to_pyvista
 from ._core import Atlas, Chart, atlas, maps, remesh
+from ._picture import Picture, show
 from ._pipeline import StippleAbort, StippleError, StippleWarning
 from ._quality import quality
 
 __all__ = [
     "Atlas",
     "Chart",
+    "Picture",
     "StippleAbort",
     "StippleError",
     "StippleWarning",
@@ -40,6 +46,7 @@ __all__ = [
     "maps",
     "quality",
     "remesh",
+    "show",
 ]
 __all__ += [name for name in dir(_classes) if name.startswith("vtk")]
 del _classes

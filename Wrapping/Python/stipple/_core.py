@@ -2,17 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """remesh, atlas and maps."""
 import contextlib
+import pickle
 from dataclasses import dataclass, field
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPiecewiseFunction, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_CHAR, vtkCharArray, vtkSMPTools
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkPartitionedDataSetCollection,
+    vtkPiecewiseFunction,
+    vtkPolyData,
+)
+from vtkmodules.vtkParallelCore import vtkCommunicator
 
 from . import _classes
 from ._convert import array_of, data_array, from_mesh, points_of, to_mesh, triangles_of, vtk_points
 from ._options import TABLE, of_stage, takes
-from ._pipeline import update
+from ._pipeline import part_of_progress, update, warn
 
 _IMPORTANCE_ARRAY = "StippleImportance"  # carries an importance that is given as a numpy array
 
@@ -168,6 +176,16 @@ def _threads(number):
         vtkSMPTools.Initialize(before)
 
 
+def _warn_of_splits(algorithm):
+    """Where an atlas had to part the surface, the result is not connected as the input is."""
+    for number, what in (
+        (algorithm.GetNumberOfSplitEdges(), "edges, not manifold or of a one-sided surface, were cut"),
+        (algorithm.GetNumberOfSplitVertices(), "points that are not manifold were split"),
+    ):
+        if number:
+            warn(f"{number} {what}")
+
+
 # What Python takes besides what the table has: type in words, type in the stub, what else there is to say.
 _SPECIAL = {
     "importance": (
@@ -215,14 +233,17 @@ def remesh(mesh, given, progress=None):
     -------
     vtkPolyData or (points, triangles)
         A new object of the same kind as mesh: (points, 3) float64 and (k, 3) int64, or a vtkPolyData (pyvista.PolyData)
-        whose point arrays say which place of the input each point comes from.
+        whose point arrays say which place of the input each point comes from. Points are double. The input's arrays are
+        interpolated, those of cells and field data passed on; but not arrays that have the names of Stipple's own
+        (MeanCurvature, SurfacePointId, ...), nor active normals, which belong to another surface: vtkPolyDataNormals
+        makes new ones. Global ids are no longer active, since no two points may have the same.
 
     Raises
     ------
     TypeError, ValueError
         For an argument of the wrong type or out of range, and for a mesh without triangles.
     StippleError
-        When the mesh cannot be remeshed; the text is VTK's message.
+        When the mesh cannot be remeshed; the text is VTK's message. Also when no triangle has an area.
     StippleAbort
         When progress returned False. What progress raises comes through.
     """
@@ -242,14 +263,43 @@ def remesh(mesh, given, progress=None):
     remesher.SetInputData(data)
     remesher.GetMapRenderer().GetMapSelection().DisableAllArrays()  # none is returned: only those it needs are made
     with _threads(given.get("threads")):
-        update(remesher, progress, stages)
+        update(remesher, progress, stages, empty="the mesh has no triangle with an area")
+    _warn_of_splits(remesher.GetAtlas())
     return to_mesh(remesher.GetOutput(), mesh)
 
 
 # atlas
 
 
-@dataclass(frozen=True)
+def _packed(data):
+    """A vtkPolyData as bytes."""
+    packed = vtkCharArray()
+    if not vtkCommunicator.MarshalDataObject(data, packed):
+        raise pickle.PicklingError("VTK cannot write a chart")
+    return vtk_to_numpy(packed).tobytes()
+
+
+def _unpacked(packed):
+    """The other way round."""
+    array = numpy_to_vtk(np.frombuffer(packed, dtype=np.int8), deep=True, array_type=VTK_CHAR)
+    data = vtkPolyData()
+    if not vtkCommunicator.UnMarshalDataObject(array, data):
+        raise pickle.UnpicklingError("VTK cannot read a chart")
+    return data
+
+
+def _chart_of_bytes(packed):
+    return _chart(_unpacked(packed))
+
+
+def _atlas_of_bytes(charts, feature_graph, properties):
+    collection = vtkPartitionedDataSetCollection()
+    for i, packed in enumerate(charts):
+        collection.SetPartition(i, 0, _unpacked(packed))
+    return _atlas(collection, _unpacked(feature_graph), properties)
+
+
+@dataclass(frozen=True, eq=False)
 class Chart:
     """One disk of an atlas; n points, m triangles.
 
@@ -257,7 +307,7 @@ class Chart:
     extent. extent (2,): width and height of the chart's rectangle; the larger is 1. surface_point_id (n,): points of
     different charts (or of one) with the same id are one point of the surface. gaussian_curvature (n,) in 1/unit^2,
     mean_curvature (n,) in 1/unit. source_cell_id (m,): the input's cell. area_distortion (m,): area on the surface
-    per area in the plane. data: all of it as a vtkPolyData.
+    per area in the plane. data: all of it as a vtkPolyData. Charts can be pickled; each equals itself only.
     """
 
     points: np.ndarray
@@ -271,15 +321,18 @@ class Chart:
     area_distortion: np.ndarray
     data: vtkPolyData = field(repr=False)
 
+    def __reduce__(self):
+        return _chart_of_bytes, (_packed(self.data),)
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Atlas:
     """The charts of a surface.
 
     charts: list of Chart. feature_graph: vtkPolyData, one polyline a backbone. data: the charts as a
     vtkPartitionedDataSetCollection, as the other filters take it. properties: what was found and repaired
     (number_of_welded_points, number_of_degenerate_triangles, ..., number_of_components, number_of_boundary_loops,
-    euler_characteristic).
+    euler_characteristic). It can be pickled, and equals itself only.
     """
 
     charts: list
@@ -295,6 +348,9 @@ class Atlas:
 
     def __getitem__(self, index):
         return self.charts[index]
+
+    def __reduce__(self):
+        return _atlas_of_bytes, ([_packed(chart.data) for chart in self], _packed(self.feature_graph), self.properties)
 
 
 _ATLAS_PROPERTIES = (
@@ -324,6 +380,11 @@ def _chart(data):
     )
 
 
+def _atlas(collection, feature_graph, properties):
+    parts = [collection.GetPartition(i, 0) for i in range(collection.GetNumberOfPartitionedDataSets())]
+    return Atlas(charts=[_chart(part) for part in parts], feature_graph=feature_graph, data=collection, properties=properties)
+
+
 @takes(_ATLAS_OPTIONS, ("feature_angle", "charts"), special=_SPECIAL)
 def atlas(mesh, given, progress=None):
     """Cuts a surface into charts and lays each out in a rectangle.
@@ -350,16 +411,15 @@ def atlas(mesh, given, progress=None):
         algorithm.SetFeatureCurves(_curves(given["feature_curves"]))
     algorithm.SetInputData(data)
     update(algorithm, progress)
+    _warn_of_splits(algorithm)
     collection = algorithm.GetOutputDataObject(0).NewInstance()
     collection.ShallowCopy(algorithm.GetOutputDataObject(0))
     graph = vtkPolyData()
     graph.ShallowCopy(algorithm.GetOutputDataObject(1))
-    parts = [collection.GetPartition(i, 0) for i in range(collection.GetNumberOfPartitionedDataSets())]
-    return Atlas(
-        charts=[_chart(part) for part in parts],
-        feature_graph=graph,
-        data=collection,
-        properties={
+    return _atlas(
+        collection,
+        graph,
+        {
             _snake_case(name): getattr(algorithm, f"Get{name}")()
             for name in _ATLAS_PROPERTIES
             if hasattr(algorithm, f"Get{name}")
@@ -407,7 +467,8 @@ def maps(mesh, given, progress=None, arrays=None):
             raise TypeError(f"an Atlas is made already; {', '.join(atlas_options)} cannot apply to it")
         charts = mesh
     else:
-        charts = atlas(mesh, **atlas_options)
+        charts = atlas(mesh, **atlas_options, progress=part_of_progress(progress, 0, 0.5))
+        progress = part_of_progress(progress, 0.5, 1)
     points = given.get("points", max(1, charts.properties["number_of_surface_points"]))
     algorithm = _classes.vtkGeometryMapRenderer()
     algorithm.SetNumberOfSamples(TABLE["points"].number(points, "points"))

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DensityArray.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+namespace stipple
+{
+namespace
+{
+constexpr const char* Own[] = { "AreaDistortion", "Control", "FaceIndex", "GaussianCurvature",
+  "LargestNormalCurvature", "MaximumCurvature", "MeanCurvature", "MinimumCurvature", "Normal",
+  "Position", "SourceCellId", "SurfacePointId", "TotalCurvature", "UV" };
+
+Status check(vtkDataArray* array, const std::string& name, const std::string& element)
+{
+  if (std::find(std::begin(Own), std::end(Own), name) != std::end(Own))
+  {
+    return Status::error("The input's array " + name +
+      " has the name of one that Stipple makes, which would take its place: rename it.");
+  }
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      if (const double value = array->GetComponent(i, k); !std::isfinite(value))
+      {
+        return Status::error("The array " + name + " of the input is " +
+          (std::isnan(value) ? "NaN" : "infinite") + " at " + element + " " + std::to_string(i) +
+          ": it must be finite.");
+      }
+    }
+  }
+  return Status::success();
+}
+}
+
+Status checkDensityArray(vtkPolyData* input, const char* name)
+{
+  if (!name)
+  {
+    return Status::success();
+  }
+  if (vtkDataArray* array = input->GetPointData()->GetArray(name))
+  {
+    return check(array, name, "point");
+  }
+  vtkDataArray* array = input->GetCellData()->GetArray(name);
+  return array ? check(array, name, "cell") : Status::success();
+}
+}
