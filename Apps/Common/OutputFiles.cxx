@@ -13,6 +13,18 @@ namespace stipple
 {
 namespace
 {
+/// Where a link leads, also if there is nothing yet: the file is written there, and the link stays.
+fs::path followed(fs::path target)
+{
+  constexpr int MostLinks = 40; // as many as Linux follows
+  std::error_code code;
+  for (int i = 0; i < MostLinks && fs::is_symlink(target, code); ++i)
+  {
+    target = target.parent_path() / fs::read_symlink(target, code);
+  }
+  return target;
+}
+
 fs::path parentOf(const fs::path& target)
 {
   const fs::path normal = fs::absolute(target).lexically_normal();
@@ -55,7 +67,7 @@ OutputFiles::~OutputFiles()
 Status OutputFiles::check(const std::string& target, bool isFolder)
 {
   std::error_code code;
-  const fs::path parent = parentOf(target);
+  const fs::path parent = parentOf(followed(target));
   if (!fs::is_directory(parent, code))
   {
     return Status::error(
@@ -77,8 +89,9 @@ Status OutputFiles::check(const std::string& target, bool isFolder)
 
 std::string OutputFiles::aside(const std::string& target)
 {
-  const std::string now = isSpecial(target) ? target : besideName(target);
-  this->Items.push_back({ target, now, false });
+  const std::string real = followed(target).string();
+  const std::string now = isSpecial(real) ? real : besideName(real);
+  this->Items.push_back({ real, now, false });
   return now;
 }
 

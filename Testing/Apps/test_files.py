@@ -74,6 +74,24 @@ class Files(ProgramTest):
         for name in (b"ChartId", b"ChartCellId", b"BarycentricCoordinates", b"UV", b"SampleKind", b"SourceCellId"):
             self.assertIn(name, names)
 
+    def test_links_are_followed(self):
+        """The file goes where a link leads, and the link stays one; also a link to a link, and to nothing yet."""
+        (self.folder / "far").mkdir()
+        (self.folder / "far/old.ply").write_text("old")
+        (self.folder / "old.ply").symlink_to("far/old.ply")
+        (self.folder / "chain.ply").symlink_to(self.folder / "old.ply")
+        (self.folder / "new.ply").symlink_to("far/new.ply")
+        cube = self.cube()
+        for name, real, points in (("old", "old", 100), ("chain", "old", 120), ("new", "new", 140)):
+            self.succeed(cube, "-o", self.folder / f"{name}.ply", "--points", points)
+            self.assertTrue((self.folder / f"{name}.ply").is_symlink(), name)
+            file = self.folder / f"far/{real}.ply"
+            self.assertFalse(file.is_symlink())
+            self.assertIn(b"element vertex %d\n" % points, file.read_bytes())
+        self.assertEqual(sorted(p.name for p in (self.folder / "far").iterdir()), ["new.ply", "old.ply"])
+        (self.folder / "lost.ply").symlink_to("nowhere/lost.ply")
+        self.fail_with(1, "there is no folder '.*nowhere'", cube, "-o", self.folder / "lost.ply", "--points", 100)
+
     def test_report(self):
         report = self.folder / "report.json"
         self.succeed(self.cube(), "-o", self.folder / "mesh.off", "--points", "150", "--report", report)
