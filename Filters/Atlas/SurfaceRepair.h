@@ -18,7 +18,7 @@ struct RepairCounts
                         ///< edges that rounding alone keeps apart (two units in the last place of
                         ///< single precision, of the surface's size); those that triangles close a
                         ///< fan around stay
-  int unusedPoints = 0;        ///< points that no triangle uses
+  int unusedPoints = 0; ///< points that no triangle uses
   int degenerateTriangles = 0; ///< triangles without area but for rounding, removed
   int duplicateTriangles = 0;  ///< second and further copies of a triangle
   int reorientedTriangles = 0; ///< triangles turned around to agree with their neighbours
