@@ -19,15 +19,11 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   ChartsCore ViewsContext2D
   TestingCore TestingRendering
-  jsoncpp
+  jsoncpp utf8
   OPTIONAL_COMPONENTS WrappingPythonCore Python PythonInterpreter)
 # VTK calls OpenGL through glad from 9.4 on, through GLEW before (Rendering/Headless/StippleOpenGL.h).
 set(stipple_opengl_targets VTK::glew VTK::opengl)
 if (TARGET VTK::glad)
   set(stipple_opengl_targets VTK::glad)
 endif ()
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenMesh REQUIRED CONFIG)
-set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-find_package(CGAL 5.5 REQUIRED)
-find_package(Threads REQUIRED)
+include(StippleLibraries)

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileCheck.h"
 
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -22,20 +20,6 @@ namespace stipple
 namespace
 {
 constexpr const char* Blanks = " \t\r\n\v\f";
-
-std::string contentOf(const std::string& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
-}
-
-bool parse(std::string_view word, long long& value)
-{
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  return result.ptr == word.data() + word.size() && result.ec == std::errc() && !word.empty();
-}
 
 std::string_view nextWord(std::string_view& text)
 {
@@ -48,12 +32,7 @@ std::string_view nextWord(std::string_view& text)
 
 std::string inQuotes(std::string_view word)
 {
-  std::string text(word.substr(0, 40));
-  for (char& c : text)
-  {
-    c = c < ' ' || c > '~' ? '?' : c;
-  }
-  return "'" + text + "'";
+  return "'" + printable(word, 40) + "'";
 }
 
 /// Lines of an OBJ file, those that end in a backslash joined with the next.
@@ -115,7 +94,7 @@ bool isObjCorner(
       word.remove_prefix(end + 1);
       continue;
     }
-    if (!parse(part, id) || id == 0 || id > all[k] || -id > soFar[k])
+    if (!parseWhole(part, id) || id == 0 || id > all[k] || -id > soFar[k])
     {
       return false;
     }
@@ -260,7 +239,7 @@ Status checkVtp(const std::string& file)
     const std::string_view value(&content[open + 1], close - open - 1);
     const std::string name = content.substr(at, std::min(content.find('=', at), open) - at);
     long long number = 0;
-    if (!parse(value, number) || number < 0)
+    if (!parseWhole(value, number) || number < 0)
     {
       return Status::error(
         "cannot read '" + file + "': " + inQuotes(value) + " is no " + inQuotes(name));
@@ -293,7 +272,7 @@ public:
       return this->error("it does not begin with '# vtk DataFile Version'");
     }
     this->line();
-    const std::string form = upper(this->word());
+    const std::string form = upperCase(this->word());
     if (form != "ASCII" && form != "BINARY")
     {
       return this->error("it is neither ASCII nor BINARY");
@@ -301,7 +280,7 @@ public:
     this->Binary = form == "BINARY";
     while (!this->atEnd())
     {
-      const std::string key = upper(this->word());
+      const std::string key = upperCase(this->word());
       Status status = Status::success();
       if (key == "DATASET")
       {
@@ -353,13 +332,6 @@ public:
   }
 
 private:
-  static std::string upper(std::string_view word)
-  {
-    std::string text(word);
-    std::transform(text.begin(), text.end(), text.begin(),
-      [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return text;
-  }
   Status error(const std::string& what) const
   {
     return Status::error("cannot read '" + this->File + "': " + what);
@@ -377,7 +349,7 @@ private:
   long long number()
   {
     long long value = 0;
-    return parse(this->word(), value) ? value : -1;
+    return parseWhole(this->word(), value) ? value : -1;
   }
 
   static int bytesOf(const std::string& type)
@@ -415,7 +387,7 @@ private:
         if (kept)
         {
           long long whole = -1;
-          kept->push_back(parse(word, whole) ? whole : -1);
+          kept->push_back(parseWhole(word, whole) ? whole : -1);
         }
       }
       return Status::success();
@@ -446,7 +418,7 @@ private:
       { "STRUCTURED_POINTS", "vtkStructuredPoints" }, { "STRUCTURED_GRID", "vtkStructuredGrid" },
       { "UNSTRUCTURED_GRID", "vtkUnstructuredGrid" }, { "RECTILINEAR_GRID", "vtkRectilinearGrid" }
     };
-    const std::string type = upper(this->word());
+    const std::string type = upperCase(this->word());
     const auto other = others.find(type);
     if (other != others.end())
     {
@@ -461,7 +433,7 @@ private:
   Status points()
   {
     const long long n = this->number();
-    const std::string type = upper(this->word());
+    const std::string type = upperCase(this->word());
     this->Points = n;
     return n < 0 || n > static_cast<long long>(this->Content.size())
       ? tooMany(this->File, "points", n)
@@ -483,20 +455,20 @@ private:
       {
         return Status::success();
       }
-      if (upper(this->word()) != "OFFSETS")
+      if (upperCase(this->word()) != "OFFSETS")
       {
         return this->error(key + " has no OFFSETS");
       }
       std::vector<long long> ends;
-      if (Status status = this->pass(n, upper(this->word()), &ends); !status.ok())
+      if (Status status = this->pass(n, upperCase(this->word()), &ends); !status.ok())
       {
         return status;
       }
-      if (upper(this->word()) != "CONNECTIVITY")
+      if (upperCase(this->word()) != "CONNECTIVITY")
       {
         return this->error(key + " has no CONNECTIVITY");
       }
-      if (Status status = this->pass(size, upper(this->word()), &numbers); !status.ok())
+      if (Status status = this->pass(size, upperCase(this->word()), &numbers); !status.ok())
       {
         return status;
       }
@@ -553,15 +525,15 @@ private:
     }
     for (long long i = 0; i < arrays; ++i)
     {
-      std::string name = upper(this->word());
+      std::string name = upperCase(this->word());
       while (name == "METADATA")
       {
         this->metadata();
-        name = upper(this->word());
+        name = upperCase(this->word());
       }
       const long long components = this->number();
       const long long tuples = this->number();
-      const std::string type = upper(this->word());
+      const std::string type = upperCase(this->word());
       const auto most = static_cast<long long>(this->Rest.size());
       if (components < 0 || tuples < 0 || (components > 0 && tuples > 8 * most / components))
       {
@@ -618,11 +590,11 @@ private:
     else if (key == "TEXTURE_COORDINATES")
     {
       components = this->number();
-      type = upper(this->word());
+      type = upperCase(this->word());
     }
     else
     {
-      type = upper(this->word());
+      type = upperCase(this->word());
       components = key == "VECTORS" || key == "NORMALS" ? 3
         : key == "TENSORS"                              ? 9
         : key == "TENSORS6"                             ? 6
@@ -640,7 +612,7 @@ private:
         components = this->number();
       }
       const std::string_view here = this->Rest;
-      if (upper(this->word()) == "LOOKUP_TABLE")
+      if (upperCase(this->word()) == "LOOKUP_TABLE")
       {
         this->word();
       }

@@ -7,6 +7,7 @@
 #include "OffFile.h"
 #include "PlyFile.h"
 #include "RegionFile.h"
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include "vtkAlgorithm.h"
@@ -33,17 +34,6 @@ namespace stipple
 {
 namespace
 {
-/// Parts of a broken file may be in VTK's sentence.
-std::string printable(const std::string& text)
-{
-  std::string result = text.substr(0, 200);
-  for (char& c : result)
-  {
-    c = c < ' ' || c > '~' ? '?' : c;
-  }
-  return result;
-}
-
 Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mesh)
 {
   ErrorCollector errors(reader);
@@ -69,8 +59,9 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     return Status::error("'" + file + "' holds a " + output->GetClassName() +
       ", not a vtkPolyData: extract its surface first");
   }
+  // Parts of a broken file may be in VTK's sentence.
   return Status::error(
-    "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence)));
+    "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence, 200)));
 }
 
 Status readByExtension(const std::string& file, vtkPolyData* mesh)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffFile.h"
 
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include "vtkCellArray.h"
@@ -10,9 +11,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -79,8 +78,7 @@ private:
 bool parse(std::string_view word, long long& value)
 {
   word.remove_prefix(word.size() > 1 && word[0] == '+');
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  return result.ptr == word.data() + word.size() && result.ec == std::errc();
+  return parseWhole(word, value);
 }
 
 /// The header keyword with any of its prefixes, [ST][C][N][4][n]OFF; 4 and n mean other dimensions.
@@ -93,10 +91,7 @@ bool isKeyword(std::string_view word)
 
 Status readOff(const std::string& file, vtkPolyData* mesh)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  LineReader reader(content.str());
+  LineReader reader(contentOf(file));
   const auto error = [&](const std::string& sentence) {
     return Status::error(file + ":" + std::to_string(reader.number()) + ": " + sentence);
   };

@@ -310,6 +310,11 @@ std::string helpEntry(const std::string& left, const std::string& right)
   return text + "\n";
 }
 
+std::string optionNames(const Option& option)
+{
+  return (option.name == "output" ? "-o, " : "") + option.flag();
+}
+
 std::pair<std::string, std::string> optionEntry(const Option& option)
 {
   std::string columns;
@@ -320,8 +325,7 @@ std::pair<std::string, std::string> optionEntry(const Option& option)
   const std::string range = option.range();
   const std::string initial = option.initialText();
   const bool words = option.kind == Option::Kind::Choice;
-  return { (option.name == "output" ? "-o, " : "") + option.flag() +
-      (option.argument.empty() ? "" : " " + option.argument),
+  return { optionNames(option) + (option.argument.empty() ? "" : " " + option.argument),
     (words ? range + ": " : "") + option.help + (option.fromFile ? columns + " a line" : "") +
       (words || range.empty() ? "" : "; " + range) +
       (initial.empty() ? "" : " (default: " + initial + ")") };

@@ -49,6 +49,8 @@ struct Arguments
 
 /// An entry of a help text: `left`, and `right` in lines beside it.
 [[nodiscard]] std::string helpEntry(const std::string& left, const std::string& right);
+/// What can be typed for an option: "-o, --output".
+[[nodiscard]] std::string optionNames(const Option& option);
 /// The two sides of an option's entry: how it is typed; what it means, its range and default.
 [[nodiscard]] std::pair<std::string, std::string> optionEntry(const Option& option);
 }

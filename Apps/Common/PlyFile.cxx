@@ -3,6 +3,7 @@
 #include "PlyFile.h"
 
 #include "RegionFile.h"
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include "vtkCellArray.h"
@@ -463,10 +464,7 @@ private:
 
 Status readPly(const std::string& file, vtkPolyData* mesh)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return PlyReader(file, content.str()).read(mesh);
+  return PlyReader(file, contentOf(file)).read(mesh);
 }
 
 Status writePly(vtkPolyData* mesh, const std::string& file)

@@ -3,6 +3,7 @@
 #include "ProgramText.h"
 
 #include "OptionText.h"
+#include "Text.h"
 
 namespace stipple
 {
@@ -30,19 +31,6 @@ std::string quoted(const std::string& text)
   return '"' + escaped + '"';
 }
 
-std::string upper(std::string text)
-{
-  for (char& c : text)
-  {
-    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  }
-  return text;
-}
-
-std::string names(const Option& option)
-{
-  return option.name == "output" ? "-o, --output" : option.flag();
-}
 }
 
 Status tellAbout(const ProgramDescription& program, const std::string& asked, std::string& text)
@@ -98,7 +86,7 @@ std::string manualPage(const ProgramDescription& program)
 {
   std::string page = "."
                      R"(\" Made by )" +
-    program.name + " --help=man.\n.TH " + quoted(upper(program.name)) + R"( 1 "" )" +
+    program.name + " --help=man.\n.TH " + quoted(upperCase(program.name)) + R"( 1 "" )" +
     quoted(program.name + " " + program.version) + " \"User Commands\"\n.SH NAME\n" + program.name +
     R"( \- )" + roff(program.brief) + "\n.SH SYNOPSIS\n.B " + roff(program.name) + "\n" +
     roff(program.arguments) + "\n.SH DESCRIPTION\n" + roff(program.text) + ".SH OPTIONS\n";
@@ -108,14 +96,14 @@ std::string manualPage(const ProgramDescription& program)
     for (const Option& option : group.options)
     {
       const auto entry = optionEntry(option);
-      page += ".TP\n\\fB" + roff(names(option)) + "\\fR" +
+      page += ".TP\n\\fB" + roff(optionNames(option)) + "\\fR" +
         (option.argument.empty() ? "" : " \\fI" + roff(option.argument) + "\\fR") + "\n" +
         roff(entry.second) + "\n";
     }
   }
   if (!program.keys.empty())
   {
-    page += ".SH " + quoted(upper(program.keysTitle)) + "\n";
+    page += ".SH " + quoted(upperCase(program.keysTitle)) + "\n";
   }
   for (const auto& key : program.keys)
   {

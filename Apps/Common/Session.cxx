@@ -4,6 +4,7 @@
 
 #include "MeshFile.h"
 #include "Messages.h"
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include "vtkCellData.h"
@@ -14,12 +15,12 @@
 #include "vtkPolyData.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtk_jsoncpp.h"
+#include "vtk_utf8.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <sstream>
 
 namespace stipple
 {
@@ -64,41 +65,11 @@ std::string onOneLine(std::string sentence)
   return sentence;
 }
 
-/// Whether the bytes are UTF-8 (RFC 3629), as JSON must be, without escapes of the byte 0, which no
-/// name of a file has.
+/// Whether the bytes are UTF-8, as JSON must be, without the byte 0, which no name of a file has.
 bool isText(const std::string& text)
 {
-  for (std::size_t i = 0; i < text.size();)
-  {
-    const auto first = static_cast<unsigned char>(text[i]);
-    const int more = first < 0x80 ? 0
-      : first < 0xC2              ? -1
-      : first < 0xE0              ? 1
-      : first < 0xF0              ? 2
-      : first < 0xF5              ? 3
-                                  : -1;
-    unsigned long code = more <= 0 ? first : first & (0x3FU >> more);
-    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size())
-    {
-      return false;
-    }
-    for (int k = 1; k <= more; ++k)
-    {
-      const auto next = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
-      if ((next & 0xC0U) != 0x80U)
-      {
-        return false;
-      }
-      code = code << 6U | (next & 0x3FU);
-    }
-    const bool isTooLong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
-    if (isTooLong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000) || code == 0)
-    {
-      return false;
-    }
-    i += static_cast<std::size_t>(more) + 1;
-  }
-  return text.find("\\u0000") == std::string::npos;
+  return utf8::is_valid(text.begin(), text.end()) && text.find('\0') == std::string::npos &&
+    text.find("\\u0000") == std::string::npos;
 }
 
 /// Appends the numbers of a JSON list; false if it is none of numbers, in as many columns.
@@ -271,14 +242,11 @@ Status fromJson(const std::string& text, Session& session)
 
 Status readSession(const std::string& file, Session& session)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(file))
+  if (!std::ifstream(file) || std::filesystem::is_directory(file))
   {
     return Status::error("cannot read '" + file + "'");
   }
-  if (Status status = fromJson(text.str(), session); !status.ok())
+  if (Status status = fromJson(contentOf(file), session); !status.ok())
   {
     return Status::error("cannot read the session '" + file + "': " + status.message());
   }

@@ -3,6 +3,7 @@
 // Completions of shells, as ProgramText.h declares them.
 #include "MeshFile.h"
 #include "ProgramText.h"
+#include "Text.h"
 
 #include <algorithm>
 
@@ -60,10 +61,7 @@ std::vector<std::string> bothCases(const std::vector<std::string>& endings)
   std::vector<std::string> both;
   for (const std::string& ending : endings)
   {
-    std::string large = ending;
-    std::transform(large.begin(), large.end(), large.begin(),
-      [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    both.insert(both.end(), { ending, large });
+    both.insert(both.end(), { ending, upperCase(ending) });
   }
   return both;
 }

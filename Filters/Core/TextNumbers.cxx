@@ -34,12 +34,17 @@ bool parseAnyNumber(std::string_view text, double& value)
   return result.ec != std::errc::invalid_argument && result.ptr == text.data() + text.size();
 }
 
+bool parseWhole(std::string_view text, long long& value)
+{
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  return result.ec == std::errc() && result.ptr == text.data() + text.size();
+}
+
 bool parseInteger(const std::string& text, long long low, long long high, int& value)
 {
-  const char* end = text.data() + text.size();
+  const std::string_view digits = std::string_view(text).substr(skipPlus(text) - text.data());
   long long wide = 0;
-  const auto result = std::from_chars(skipPlus(text), end, wide);
-  if (result.ec != std::errc() || result.ptr != end || wide < low || wide > high)
+  if (!parseWhole(digits, wide) || wide < low || wide > high)
   {
     return false;
   }

@@ -18,6 +18,9 @@ namespace stipple
 /// The whole text is one number, infinite ones and "nan" among them: the files of others have them.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT bool parseAnyNumber(std::string_view text, double& value);
 
+/// The whole text is one whole number: digits, and perhaps a minus.
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT bool parseWhole(std::string_view text, long long& value);
+
 /// The whole text is one whole number within the range.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT bool parseInteger(
   const std::string& text, long long low, long long high, int& value);

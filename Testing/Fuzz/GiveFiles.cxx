@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What libFuzzer's main() does with -runs=0, for compilers without it: gives the fuzzer every file
 // of the folders that are named.
+#include "Text.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -16,10 +16,7 @@ namespace
 {
 void give(const std::filesystem::path& file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  const std::string bytes = content.str();
+  const std::string bytes = stipple::contentOf(file);
   std::fprintf(stderr, "%s\n", file.filename().c_str());
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Text.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace stipple
+{
+std::string contentOf(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
+}
+
+std::string printable(std::string_view text, std::size_t most)
+{
+  std::string result(text.substr(0, most));
+  std::replace_if(
+    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return result;
+}
+
+std::string upperCase(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return result;
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Text as readers of files, and writers of sentences, have it.
+#ifndef stipple_Text_h
+#define stipple_Text_h
+
+#include <string>
+#include <string_view>
+
+namespace stipple
+{
+/// All of a file's bytes; none if it cannot be read.
+[[nodiscard]] std::string contentOf(const std::string& file);
+
+/// What a broken file says, for a sentence: its first characters, with ? for those that are not
+/// printable ASCII.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most);
+
+/// Letters of ASCII in capitals, whatever the locale.
+[[nodiscard]] std::string upperCase(std::string_view text);
+}
+
+#endif
