@@ -14,14 +14,14 @@
 
 namespace stipple
 {
-namespace
+bool isChartArray(const std::string& name)
 {
-bool isInternal(const std::string& name)
-{
-  return name.empty() || name == "UV" || name == "SurfacePointId" || name == "SourceCellId" ||
+  return name == "UV" || name == "SurfacePointId" || name == "SourceCellId" ||
     name == "AreaDistortion" || name == "LargestNormalCurvature";
 }
 
+namespace
+{
 /// The arrays of that name in all charts; empty if one chart lacks it or has another type of it.
 std::vector<vtkAbstractArray*> inAllCharts(
   const AtlasSurface& surface, const char* name, vtkDataSetAttributes* (*data)(vtkPolyData*))
@@ -195,7 +195,7 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
   for (int a = 0; a < first->GetPointData()->GetNumberOfArrays(); ++a)
   {
     const char* name = first->GetPointData()->GetArrayName(a);
-    if (!name || isInternal(name))
+    if (!name || !*name || isChartArray(name))
     {
       continue;
     }
@@ -234,8 +234,8 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
   for (int a = 0; a < first->GetCellData()->GetNumberOfArrays(); ++a)
   {
     const char* name = first->GetCellData()->GetArrayName(a);
-    const auto sources = name && !isInternal(name) ? inAllCharts(surface, name, cellData)
-                                                   : std::vector<vtkAbstractArray*>();
+    const auto sources = name && *name && !isChartArray(name) ? inAllCharts(surface, name, cellData)
+                                                              : std::vector<vtkAbstractArray*>();
     if (sources.empty())
     {
       continue;

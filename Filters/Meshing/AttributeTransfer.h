@@ -8,12 +8,17 @@
 #include "StippleFiltersMeshingModule.h"
 #include "SurfaceWalk.h"
 
+#include <string>
+
 namespace stipple
 {
-/// Gives the mesh every point and cell array that all charts carry, but for those by which charts
-/// are described (UV, SurfacePointId, SourceCellId, AreaDistortion). Floating-point arrays are
-/// interpolated at the places of the points, all others are taken from the nearest corner; cell
-/// arrays come from the face under a triangle's centroid.
+/// Whether charts are described by arrays of this name: UV, SurfacePointId, SourceCellId,
+/// AreaDistortion, LargestNormalCurvature.
+[[nodiscard]] STIPPLEFILTERSMESHING_EXPORT bool isChartArray(const std::string& name);
+
+/// Gives the mesh every point and cell array that all charts carry, but for those (isChartArray).
+/// Floating-point arrays are interpolated at the places of the points, all others are taken from
+/// the nearest corner; cell arrays come from the face under a triangle's centroid.
 STIPPLEFILTERSMESHING_EXPORT void transferAttributes(const AtlasSurface& surface,
   const SurfaceWalk& walk, const std::vector<SurfacePlace>& places,
   const std::vector<Triangle>& triangles, vtkPolyData* mesh);

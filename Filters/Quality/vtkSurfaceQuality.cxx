@@ -30,8 +30,13 @@ namespace
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// Names the first point of a triangle that is not finite.
-stipple::Status checkPoints(const stipple::TriangleSurface& surface, const char* name)
+stipple::Status readSurface(vtkPolyData* data, const char* name, stipple::TriangleSurface& surface,
+  std::vector<int>* cellOf = nullptr)
 {
+  if (stipple::Status status = stipple::readPolyData(data, surface, cellOf); !status.ok())
+  {
+    return status;
+  }
   int bad = -1;
   for (const stipple::Triangle& t : surface.triangles)
   {
@@ -163,20 +168,12 @@ int vtkSurfaceQuality::RequestData(
     vtkPolyData* referenceData = vtkPolyData::GetData(inputVector[1]);
     std::vector<int> cellOf;
     stipple::TriangleSurface mesh;
-    stipple::Status status = stipple::readPolyData(input, mesh, &cellOf);
-    if (status.ok())
-    {
-      status = checkPoints(mesh, "mesh");
-    }
+    stipple::Status status = readSurface(input, "mesh", mesh, &cellOf);
     stipple::MeshDistance distance;
     if (status.ok() && referenceData)
     {
       stipple::TriangleSurface reference;
-      status = stipple::readPolyData(referenceData, reference);
-      if (status.ok())
-      {
-        status = checkPoints(reference, "reference");
-      }
+      status = readSurface(referenceData, "reference", reference);
       if (status.ok() && !(reference.area() > 0))
       {
         status = stipple::Status::error(

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityArray.h"
 
+#include "AttributeTransfer.h"
+#include "MapCatalogue.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -9,20 +12,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
+#include <vector>
 
 namespace stipple
 {
 namespace
 {
-constexpr const char* Own[] = { "AreaDistortion", "Control", "FaceIndex", "GaussianCurvature",
-  "LargestNormalCurvature", "MaximumCurvature", "MeanCurvature", "MinimumCurvature", "Normal",
-  "Position", "SourceCellId", "SurfacePointId", "TotalCurvature", "UV" };
+bool isOwn(const std::string& name)
+{
+  const std::vector<std::string>& maps = MapCatalogue::names();
+  return name == "Control" || isChartArray(name) ||
+    std::find(maps.begin(), maps.end(), name) != maps.end();
+}
 
 Status check(vtkDataArray* array, const std::string& name, const std::string& element)
 {
-  if (std::find(std::begin(Own), std::end(Own), name) != std::end(Own))
+  if (isOwn(name))
   {
     return Status::error("The input's array " + name +
       " has the name of one that Stipple makes, which would take its place: rename it.");

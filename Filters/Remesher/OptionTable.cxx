@@ -124,14 +124,7 @@ void applyTransfer(vtkAlgorithm* stage, const Option&, const OptionValue& value)
   auto* control = static_cast<vtkControlMap*>(stage);
   const auto& numbers = std::get<std::vector<double>>(value);
   vtkPiecewiseFunction* now = control->GetTransferFunction();
-  std::vector<double> before;
-  for (int i = 0; now && i < now->GetSize(); ++i)
-  {
-    double node[4];
-    now->GetNodeValue(i, node);
-    before.insert(before.end(), { node[0], node[1] });
-  }
-  if (before != numbers)
+  if (nodesOf(now) != numbers)
   {
     vtkNew<vtkPiecewiseFunction> function;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
@@ -605,6 +598,24 @@ std::string Option::wrongRows(const std::vector<double>& values) const
   return "";
 }
 
+const char* groupName(Option::Group group)
+{
+  static const char* const names[] = { "sampling", "features", "mesh", "files", "general" };
+  return names[static_cast<int>(group)];
+}
+
+std::vector<double> nodesOf(vtkPiecewiseFunction* function)
+{
+  std::vector<double> nodes;
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    nodes.insert(nodes.end(), { node[0], node[1] });
+  }
+  return nodes;
+}
+
 std::string optionTableText()
 {
   const auto joined = [](const auto& items, const auto& textOf) {
@@ -617,7 +628,6 @@ std::string optionTableText()
   };
   static const char* const kinds[] = { "flag", "integer", "number", "choice", "text", "file",
     "rows" };
-  static const char* const groups[] = { "sampling", "features", "mesh", "files", "general" };
   std::string text = "name\tkind\tgroup\thelp\tunit\tlow\thigh\tdefault\tautomatic\tword\t"
                      "choices\tcolumns\tlows\thighs\twhole\tone_row\tstage\tproperty\tpython\n";
   for (const Option& o : optionTable())
@@ -625,8 +635,8 @@ std::string optionTableText()
     const auto* number = std::get_if<double>(&o.initial);
     const auto* word = std::get_if<std::string>(&o.initial);
     using Column = Option::Column;
-    const std::string fields[] = { o.name, kinds[static_cast<int>(o.kind)],
-      groups[static_cast<int>(o.group)], o.help, o.unit, shortestText(o.low), shortestText(o.high),
+    const std::string fields[] = { o.name, kinds[static_cast<int>(o.kind)], groupName(o.group),
+      o.help, o.unit, shortestText(o.low), shortestText(o.high),
       number ? shortestText(*number) : (word ? *word : ""), o.automatic, o.automaticWord,
       joined(o.choices, [](const std::string& choice) { return choice; }),
       joined(o.columns, [](const Column& c) { return c.name; }),

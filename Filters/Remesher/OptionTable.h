@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkPiecewiseFunction;
 
 namespace stipple
 {
@@ -99,6 +100,13 @@ STIPPLEFILTERSREMESHER_EXPORT std::vector<Option>& optionTable();
 
 /// A row, or null.
 STIPPLEFILTERSREMESHER_EXPORT const Option* findOption(const std::string& name);
+
+/// "sampling", "features", ...
+STIPPLEFILTERSREMESHER_EXPORT const char* groupName(Option::Group group);
+
+/// A curve as rows of the option transfer: the nodes' places and values, one behind the other. None
+/// of null.
+STIPPLEFILTERSREMESHER_EXPORT std::vector<double> nodesOf(vtkPiecewiseFunction* function);
 
 /// The table as text for other languages: names of fields, then a row a line, between tabs; lists
 /// are parted by bars.
