@@ -444,12 +444,12 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     return Status::aborted();
   }
+  s.connect();
+  weldSeams(r, weld);
   if (s.triangles.empty())
   {
     return Status::success();
   }
-  s.connect();
-  weldSeams(r, weld);
   if (isAborted())
   {
     return Status::aborted();

@@ -278,6 +278,13 @@ TriangleSurface perforatedSlab(int nx, int ny, int m)
   return s;
 }
 
+TriangleSurface grid(int n, double height)
+{
+  TriangleSurface s;
+  addGrid(s, Vec3(0, 0, height), Vec3(1, 0, 0), Vec3(0, 1, 0), n);
+  return s;
+}
+
 TriangleSurface saddle(int n)
 {
   TriangleSurface s;

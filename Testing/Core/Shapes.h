@@ -26,6 +26,8 @@ stipple::TriangleSurface cone(double radius, double height, int n, int m);
 stipple::TriangleSurface hornedSphere(int refinements);
 /// A slab of unit cubes with nx x ny holes, of genus nx ny; every square is a grid of m x m quads.
 stipple::TriangleSurface perforatedSlab(int nx, int ny, int m);
+/// A flat grid of n x n squares over [0, 1]^2, each cut along the same diagonal; not connected.
+stipple::TriangleSurface grid(int n, double height = 0.);
 /// The saddle z = x y over [-1, 1]^2 on an n x n grid.
 stipple::TriangleSurface saddle(int n);
 

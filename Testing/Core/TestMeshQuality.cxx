@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshQuality.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,29 +16,6 @@ TriangleSurface makeSurface(std::vector<Vec3> points, std::vector<Triangle> tria
   TriangleSurface s;
   s.points = std::move(points);
   s.triangles = std::move(triangles);
-  return s;
-}
-
-/// A flat n x n grid of squares of side 1 / n, each cut along the same diagonal.
-TriangleSurface makeGrid(int n, double height = 0.)
-{
-  TriangleSurface s;
-  for (int j = 0; j <= n; ++j)
-  {
-    for (int i = 0; i <= n; ++i)
-    {
-      s.points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n, height);
-    }
-  }
-  for (int j = 0; j < n; ++j)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      const int a = j * (n + 1) + i;
-      s.triangles.push_back({ a, a + 1, a + n + 2 });
-      s.triangles.push_back({ a, a + n + 2, a + n + 1 });
-    }
-  }
   return s;
 }
 
@@ -69,7 +47,7 @@ TEST(MeshQuality, RegularTetrahedron)
 
 TEST(MeshQuality, GridHasRightTrianglesAndOneBoundary)
 {
-  const MeshQuality q = measureQuality(makeGrid(10));
+  const MeshQuality q = measureQuality(shapes::grid(10));
   EXPECT_EQ(q.boundaryEdges, 40);
   EXPECT_EQ(q.boundaryLoops, 1);
   EXPECT_EQ(q.euler, 1);
@@ -119,13 +97,13 @@ TEST(MeshQuality, EmptyMesh)
   const MeshQuality q = measureQuality({});
   EXPECT_EQ(q.numberOfPoints, 0);
   EXPECT_EQ(q.components, 0);
-  EXPECT_EQ(measureDistance({}, makeGrid(2)).hausdorffPercent, 0.);
+  EXPECT_EQ(measureDistance({}, shapes::grid(2)).hausdorffPercent, 0.);
 }
 
 TEST(MeshDistance, ParallelGrids)
 {
   // Two unit squares 0.1 apart: the diagonal of the reference is sqrt 2.
-  const MeshDistance d = measureDistance(makeGrid(7, 0.1), makeGrid(10), 2000);
+  const MeshDistance d = measureDistance(shapes::grid(7, 0.1), shapes::grid(10), 2000);
   EXPECT_NEAR(d.hausdorffPercent, 10. / std::sqrt(2.), 1e-9);
   EXPECT_NEAR(d.rmsPercent, 10. / std::sqrt(2.), 1e-9);
   EXPECT_NEAR(d.areaRatio, 1., 1e-12);
@@ -134,14 +112,14 @@ TEST(MeshDistance, ParallelGrids)
 
 TEST(MeshDistance, SeesWhatIsMissingOnEitherSide)
 {
-  TriangleSurface half = makeGrid(10);
+  TriangleSurface half = shapes::grid(10);
   half.triangles.resize(100); // the rows below y = 0.5
-  const MeshDistance d = measureDistance(half, makeGrid(10), 2000);
+  const MeshDistance d = measureDistance(half, shapes::grid(10), 2000);
   EXPECT_NEAR(d.hausdorffPercent, 50. / std::sqrt(2.), 1e-9);
   EXPECT_NEAR(
-    measureDistance(makeGrid(10), half, 2000).hausdorffPercent, 50. / std::sqrt(1.25), 1e-9);
+    measureDistance(shapes::grid(10), half, 2000).hausdorffPercent, 50. / std::sqrt(1.25), 1e-9);
   EXPECT_NEAR(d.areaRatio, 0.5, 1e-12);
   EXPECT_TRUE(d.sameTopology);
   half.triangles.erase(half.triangles.begin() + 33);
-  EXPECT_FALSE(measureDistance(half, makeGrid(10), 2000).sameTopology);
+  EXPECT_FALSE(measureDistance(half, shapes::grid(10), 2000).sameTopology);
 }

@@ -438,26 +438,16 @@ namespace
 /// rounding.
 TriangleSurface formulaTorus(int n, double scale, const Vec3& center, bool single)
 {
-  TriangleSurface torus;
-  const double turn = 2 * std::acos(-1.) / n;
-  for (int j = 0; j <= n; ++j)
+  TriangleSurface torus = shapes::grid(n);
+  const double turn = 2 * std::acos(-1.);
+  for (Vec3& p : torus.points)
   {
-    for (int i = 0; i <= n; ++i)
-    {
-      const Vec3 p((2 + std::cos(turn * j)) * std::cos(turn * i + .3),
-        (2 + std::cos(turn * j)) * std::sin(turn * i + .3), std::sin(turn * j + .1));
-      const Vec3 q = center + scale * p;
-      torus.points.push_back(single ? q.cast<float>().cast<double>() : q);
-    }
-  }
-  for (int j = 0; j < n; ++j)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      const int a = j * (n + 1) + i;
-      torus.triangles.push_back({ a, a + 1, a + n + 2 });
-      torus.triangles.push_back({ a, a + n + 2, a + n + 1 });
-    }
+    const double u = turn * p.x();
+    const double v = turn * p.y();
+    const Vec3 x(
+      (2 + std::cos(v)) * std::cos(u + .3), (2 + std::cos(v)) * std::sin(u + .3), std::sin(v + .1));
+    p = center + scale * x;
+    p = single ? Vec3(p.cast<float>().cast<double>()) : p;
   }
   return torus;
 }
@@ -504,4 +494,15 @@ TEST(SurfaceRepair, SlitsWiderThanRoundingStayOpen)
   const RepairedSurface r = repaired(squares);
   EXPECT_EQ(r.counts.weldedPoints, 0);
   EXPECT_EQ(r.surface.topology().components, 2);
+}
+
+TEST(SurfaceRepair, NothingIsLeftOfASurfaceAsSmallAsRounding)
+{
+  TriangleSurface speck;
+  const float ulp = std::numeric_limits<float>::epsilon();
+  speck.points = { Vec3(1, 1, 0), Vec3(1. + ulp, 1, 0), Vec3(1, 1. + ulp, 0) };
+  speck.triangles = { { 0, 1, 2 } };
+  const RepairedSurface r = repaired(speck);
+  EXPECT_EQ(r.surface.numberOfFaces(), 0);
+  EXPECT_EQ(r.counts.degenerateTriangles, 1);
 }
