@@ -26,12 +26,14 @@ import sys
 import tempfile
 import time
 
+from off_file import write_off
+
 ENDINGS = {".ply", ".obj", ".stl", ".off", ".vtp", ".vtk"}
 CLEAN = ("singular_vertices", "inconsistent_edges", "unused_points", "degenerate")
 
 
 def as_off(model, off):
-    """Writes the polygons of a model as text; False if there are none."""
+    """Writes the triangles of a model as text."""
     # Only here: without other formats the runner needs no VTK.
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
     from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
@@ -53,16 +55,7 @@ def as_off(model, off):
     triangles.PassLinesOff()
     triangles.PassVertsOff()
     triangles.Update()
-    mesh = triangles.GetOutput()
-    cells = mesh.GetPolys()
-    lines = [f"OFF\n{mesh.GetNumberOfPoints()} {cells.GetNumberOfCells()} 0"]
-    for p in range(mesh.GetNumberOfPoints()):
-        lines.append("{!r} {!r} {!r}".format(*mesh.GetPoint(p)))
-    ids = cells.GetConnectivityArray()
-    for c in range(cells.GetNumberOfCells()):
-        lines.append("3 {} {} {}".format(*(int(ids.GetTuple1(3 * c + k)) for k in range(3))))
-    off.write_text("\n".join(lines) + "\n")
-    return cells.GetNumberOfCells() > 0
+    write_off(triangles.GetOutput(), off)
 
 
 class Case:

@@ -15,28 +15,7 @@ import pathlib
 import random
 import sys
 
-from vtkmodules.vtkCommonComputationalGeometry import (
-    vtkParametricBohemianDome,
-    vtkParametricBour,
-    vtkParametricBoy,
-    vtkParametricCatalanMinimal,
-    vtkParametricConicSpiral,
-    vtkParametricCrossCap,
-    vtkParametricDini,
-    vtkParametricEllipsoid,
-    vtkParametricEnneper,
-    vtkParametricFigure8Klein,
-    vtkParametricHenneberg,
-    vtkParametricKlein,
-    vtkParametricKuen,
-    vtkParametricMobius,
-    vtkParametricPluckerConoid,
-    vtkParametricPseudosphere,
-    vtkParametricRoman,
-    vtkParametricSuperEllipsoid,
-    vtkParametricSuperToroid,
-    vtkParametricTorus,
-)
+from vtkmodules import vtkCommonComputationalGeometry
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkBox,
@@ -55,7 +34,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkTriangleFilter,
     vtkTubeFilter,
 )
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter, vtkWarpVector  # noqa: F401
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter, vtkRibbonFilter
 from vtkmodules.vtkFiltersSources import (
     vtkArrowSource,
@@ -72,6 +51,15 @@ from vtkmodules.vtkFiltersSources import (
 )
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
+
+from off_file import write_off
+
+
+# VTK's functions whose points do not come from a seed.
+PARAMETRIC = (
+    "BohemianDome Bour Boy CatalanMinimal ConicSpiral CrossCap Dini Ellipsoid Enneper Figure8Klein Henneberg Klein Kuen "
+    "Mobius PluckerConoid Pseudosphere Roman SuperEllipsoid SuperToroid Torus"
+).split()
 
 
 def made(source, **settings):
@@ -205,43 +193,25 @@ def sources():
             )
 
 
+def parametric_function(name):
+    """One of VTK's."""
+    return getattr(vtkCommonComputationalGeometry, f"vtkParametric{name}")()
+
+
 def parametric():
     """All of VTK's parametric functions, as they are, and flattened or drawn out."""
-    functions = (
-        vtkParametricBohemianDome,
-        vtkParametricBour,
-        vtkParametricBoy,
-        vtkParametricCatalanMinimal,
-        vtkParametricConicSpiral,
-        vtkParametricCrossCap,
-        vtkParametricDini,
-        vtkParametricEllipsoid,
-        vtkParametricEnneper,
-        vtkParametricFigure8Klein,
-        vtkParametricHenneberg,
-        vtkParametricKlein,
-        vtkParametricKuen,
-        vtkParametricMobius,
-        vtkParametricPluckerConoid,
-        vtkParametricPseudosphere,
-        vtkParametricRoman,
-        vtkParametricSuperEllipsoid,
-        vtkParametricSuperToroid,
-        vtkParametricTorus,
-    )
-    for function in functions:
-        name = function.__name__[len("vtkParametric") :].lower()
+    for name in PARAMETRIC:
         for resolution in (16, 60):
             mesh = made(
                 vtkParametricFunctionSource(),
-                ParametricFunction=function(),
+                ParametricFunction=parametric_function(name),
                 UResolution=resolution,
                 VResolution=resolution,
                 WResolution=resolution,
             )
-            yield f"parametric-{name}-{resolution}", mesh
-        yield f"parametric-{name}-flat", stretched(mesh, z=0.01)
-        yield f"parametric-{name}-long", stretched(mesh, x=200.0)
+            yield f"parametric-{name.lower()}-{resolution}", mesh
+        yield f"parametric-{name.lower()}-flat", stretched(mesh, z=0.01)
+        yield f"parametric-{name.lower()}-long", stretched(mesh, x=200.0)
 
 
 def tubes():
@@ -319,7 +289,7 @@ def placed():
     chance = random.Random(4)
     shapes = {
         "cylinder": made(vtkCylinderSource(), Height=5.0, Resolution=20),
-        "torus": made(vtkParametricFunctionSource(), ParametricFunction=vtkParametricTorus()),
+        "torus": made(vtkParametricFunctionSource(), ParametricFunction=parametric_function("Torus")),
         "superquadric": made(vtkSuperquadricSource(), PhiRoundness=0.1, ThetaRoundness=0.1),
         "box": made(vtkCubeSource(), XLength=1.0, YLength=2.0, ZLength=3.0),
     }
@@ -335,17 +305,10 @@ def placed():
 
 
 def write(mesh, file):
-    """As OFF, in full precision, polygons as they are."""
+    """As OFF, polygons as they are, strips as triangles."""
     if mesh.GetNumberOfStrips() > 0:
         mesh = filtered(vtkTriangleFilter(), mesh)
-    lines = [f"OFF\n{mesh.GetNumberOfPoints()} {mesh.GetNumberOfPolys()} 0"]
-    lines += ["{!r} {!r} {!r}".format(*mesh.GetPoint(p)) for p in range(mesh.GetNumberOfPoints())]
-    cells = mesh.GetPolys()
-    ends, corners = cells.GetOffsetsArray(), cells.GetConnectivityArray()
-    for c in range(cells.GetNumberOfCells()):
-        begin, end = int(ends.GetTuple1(c)), int(ends.GetTuple1(c + 1))
-        lines.append(" ".join(str(int(corners.GetTuple1(i))) for i in range(begin, end)).join((f"{end - begin} ", "")))
-    file.write_text("\n".join(lines) + "\n")
+    write_off(mesh, file)
 
 
 def main(words):

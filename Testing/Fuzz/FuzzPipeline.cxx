@@ -283,12 +283,13 @@ void choose(OptionValues& options, const Soup& soup, Bytes& bytes)
   const std::vector<Option>& table = optionTable();
   const Option& option = table[bytes.below(static_cast<int>(table.size()))];
   const double at = bytes.fraction();
+  if (option.name == "select_array" || option.name == "region_array")
+  {
+    options.set(option.name, std::string("Label"));
+    return;
+  }
   if (option.stage.empty() || option.name == "map_backend" || option.name == "points")
   {
-    if (option.name == "select_array" || option.name == "region_array")
-    {
-      options.set(option.name, std::string("Label"));
-    }
     return;
   }
   using Kind = Option::Kind;
@@ -306,10 +307,6 @@ void choose(OptionValues& options, const Soup& soup, Bytes& bytes)
     const double high = limit == most.end() ? option.high : std::min(option.high, limit->second);
     const double value = option.low + at * at * at * (high - option.low);
     options.set(option.name, option.kind == Kind::Integer ? std::round(value) : value);
-  }
-  else if (option.name == "region_array" || option.name == "select_array")
-  {
-    options.set(option.name, std::string("Label"));
   }
   else if (option.kind == Kind::Text)
   {
