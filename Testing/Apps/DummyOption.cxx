@@ -3,6 +3,7 @@
 // The program `stipple` with one more row in the table of options, a second gamma; and the table,
 // and what a window would save of a command line, as text.
 #include "CommandLine.h"
+#include "DummyRow.h"
 #include "Messages.h"
 #include "Program.h"
 #include "Run.h"
@@ -12,15 +13,7 @@ using namespace stipple;
 
 int main(int argc, char* argv[])
 {
-  Option dummy = *findOption("gamma");
-  dummy.group = Option::Group::Mesh;
-  dummy.name = "dummy_power";
-  dummy.argument = "P";
-  dummy.help = "what no one needs";
-  dummy.unit = "dummies";
-  dummy.high = 7.5;
-  dummy.initial = 1.25;
-  optionTable().push_back(dummy);
+  addDummyRow();
 
   const auto window = CollectingOutputWindow::install();
   const Program program("stipple");

@@ -25,14 +25,6 @@ namespace
 {
 constexpr const char* BlockIds = "BlockId";
 
-std::string nameIn(vtkInformation* metaData)
-{
-  const char* name = metaData && metaData->Has(vtkCompositeDataSet::NAME())
-    ? metaData->Get(vtkCompositeDataSet::NAME())
-    : nullptr;
-  return name ? name : "";
-}
-
 class Collector
 {
 public:
@@ -47,8 +39,8 @@ public:
     {
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
       {
-        const std::string name = nameIn(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr);
-        if (Status status = this->visit(blocks->GetBlock(i), below(path, i, name)); !status.ok())
+        if (Status status = this->visit(blocks->GetBlock(i), below(path, i, memberName(blocks, i)));
+            !status.ok())
         {
           return status;
         }
@@ -59,9 +51,8 @@ public:
     {
       for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
       {
-        const std::string name =
-          nameIn(collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr);
-        if (Status status = this->visit(collection->GetPartitionedDataSet(i), below(path, i, name));
+        if (Status status = this->visit(
+              collection->GetPartitionedDataSet(i), below(path, i, memberName(collection, i)));
             !status.ok())
         {
           return status;

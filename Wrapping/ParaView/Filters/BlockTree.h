@@ -6,6 +6,8 @@
 
 #include "Progress.h"
 
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -26,6 +28,16 @@ struct BlockPath
 
 /// The block as people know it: "wing", or "block 3" where it has no name.
 std::string nameOf(const BlockPath& path);
+
+/// The name of a member of a vtkMultiBlockDataSet or a vtkPartitionedDataSetCollection; empty if it
+/// has none.
+template <typename Tree>
+std::string memberName(Tree* tree, unsigned int index)
+{
+  const char* name =
+    tree->HasMetaData(index) ? tree->GetMetaData(index)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? name : "";
+}
 
 /// A part of a block: of one that is a vtkPartitionedDataSet there are several, and so there are
 /// with several ranks.

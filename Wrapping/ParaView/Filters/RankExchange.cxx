@@ -190,10 +190,7 @@ void RankExchange::share(vtkPartitionedDataSetCollection* collection) const
   std::vector<std::string> names;
   for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
   {
-    const char* name = collection->HasMetaData(i)
-      ? collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
-      : nullptr;
-    names.emplace_back(name ? name : "");
+    names.push_back(memberName(collection, i));
   }
   this->share(names);
   if (this->isRoot())

@@ -5,7 +5,6 @@
 #include "PointRows.h"
 #include "RankExchange.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -91,13 +90,8 @@ bool vtkPVControlMap::TakeInputs(vtkInformationVector** input)
     vtkErrorMacro(<< status.message());
     return false;
   }
-  vtkNew<vtkDoubleArray> strokes;
-  strokes->SetNumberOfComponents(5);
-  for (const std::array<double, 5>& row : values.rows<5>("strokes"))
-  {
-    strokes->InsertNextTypedTuple(row.data());
-  }
-  this->SetStrokes(strokes);
+  const stipple::Option& strokes = *stipple::findOption("strokes");
+  strokes.apply(this, strokes, values.at("strokes"));
   return true;
 }
 

@@ -29,19 +29,6 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The nodes' places and values, one behind the other.
-std::vector<double> nodesOf(vtkPiecewiseFunction* function)
-{
-  std::vector<double> nodes;
-  for (int i = 0; function && i < function->GetSize(); ++i)
-  {
-    double node[4];
-    function->GetNodeValue(i, node);
-    nodes.insert(nodes.end(), { node[0], node[1] });
-  }
-  return nodes;
-}
-
 /// What the input's blocks are kept in; null if they are not kept.
 const char* treeClassOf(vtkDataObject* input)
 {
@@ -58,10 +45,9 @@ void append(vtkPartitionedDataSetCollection* members, const std::string& block,
   {
     const unsigned int at = all->GetNumberOfPartitionedDataSets();
     all->SetPartitionedDataSet(at, members->GetPartitionedDataSet(i));
-    const char* name =
-      members->HasMetaData(i) ? members->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const std::string name = stipple::memberName(members, i);
     const std::string whole =
-      block.empty() ? (name ? name : "") : block + ": " + (name ? name : std::to_string(i));
+      block.empty() ? name : block + ": " + (name.empty() ? std::to_string(i) : name);
     if (!whole.empty())
     {
       all->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), whole.c_str());
@@ -198,7 +184,7 @@ struct vtkPVSurfaceAlgorithm::Internals
       }
     }
     stipple::OptionValues values = this->Values;
-    const std::vector<double> nodes = nodesOf(this->Transfer);
+    const std::vector<double> nodes = stipple::nodesOf(this->Transfer);
     if (!nodes.empty() && nodes != std::vector<double>{ 0, 0, 1, 1 })
     {
       values.setList("transfer", nodes);

@@ -87,12 +87,6 @@ std::string documentationOf(const Option& option)
   return text + ". (" + option.flag() + ")";
 }
 
-const char* groupOf(const Option& option)
-{
-  static const char* const groups[] = { "sampling", "features", "mesh", "files", "general" };
-  return groups[static_cast<int>(option.group)];
-}
-
 void addDomain(const Option& option, vtkXMLDataElement* place, vtkXMLDataElement* property)
 {
   using Kind = Option::Kind;
@@ -308,7 +302,7 @@ private:
     for (const Option& option : optionTable())
     {
       if (!isOffered(option) || this->Mentioned.count(option.name) > 0 ||
-        (attribute(place, "group") != groupOf(option) &&
+        (attribute(place, "group") != groupName(option.group) &&
           (option.stage.empty() || attribute(place, "class") != option.stage)))
       {
         continue;

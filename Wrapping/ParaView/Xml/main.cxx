@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // StippleServerManagerXml TEMPLATE OUTPUT: ParaView's description of the filters. For tests: with
 // --dummy behind, the table of options has one more row; --table alone prints it.
+#include "DummyRow.h"
 #include "OptionTable.h"
 #include "ServerManagerXml.h"
 
@@ -11,21 +12,6 @@
 
 #include <iostream>
 #include <string>
-
-namespace
-{
-void addDummy()
-{
-  stipple::Option dummy = *stipple::findOption("gamma");
-  dummy.group = stipple::Option::Group::Mesh;
-  dummy.name = "dummy_power";
-  dummy.help = "what no one needs";
-  dummy.unit = "dummies";
-  dummy.high = 7.5;
-  dummy.initial = 1.25;
-  stipple::optionTable().push_back(dummy);
-}
-}
 
 int main(int argc, char* argv[])
 {
@@ -37,7 +23,7 @@ int main(int argc, char* argv[])
   }
   if (argc == 4 && last == "--dummy")
   {
-    addDummy();
+    addDummyRow();
   }
   else if (argc != 3)
   {
