@@ -165,7 +165,40 @@ std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::ve
   return result;
 }
 
-int unfold(MeshEdit& edit)
+FailedEmbeddings::Group FailedEmbeddings::groupOf(
+  const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  Group group{ faces.size(), Vec3::Zero(), 0 };
+  for (const Face f : faces)
+  {
+    const auto t = mesh.corners(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      group.centre += mesh.position(t[k]);
+      group.edge += (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).norm();
+    }
+  }
+  const double corners = 3. * static_cast<double>(faces.size());
+  group.centre /= corners;
+  group.edge /= corners;
+  return group;
+}
+
+bool FailedEmbeddings::contains(const OptimizedMesh& mesh, const std::vector<Face>& faces) const
+{
+  const Group group = groupOf(mesh, faces);
+  return std::any_of(this->Groups.begin(), this->Groups.end(), [&](const Group& known) {
+    return known.size == group.size &&
+      (known.centre - group.centre).norm() < Tuning::SamePlace * std::min(known.edge, group.edge);
+  });
+}
+
+void FailedEmbeddings::add(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  this->Groups.push_back(groupOf(mesh, faces));
+}
+
+int unfold(MeshEdit& edit, FailedEmbeddings& failed)
 {
   const OptimizedMesh& mesh = edit.mesh();
   ElementArray<Face, char> isFolded(static_cast<std::size_t>(mesh.faces().size()));
@@ -183,7 +216,7 @@ int unfold(MeshEdit& edit)
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
     const std::vector<Face> changed = embedAbout(
-      edit, group, Tuning::RingsOfUnfolding,
+      edit, group, Tuning::RingsOfUnfolding, failed,
       [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;

@@ -121,6 +121,8 @@ struct Tuning
   /// vertices were drawn out of is lost (l_camelhead at 1,500 points: the mouth, 6 % of the
   /// diagonal deep).
   static constexpr double FarthestLeft = 0.5;
+  /// Of the mean edge: triangles that have moved less are where they were.
+  static constexpr double SamePlace = 0.1;
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
   static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air
