@@ -117,12 +117,16 @@ std::string plainObj(const std::string& content)
     const std::size_t end = std::min(content.find('\n', begin), content.size());
     isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 ||
       (isCell && begin >= 2 && content[begin - 2] == '\\'); // goes on
-    const std::size_t comment = isCell ? content.find('#', begin) : end;
-    for (std::size_t i = begin; i < std::min(comment, end); ++i)
+    const auto at = [&content](
+                      std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto last =
+      static_cast<std::size_t>(std::find(at(begin), at(end), '#') - content.begin()); // a comment
+                                                                                      // follows
+    for (std::size_t i = begin; isCell && i < last; ++i)
     {
-      const std::size_t next = std::min(content.find_first_not_of('/', i), end);
-      const bool endsWord = next == end || std::isspace(static_cast<unsigned char>(content[next]));
-      if (isCell && content[i] == '/' && endsWord)
+      const std::size_t next = content[i] == '/' ? content.find_first_not_of('/', i) : i;
+      if (next > i &&
+        (next >= last || std::isspace(static_cast<unsigned char>(content[next])) != 0))
       {
         i = next - 1;
       }
@@ -130,6 +134,10 @@ std::string plainObj(const std::string& content)
       {
         result += content[i];
       }
+    }
+    if (!isCell)
+    {
+      result.append(content, begin, end - begin);
     }
     result.append(content, end, 1);
     begin = end + 1;

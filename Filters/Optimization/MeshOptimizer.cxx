@@ -244,6 +244,21 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     finish(edit, options, overlaps);
     isNearlyDone = Tuning::VerticesPerLastChange * made <= mesh.vertices().size();
   }
+  // What swaps have left without an angle, at last with no rounds that swap any more.
+  for (int i = 0; i < Tuning::LastOpenings && maySimplify(options); ++i)
+  {
+    const int changes = mesh.numberOfChanges();
+    status = simplifyFeatures(mesh, options.featureTolerance, Tuning::NoAngle);
+    if (!status.ok() || mesh.numberOfChanges() == changes)
+    {
+      break;
+    }
+    repairTriangles(edit, Tuning::SmallAngle, true, true, Tuning::LastPassesOfRepair);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 }

@@ -83,6 +83,8 @@ struct SamplingConstants
   /// half left twice as many triangles under 30 degrees, and a quarter took so many points that
   /// other places had too few.
   static constexpr double FinestSize = 1. / 3.;
+  /// Finest sizes that are tried, that one first; further ones where it takes too many points.
+  static constexpr int MostGrowthSteps = 4;
   /// A size less than this part of the finest is not asked for: even triangles of the finest, base
   /// along the gap, would be under 30 degrees (height over base: sqrt(3) / 6). What is smaller is
   /// simplified away.

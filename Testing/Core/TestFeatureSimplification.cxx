@@ -3,6 +3,7 @@
 // Corners and creases that are closer together than triangles are large.
 #include "FeatureSimplification.h"
 #include "OptimizerMeshes.h"
+#include "VertexStar.h"
 
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 #include <set>
 
 using namespace stipple;
@@ -172,6 +174,46 @@ TEST(FeatureSimplification, KeepsWhatItShould)
   ASSERT_TRUE(simplifyFeatures(good->mesh, 1.).ok());
   EXPECT_TRUE(Snapshot(good->mesh) == regular) << "no triangle is poor";
   EXPECT_EQ(good->mesh.numberOfChanges(), 0);
+}
+
+// Vertices that lie on a side, or on another vertex: no move and no swap of a sound mesh opens
+// those triangles.
+TEST(FeatureSimplification, LeavesNoTriangleWithoutAnAngle)
+{
+  const auto flat = [](const OptimizedMesh& mesh) {
+    int count = 0;
+    for (const Face f : mesh.faces())
+    {
+      count += faceQuality(mesh, f) < Tuning::NoAngle ? 1 : 0;
+    }
+    return count;
+  };
+  std::mt19937 random(7);
+  const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+  int opened = 0;
+  for (int draw = 0; draw < 60; ++draw)
+  {
+    const auto t = meshes::patch(6);
+    OptimizedMesh& mesh = t->mesh;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int column = 1 + below(5);
+      const Vertex v(7 + column); // of the first row inside
+      ASSERT_TRUE(mesh.isFree(v));
+      const double x = (column + (below(3) - 1) * 0.5) / 6.;
+      t->edit.put(v, t->pointAt(x, i == 0 && draw % 2 == 0 ? 1. / 6. : 0.));
+    }
+    const int before = flat(mesh);
+    for (int look = 0; look < Tuning::LastOpenings && flat(mesh) > 0; ++look)
+    {
+      ASSERT_TRUE(simplifyFeatures(mesh, 1., Tuning::NoAngle).ok());
+    }
+    EXPECT_EQ(flat(mesh), 0) << "draw " << draw << " with " << before;
+    EXPECT_EQ(eulerOf(mesh), 1);
+    EXPECT_EQ(mesh.vertices().size(), 49);
+    opened += before;
+  }
+  EXPECT_GT(opened, 100);
 }
 
 TEST(FeatureSimplification, IsTheSameInAllScales)

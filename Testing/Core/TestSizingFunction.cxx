@@ -4,6 +4,7 @@
 #include "CurvatureSizes.h"
 #include "FeatureSizes.h"
 #include "GradedSizes.h"
+#include "SamplingConstants.h"
 #include "SizingFunction.h"
 #include "StraightWalk.h"
 #include "SyntheticControl.h"
@@ -39,7 +40,8 @@ struct Plate
   }
   std::vector<SizeSource> sizes(double spacing) const
   {
-    return featureSizes(*this->atlas, [=](const SurfacePlace&) { return spacing; });
+    return sizesFrom(featureSizes(*this->atlas, [=](const SurfacePlace&) { return spacing; }),
+      SamplingConstants::FinestSize);
   }
 };
 
@@ -286,6 +288,57 @@ TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)
   }
   const auto stop = [](double) { return false; };
   EXPECT_TRUE(applySizing(plate.atlas.get(), maps.images, options, stop, control, sizes).isAbort());
+}
+
+TEST(FeatureSizes, AreMetByEdgesOfTheFinestAndLonger)
+{
+  const std::vector<FeatureSize> features = { { Vec3(0, 0, 0), 1., 1. }, { Vec3(1, 0, 0), .5, 1. },
+    { Vec3(2, 0, 0), .3, 1. }, { Vec3(3, 0, 0), .1, 1. } };
+  const std::vector<SizeSource> fine = sizesFrom(features, 1. / 3.);
+  ASSERT_EQ(fine.size(), 3U);
+  EXPECT_EQ(fine[1].size, .5);
+  EXPECT_EQ(fine[2].size, 1. / 3.);
+  const std::vector<SizeSource> coarse = sizesFrom(features, .9);
+  ASSERT_EQ(coarse.size(), 2U);
+  EXPECT_EQ(coarse[0].size, 1.);
+  EXPECT_EQ(coarse[1].size, .9);
+}
+
+// Where all rims together take more points than the growth allows, they are met as far as they can.
+TEST(SizingFunction, GrowsAsFarAsPointsGo)
+{
+  const Plate plate;
+  const AtlasSurface& s = plate.atlas->surface();
+  for (const double growth : { 1.02, 1.05, 1.1, 1.2 })
+  {
+    ControlMaps maps(s, 64);
+    std::vector<float*> control;
+    for (std::vector<float>& c : maps.control)
+    {
+      control.push_back(c.data());
+    }
+    SizingOptions options;
+    options.numberOfSamples = 60;
+    options.growth = growth;
+    Sizes sizes;
+    ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
+    double mass = 0;
+    for (const ControlImage& image : maps.images)
+    {
+      mass += controlMass(image).total;
+    }
+    double largest = 0;
+    for (int c = 0; c < s.numberOfCharts(); ++c)
+    {
+      for (int i = 0; i < maps.images[c].numberOfPixels(); ++i)
+      {
+        const double density = options.numberOfSamples / mass * maps.images[c].density(i);
+        largest = std::max(largest, spacingOf(density));
+      }
+    }
+    EXPECT_LT(largest, 1.01 * growth * spacingOf(options.numberOfSamples / s.area())) << growth;
+    EXPECT_TRUE(sizes.hasGrown) << growth;
+  }
 }
 
 TEST(SizingFunction, LengthsSayHowMany)
