@@ -430,7 +430,8 @@ public:
     change.fixed = this->Fixed;
     change.chains = this->Now.chains();
     change.absorbed = std::move(this->Absorbed);
-    change.count = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
+    change.features = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
+    change.swaps = this->NumberOfSwaps;
     return change;
   }
 
@@ -798,7 +799,7 @@ private:
         return false;
       }
     }
-    ++this->NumberOfBends;
+    ++this->NumberOfSwaps;
     return true;
   }
 
@@ -839,7 +840,7 @@ private:
     this->Place[m] = place;
     this->IsFree[m] = 1;
     this->Now.split(p, q, m);
-    ++this->NumberOfBends;
+    ++this->NumberOfSwaps;
     return true;
   }
   /// Collapses an edge inside faces, of some that are looked at, after which the triangles there
@@ -971,6 +972,7 @@ private:
   std::vector<Vertex> Placed; // of those that were
   std::vector<Vertex> Fixed;
   int NumberOfBends = 0;
+  int NumberOfSwaps = 0; // and vertices that open triangles
 };
 }
 
@@ -1003,6 +1005,6 @@ Status simplifyFeatures(OptimizedMesh& mesh, double tolerance, double poorAngle)
     simplification.improve(face);
   }
   OptimizedMesh::Change change = simplification.finish();
-  return change.count == 0 ? Status::success() : mesh.rebuild(std::move(change));
+  return change.features + change.swaps == 0 ? Status::success() : mesh.rebuild(std::move(change));
 }
 }

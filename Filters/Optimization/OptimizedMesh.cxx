@@ -138,7 +138,8 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
 
 Status OptimizedMesh::rebuild(Change change)
 {
-  this->Changes += change.count;
+  this->Changes += change.features + change.swaps;
+  this->SimplifiedFeatures += change.features;
   for (const auto& [v, there] : change.freed)
   {
     this->Free[v] = Freedom::Surface;

@@ -31,7 +31,7 @@ STIPPLEFILTERSSAMPLING_EXPORT std::vector<FeatureSize> featureSizes(const Atlas&
   const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop = nullptr);
 
 /// Of these the ones that are met by edges of `finest` of the spacing and longer: what would not be
-/// meshed well by those is left out.
+/// meshed well by those (SamplingConstants::LeastSize) is left out.
 STIPPLEFILTERSSAMPLING_EXPORT std::vector<SizeSource> sizesFrom(
   const std::vector<FeatureSize>& features, double finest);
 }

@@ -32,8 +32,10 @@ class Sizing
 public:
   Sizing(const std::vector<ControlImage>& images, const SizingOptions& options);
 
+  /// Samples per unit of parameter area at least, by chart and pixel; empty: sizes do not grow.
+  using Least = std::vector<std::vector<float>>;
   /// Lets sizes grow from features, down to `finest` of the spacing. Nothing is done where none are
-  /// near one another, or it was stopped.
+  /// near one another.
   void grow(
     const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale);
   /// As they are at first.
@@ -42,25 +44,18 @@ public:
     return featureSizes(
       atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop);
   }
-  /// Samples per unit of parameter area at least, by chart and pixel, and the finest size that was
-  /// asked for over the spacing; empty: sizes do not grow.
-  struct Growth
-  {
-    std::vector<std::vector<float>> least;
-    double finest = Constants::FinestSize;
-  };
-  Growth takeGrowth() { return std::move(this->Grown); }
+  Least takeLeast() { return std::move(this->Grown); }
   /// To be fitted from a scale on.
-  void setGrowth(Growth growth, double scale)
+  void setLeast(Least least, double scale)
   {
-    this->Grown = std::move(growth);
+    this->Grown = std::move(least);
     this->Scale = scale;
   }
   /// The ratio of neighbouring edges.
   double growth() const { return this->Options.growth; }
   /// Finds the scale at which there are as many samples as asked for.
   Status fitScale();
-  bool hasGrown() const { return !this->Grown.least.empty(); }
+  bool hasGrown() const { return !this->Grown.empty(); }
   bool isBounded() const
   {
     return this->hasGrown() || this->Options.smallest > 0 || this->Options.largest > 0;
@@ -90,11 +85,11 @@ private:
   /// Samples per unit of parameter area where so many are wanted.
   double bounded(std::size_t chart, std::size_t pixel, double wanted) const
   {
-    const double most = 1. / (this->Grown.finest * this->Grown.finest);
+    constexpr double most = 1. / (Constants::FinestSize * Constants::FinestSize);
     const double area = std::max(0.f, this->Images[chart].areaDistortion[pixel]);
-    const double grown = this->Grown.least.empty()
+    const double grown = this->Grown.empty()
       ? wanted
-      : std::clamp<double>(this->Grown.least[chart][pixel], wanted, most * wanted);
+      : std::clamp<double>(this->Grown[chart][pixel], wanted, most * wanted);
     return std::clamp(grown, area * this->Lowest, area * this->Highest);
   }
 
@@ -103,7 +98,7 @@ private:
   double Lowest = 0; ///< bounds on samples per area
   double Highest = Unbounded;
   double Scale = 0; ///< samples for the control's unit
-  Growth Grown;
+  Least Grown;
 };
 
 Sizing::Sizing(const std::vector<ControlImage>& images, const SizingOptions& options)
@@ -141,19 +136,19 @@ void Sizing::grow(
   const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale)
 {
   const GradedSizes sizes(sizesFrom(features, finest), this->Options.growth - 1.);
-  this->setGrowth({ {}, finest }, scale);
+  this->setLeast({}, scale);
   if (sizes.empty())
   {
     return;
   }
-  this->Grown.least.resize(this->Images.size());
-  for (std::size_t c = 0; c < this->Grown.least.size(); ++c)
+  this->Grown.resize(this->Images.size());
+  for (std::size_t c = 0; c < this->Grown.size(); ++c)
   {
-    this->Grown.least[c].resize(this->Images[c].numberOfPixels());
+    this->Grown[c].resize(this->Images[c].numberOfPixels());
   }
   forEachPixelSize(
     atlas.surface(), this->Images, sizes, [&](std::size_t c, std::size_t i, double size) {
-      this->Grown.least[c][i] =
+      this->Grown[c][i] =
         static_cast<float>(densityOfEdges(size) * std::max(0.f, this->Images[c].areaDistortion[i]));
     });
 }
@@ -222,15 +217,15 @@ Status Sizing::fitScale()
   return Status::success();
 }
 
-/// As fine as can be had while edges elsewhere get longer by no more than the growth: places that
-/// would take the most points are given up first, by bisection of the finest size.
+/// As fine as can be had while edges elsewhere get longer by no more than the growth: the smallest
+/// features, which would take the most points, are given up first, by bisection of the finest size.
 void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
 {
   const std::vector<FeatureSize> features = sizing.features(atlas, stop);
   const double scale = sizing.scale();
   double tooFine = 0;
   double coarse = Constants::LargestSize;
-  Sizing::Growth best;
+  Sizing::Least best;
   for (int step = 0; step < Constants::MostGrowthSteps && !isAsked(stop); ++step)
   {
     const double finest = step == 0 ? Constants::FinestSize : std::sqrt(tooFine * coarse);
@@ -243,7 +238,7 @@ void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
       sizing.fitScale().ok() && std::sqrt(scale / sizing.scale()) <= sizing.growth();
     if (isMet && sizing.hasGrown())
     {
-      best = sizing.takeGrowth();
+      best = sizing.takeLeast();
     }
     if (isMet && step == 0)
     {
@@ -251,7 +246,7 @@ void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
     }
     (isMet ? coarse : tooFine) = finest;
   }
-  sizing.setGrowth(std::move(best), scale);
+  sizing.setLeast(std::move(best), scale);
 }
 }
 

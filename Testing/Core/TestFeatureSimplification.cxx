@@ -9,6 +9,7 @@
 #include "PolyDataConversion.h"
 
 #include "vtkCellArray.h"
+#include "vtkControlMap.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -101,6 +102,7 @@ struct Remeshed
   {
     this->remesher->SetInputData(input);
     this->remesher->SetNumberOfPoints(points);
+    this->remesher->GetControlMap()->SetGrowth(0.); // sizes that grow leave less to simplify
     this->remesher->GetOptimizer()->SetFeatureTolerance(tolerance);
     this->remesher->Update();
     this->mesh = fromPolyData(this->remesher->GetOutput());
@@ -118,7 +120,7 @@ TEST(FeatureSimplification, FreesWhatCrowdsACorner)
   const double worst = worstOf(mesh);
   EXPECT_LT(worst, 0.1);
   ASSERT_TRUE(simplifyFeatures(mesh, 1.).ok());
-  EXPECT_EQ(mesh.numberOfChanges(), 2);
+  EXPECT_EQ(mesh.numberOfSimplifiedFeatures(), 2);
   EXPECT_GT(worstOf(mesh), 2. * worst);
   EXPECT_EQ(mesh.vertices().size(), points);
   EXPECT_EQ(eulerOf(mesh), 1);
@@ -226,7 +228,7 @@ TEST(FeatureSimplification, IsTheSameInAllScales)
       t->edit.trySlide(Vertex(1), -0.45 * t->mesh.arcLength(Vertex(1)), []() { return true; });
     }
     EXPECT_TRUE(simplifyFeatures(t->mesh, 1.).ok());
-    EXPECT_EQ(t->mesh.numberOfChanges(), 1);
+    EXPECT_EQ(t->mesh.numberOfSimplifiedFeatures(), 1);
     return t->mesh.triangles();
   };
   const auto unit = scaled(1.);
