@@ -115,6 +115,13 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines, const Color& color, doub
   return actor;
 }
 
+vtkSmartPointer<vtkActor> wireActor(vtkPolyData* surface)
+{
+  vtkSmartPointer<vtkActor> actor = lineActor(surface, Edge, 1);
+  actor->GetProperty()->SetRepresentationToWireframe();
+  return actor;
+}
+
 double meanEdge(vtkPolyData* mesh)
 {
   const TriangleSurface surface = fromPolyData(mesh);
@@ -133,9 +140,18 @@ void addLights(vtkRenderer* renderer)
 
 void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin)
 {
-  Vec3 from(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
-  from.normalize();
-  const Vec3 right = Vec3::UnitY().cross(from).normalized();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
+  camera->SetViewUp(0, 1, 0);
+  fitCamera(renderer, surface, aspect, margin);
+}
+
+void fitCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Vec3 from = -Vec3(camera->GetDirectionOfProjection());
+  const Vec3 right = Vec3(camera->GetViewUp()).cross(from).normalized();
   const Vec3 up = from.cross(right);
   const TriangleSurface triangles = fromPolyData(surface);
   Eigen::Matrix3d axes;
@@ -166,7 +182,6 @@ void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, doubl
   }
   const Vec3 focus = axes * center;
   const Vec3 position = focus + (distance > 0 ? distance : 1.) * from;
-  vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(focus.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(up.data());

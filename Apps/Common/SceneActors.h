@@ -52,6 +52,9 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale);
 [[nodiscard]] vtkSmartPointer<vtkActor> lineActor(
   vtkPolyData* lines, const Color& color, double width);
 
+/// The edges of a surface's triangles and nothing else, unlit.
+[[nodiscard]] vtkSmartPointer<vtkActor> wireActor(vtkPolyData* surface);
+
 /// The edge length of equilateral triangles as large as the mesh's mean triangle.
 [[nodiscard]] double meanEdge(vtkPolyData* mesh);
 
@@ -61,6 +64,9 @@ void addLights(vtkRenderer* renderer);
 /// Looks from ViewFrom, closer than ResetCamera(): the surface just fits a window of this aspect
 /// (width over height) with a margin, a fraction of the height.
 void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin);
+
+/// As aimCamera(), from where the camera looks now.
+void fitCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin);
 }
 
 #endif

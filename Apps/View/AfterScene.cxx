@@ -26,6 +26,8 @@ AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
   addPlainLight(this->Mesh);
   this->Mesh->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Mesh);
+  this->Wires = wireActor(none);
+  renderer->AddActor(this->Wires);
   for (int type = 0; type < 3; ++type)
   {
     this->Lines[type] =
@@ -38,7 +40,10 @@ AfterScene::~AfterScene() = default;
 
 void AfterScene::setMesh(vtkPolyData* mesh, vtkPolyData* lines)
 {
-  static_cast<vtkPolyDataMapper*>(this->Mesh->GetMapper())->SetInputData(bareSurface(mesh));
+  for (vtkActor* actor : { this->Mesh.Get(), this->Wires.Get() })
+  {
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(bareSurface(mesh));
+  }
   this->MeshEdge = meanEdge(mesh);
   for (int type = 0; type < 3; ++type)
   {
@@ -70,6 +75,9 @@ void AfterScene::showRightActors()
     this->Lines[type]->SetVisibility(on && lines && lines->GetNumberOfLines() > 0);
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
+  this->Mesh->SetVisibility(!this->View.wireframe);
+  this->Wires->SetVisibility(this->View.wireframe);
+  this->Wires->GetProperty()->SetLineWidth(this->LineWidth);
   setEdgeLook(this->Mesh->GetProperty(), this->MeshEdge * this->Zoom, this->LineWidth);
 }
 }

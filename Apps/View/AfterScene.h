@@ -36,6 +36,7 @@ private:
   double Zoom = 0;
   double MeshEdge = 0;
   vtkSmartPointer<vtkActor> Mesh;
+  vtkSmartPointer<vtkActor> Wires;    ///< the mesh's edges alone
   vtkSmartPointer<vtkActor> Lines[3]; ///< sharp, boundary, seam
 };
 }

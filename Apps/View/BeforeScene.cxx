@@ -99,6 +99,8 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   addPlainLight(this->Surface);
   this->Surface->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Surface);
+  this->Wires = wireActor(bareSurface(input));
+  renderer->AddActor(this->Wires);
   for (int type = 0; type < 3; ++type)
   {
     vtkNew<vtkPolyData> none;
@@ -240,8 +242,11 @@ void BeforeScene::setView(const ViewState& view, float lineWidth)
 
 void BeforeScene::showRightActors()
 {
-  const bool charts = this->View.display != Display::Input && !this->Charts.empty();
-  this->Surface->SetVisibility(!charts);
+  const bool wires = this->View.wireframe;
+  const bool charts = !wires && this->View.display != Display::Input && !this->Charts.empty();
+  this->Surface->SetVisibility(!charts && !wires);
+  this->Wires->SetVisibility(wires);
+  this->Wires->GetProperty()->SetLineWidth(this->LineWidth);
   const bool samples = this->View.display == Display::Samples;
   for (const Chart& chart : this->Charts)
   {

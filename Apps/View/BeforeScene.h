@@ -64,6 +64,7 @@ private:
   vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
   vtkSmartPointer<vtkActor> Surface;
+  vtkSmartPointer<vtkActor> Wires;              ///< the input's edges alone
   std::vector<vtkSmartPointer<vtkActor>> Lines; ///< sharp, boundary, seam
   vtkSmartPointer<vtkActor> Points;             ///< constraints
   vtkSmartPointer<vtkActor> Edges;              ///< tagged

@@ -9,8 +9,8 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
   static const std::vector<std::pair<std::string, std::string>> lines = { { "Camera", "" },
     { "left button", "turn, both views together" }, { "middle button, Shift", "move" },
     { "right button, wheel", "zoom" }, { "r", "fit the model into the view" },
-    { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface" }, { "Edit", "" },
-    { "n", "type the number of points; Return takes it" },
+    { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface, in both views" },
+    { "Edit", "" }, { "n", "type the number of points; Return takes it" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
@@ -18,7 +18,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "Show", "" }, { "d", "next of samples, input, charts, density" },
     { "l, m", "feature lines, seams" }, { "Files", "" }, { "Ctrl+S", "save the mesh" },
     { "Ctrl+P", "save a picture of the window" }, { "Ctrl+J", "save the session" },
-    { "q, e", "quit" }, { "h", "this page" } };
+    { "q, e, Ctrl+Q", "quit; asks first if paint or picks are not saved" }, { "h", "this page" } };
   return lines;
 }
 

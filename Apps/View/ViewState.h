@@ -32,6 +32,7 @@ struct ViewState
   bool seams = false;
   double brushRadius = 5;   ///< percent of the bounding box's diagonal
   double brushStrength = 1; ///< importance that a dab adds; -1 to 0: share that it takes away
+  bool wireframe = false;   ///< only edges, in both views
   bool help = false;
 };
 }

@@ -77,6 +77,7 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   , Diagonal(input->GetLength())
   , Solid(isSolid(input))
   , Now(session)
+  , Saved(session)
   , Files(files)
   , Window(width, height)
   , BeforeSide(this->Window.renderer(ViewerWindow::Before), input, this->Solid)
@@ -138,6 +139,9 @@ void Viewer::connect()
   observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->Window.renew();
   });
+  // The close button of the window.
+  observe(vtkCommand::ExitEvent,
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->askToQuit(); });
   this->Window.addPainter(
     ViewerWindow::Before, [this](Canvas& canvas) { this->paintView(canvas, true); });
   this->Window.addPainter(
@@ -152,7 +156,11 @@ void Viewer::connect()
   this->Window.addPainter(
     ViewerWindow::Status, [this](Canvas& canvas) { this->paintStatus(canvas); });
   this->Window.addPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
-    if (this->View.help)
+    if (this->Asked)
+    {
+      this->Asked->paint(canvas, this->Window.layout().window);
+    }
+    else if (this->View.help)
     {
       paintHelp(canvas, this->Window.layout().window);
     }
@@ -182,6 +190,15 @@ void Viewer::resetCamera()
 {
   const Rect& view = this->Window.layout().before;
   aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
+    40 * this->Window.layout().scale / view.h);
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+}
+
+void Viewer::fitCamera()
+{
+  const Rect& view = this->Window.layout().before;
+  stipple::fitCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
     40 * this->Window.layout().scale / view.h);
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);

@@ -16,6 +16,7 @@
 #include "FiguresView.h"
 #include "History.h"
 #include "MeshWorker.h"
+#include "Page.h"
 #include "Panel.h"
 #include "Preview.h"
 #include "SurfacePicker.h"
@@ -72,6 +73,10 @@ public:
   void hideTimes() { this->TimesHidden = true; }
   /// Looks at the model as at the beginning.
   void resetCamera();
+  /// From where it looks, the whole model.
+  void fitCamera();
+  /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
+  void askToQuit();
 
   // Commands
   void edit(const std::function<void(Session&)>& change, bool rests) override;
@@ -88,6 +93,7 @@ public:
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   void hover(const Pointer& pointer) override;
+  void wheel(const Pointer& pointer, int notches) override;
   bool key(const KeyStroke& stroke) override;
 
 private:
@@ -103,6 +109,15 @@ private:
   void updatePreview();
   void startMeshing();
   void say(const std::string& sentence, bool alarm = false);
+
+  /// Says whether it could be written.
+  bool writeSessionFile();
+
+  // Pages over the window
+  void show(std::shared_ptr<Page> page);
+  void closePage();
+  [[nodiscard]] bool hasUnsavedWork() const;
+  void quit();
 
   // The window
   void connect();
@@ -130,6 +145,7 @@ private:
   double Diagonal;
   bool Solid;
   Session Now;
+  Session Saved;    ///< as it was opened, or written last
   Session EditBase; ///< before the edit that goes on
   bool Editing = false;
   History Edits;
@@ -147,6 +163,7 @@ private:
   CurveEditor Curve;
   FiguresView Figures;
   Painted ShownStrip;
+  std::shared_ptr<Page> Asked; ///< what is over the window; null mostly
   Control* Captured = nullptr;
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();

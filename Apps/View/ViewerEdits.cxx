@@ -149,6 +149,11 @@ void Viewer::savePicture()
 
 void Viewer::saveSession()
 {
+  (void)this->writeSessionFile();
+}
+
+bool Viewer::writeSessionFile()
+{
   Status status = OutputFiles::check(this->Files.session);
   OutputFiles files;
   if (status.ok())
@@ -159,7 +164,12 @@ void Viewer::saveSession()
   {
     status = files.commit();
   }
+  if (status.ok())
+  {
+    this->Saved = this->Now;
+  }
   this->say(
     status.ok() ? "Wrote " + fileName(this->Files.session) + "." : status.message(), !status.ok());
+  return status.ok();
 }
 }

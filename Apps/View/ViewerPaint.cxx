@@ -53,7 +53,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
   if (before)
   {
     const char* titles[] = { "samples", "input", "charts", "density" };
-    const bool ready = this->Sampling.hasAtlas();
+    const bool ready = this->Sampling.hasAtlas() && !this->View.wireframe;
     title = ready ? titles[static_cast<int>(this->View.display)] : "input";
     detail = !ready || this->View.display == Display::Input
       ? countOf(this->Input->GetNumberOfPoints(), "points, ") +

@@ -3,9 +3,12 @@
 // The pointer and the keys.
 #include "Viewer.h"
 
+#include "CameraMoves.h"
+
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -13,6 +16,8 @@ namespace
 {
 /// A constraint this near to the pointer is taken away, not doubled; of the diagonal.
 constexpr double NearPoint = 0.012;
+/// A notch of the wheel makes everything larger by this.
+constexpr double WheelZoom = 1.2;
 /// Dabs of a drag are so far apart, in radii.
 constexpr double DabDistance = 0.35;
 }
@@ -52,6 +57,12 @@ void Viewer::setFocus(Control* control)
 
 bool Viewer::press(const Pointer& pointer)
 {
+  if (const std::shared_ptr<Page> page = this->Asked)
+  {
+    page->press(pointer);
+    this->Window.touch(ViewerWindow::Overlay);
+    return true;
+  }
   if (this->View.help)
   {
     this->changeView([](ViewState& v) { v.help = false; });
@@ -108,8 +119,38 @@ void Viewer::release(const Pointer& pointer)
   }
 }
 
+void Viewer::wheel(const Pointer& pointer, int notches)
+{
+  if (this->Asked)
+  {
+    this->Asked->wheel(notches);
+    this->Window.touch(ViewerWindow::Overlay);
+    return;
+  }
+  const Layout& layout = this->Window.layout();
+  const bool before = layout.before.has(pointer.x, pointer.y);
+  if (this->View.help || (!before && !layout.after.has(pointer.x, pointer.y)))
+  {
+    return;
+  }
+  PickedPlace place;
+  vtkRenderer* renderer =
+    this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After);
+  const Vec3 center =
+    this->pick(pointer, place) ? place.position : focalPlaneAt(renderer, pointer.x, pointer.y);
+  zoomAbout(renderer->GetActiveCamera(), center, std::pow(WheelZoom, notches));
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+}
+
 void Viewer::hover(const Pointer& pointer)
 {
+  if (this->Asked)
+  {
+    this->Asked->hover(pointer);
+    this->Window.touch(ViewerWindow::Overlay);
+    return;
+  }
   Control* control = this->controlAt(pointer);
   if (this->Under && this->Under != control && this->Under->hover(false, pointer))
   {
@@ -228,116 +269,5 @@ void Viewer::tagEdges(const PickedPlace& place, bool path)
       s.setRows("feature_edges", tags);
     },
     true);
-}
-
-bool Viewer::key(const KeyStroke& stroke)
-{
-  if (this->Focus)
-  {
-    const bool taken = this->Focus->key(stroke);
-    this->Window.touch(ViewerWindow::PanelPart);
-    if (!this->Controls.points().hasFocus())
-    {
-      this->Focus = nullptr;
-    }
-    if (taken)
-    {
-      return true;
-    }
-  }
-  if (stroke.control)
-  {
-    return this->commandKey(stroke);
-  }
-  const auto setTool = [this](Tool tool) {
-    this->changeView([tool](ViewState& v) { v.tool = tool; });
-    return true;
-  };
-  const std::string& key = stroke.symbol;
-  if (key == "v" || key == "b" || key == "k" || key == "x")
-  {
-    return setTool(key == "v" ? Tool::Camera
-        : key == "b"          ? Tool::Brush
-        : key == "k"          ? Tool::Point
-                              : Tool::Edge);
-  }
-  if (key == "h")
-  {
-    this->changeView([](ViewState& v) { v.help = !v.help; });
-  }
-  else if (key == "d")
-  {
-    this->changeView([](ViewState& v) {
-      v.display = static_cast<Display>((static_cast<int>(v.display) + 1) % 4);
-    });
-  }
-  else if (key == "l")
-  {
-    this->changeView([](ViewState& v) { v.features = !v.features; });
-  }
-  else if (key == "m")
-  {
-    this->changeView([](ViewState& v) { v.seams = !v.seams; });
-  }
-  else if (key == "n")
-  {
-    this->Controls.points().focus();
-    this->setFocus(&this->Controls.points());
-    this->Window.touch(ViewerWindow::PanelPart);
-  }
-  else if (key == "Return" || key == "KP_Enter")
-  {
-    this->MeshWanted = true;
-    this->MeshAt = Clock::now();
-  }
-  else if (key == "Escape")
-  {
-    if (this->View.help)
-    {
-      this->changeView([](ViewState& v) { v.help = false; });
-    }
-    else if (this->Worker.busy() || this->MeshWanted)
-    {
-      this->Worker.cancel();
-      this->MeshWanted = false;
-      this->SaveWhenDone = false;
-      this->Window.touch(ViewerWindow::After);
-      this->say("Stopped. Return makes the mesh.");
-    }
-  }
-  else
-  {
-    return false;
-  }
-  return true;
-}
-
-bool Viewer::commandKey(const KeyStroke& stroke)
-{
-  if (stroke.symbol == "z" || stroke.symbol == "Z")
-  {
-    stroke.shift ? this->redo() : this->undo();
-  }
-  else if (stroke.symbol == "y")
-  {
-    this->redo();
-  }
-  else if (stroke.symbol == "s")
-  {
-    this->saveMesh();
-  }
-  else if (stroke.symbol == "p")
-  {
-    this->savePicture();
-  }
-  else if (stroke.symbol == "j")
-  {
-    this->saveSession();
-  }
-  else
-  {
-    return false;
-  }
-  return true;
 }
 }

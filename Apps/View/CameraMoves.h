@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How the camera of both views moves.
+#ifndef stipple_CameraMoves_h
+#define stipple_CameraMoves_h
+
+#include "Geometry.h"
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace stipple
+{
+/// The point under a window's pixel in the plane that the camera looks at.
+[[nodiscard]] Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y);
+
+/// Makes everything larger by a factor; the center stays where it is on the screen.
+void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);
+}
+
+#endif
