@@ -75,6 +75,21 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale)
   property->SetLineWidth(static_cast<float>(pixels > 8. ? scale : 0.5 * scale));
 }
 
+void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
+{
+  constexpr double Shortest = 2.;
+  if (pixels < Shortest)
+  {
+    property->EdgeVisibilityOff();
+    return;
+  }
+  const double strength = std::clamp((pixels - Shortest) / 6., 0.1, 0.85);
+  property->EdgeVisibilityOn();
+  property->SetEdgeColor(Clay[0] + strength * (Edge[0] - Clay[0]),
+    Clay[1] + strength * (Edge[1] - Clay[1]), Clay[2] + strength * (Edge[2] - Clay[2]));
+  property->SetLineWidth(static_cast<float>(scale * std::clamp((pixels - 4.) / 14., 0.15, 1.)));
+}
+
 vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -135,6 +150,15 @@ void addLights(vtkRenderer* renderer)
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightIntensity(0.85);
   lights->SetKeyLightWarmth(0.53);
+  lights->AddLightsToRenderer(renderer);
+}
+
+void addInspectionLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.63);
+  lights->SetKeyLightWarmth(0.53);
+  lights->SetKeyToHeadRatio(1.0);
   lights->AddLightsToRenderer(renderer);
 }
 

@@ -45,6 +45,10 @@ void setSurfaceLook(vtkProperty* property);
 /// `scale` pixels, or half of that for short edges.
 void setEdgeLook(vtkProperty* property, double pixels, double scale);
 
+/// The same for a window that is looked at closely: dark, and so thin that what lies between short
+/// edges stays light.
+void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale);
+
 /// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
 
@@ -60,6 +64,9 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale);
 
 /// Soft light from above the viewer's shoulder.
 void addLights(vtkRenderer* renderer);
+
+/// The same with more of it from the viewer: what faces the floor stays light enough for lines.
+void addInspectionLights(vtkRenderer* renderer);
 
 /// Looks from ViewFrom, closer than ResetCamera(): the surface just fits a window of this aspect
 /// (width over height) with a margin, a fraction of the height.

@@ -78,6 +78,6 @@ void AfterScene::showRightActors()
   this->Mesh->SetVisibility(!this->View.wireframe);
   this->Wires->SetVisibility(this->View.wireframe);
   this->Wires->GetProperty()->SetLineWidth(this->LineWidth);
-  setEdgeLook(this->Mesh->GetProperty(), this->MeshEdge * this->Zoom, this->LineWidth);
+  setInspectionEdgeLook(this->Mesh->GetProperty(), this->MeshEdge * this->Zoom, this->LineWidth);
 }
 }

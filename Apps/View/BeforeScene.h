@@ -34,8 +34,8 @@ public:
   void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
     vtkPartitionedDataSetCollection* controls);
   void setView(const ViewState& view, float lineWidth);
-  /// Constraints, tagged edges.
-  void setMarks(const Session& session);
+  /// Constraints, tagged edges. Whether they are others than before.
+  bool setMarks(const Session& session);
   /// The brush's outline on the surface; no radius: none.
   void setBrush(const Vec3& position, const Vec3& normal, double radius);
   /// Edges are drawn as far as they can be told apart; pixels per unit of length.
@@ -69,6 +69,7 @@ private:
   vtkSmartPointer<vtkActor> Points;             ///< constraints
   vtkSmartPointer<vtkActor> Edges;              ///< tagged
   vtkSmartPointer<vtkActor> Brush;
+  std::vector<double> Marks; ///< that are shown, as the session has them
 };
 }
 

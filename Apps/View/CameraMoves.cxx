@@ -27,6 +27,15 @@ Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y)
   return focus + half * (dx * right + dy * up);
 }
 
+std::array<double, 9> placeOf(vtkCamera* camera)
+{
+  std::array<double, 9> place;
+  camera->GetPosition(place.data());
+  camera->GetFocalPoint(place.data() + 3);
+  camera->GetViewUp(place.data() + 6);
+  return place;
+}
+
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor)
 {
   const Vec3 position = center + (Vec3(camera->GetPosition()) - center) / factor;

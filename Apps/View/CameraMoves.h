@@ -6,6 +6,8 @@
 
 #include "Geometry.h"
 
+#include <array>
+
 class vtkCamera;
 class vtkRenderer;
 
@@ -13,6 +15,9 @@ namespace stipple
 {
 /// The point under a window's pixel in the plane that the camera looks at.
 [[nodiscard]] Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y);
+
+/// Where it stands, what it looks at, what is up.
+[[nodiscard]] std::array<double, 9> placeOf(vtkCamera* camera);
 
 /// Makes everything larger by a factor; the center stays where it is on the screen.
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);

@@ -202,7 +202,9 @@ void MeshWorker::publishAtlas()
   auto result = std::make_unique<AtlasResult>();
   result->charts = copyOf<vtkPartitionedDataSetCollection>(charts);
   result->graph = copyOf<vtkPolyData>(this->Remesher->GetAtlas()->GetOutputDataObject(1));
-  result->maps = copyOf<vtkPartitionedDataSetCollection>(maps);
+  result->sampling.charts = copyOf<vtkPartitionedDataSetCollection>(charts);
+  result->sampling.graph = copyOf<vtkPolyData>(result->graph);
+  result->sampling.maps = copyOf<vtkPartitionedDataSetCollection>(maps);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Atlas = std::move(result);
 }

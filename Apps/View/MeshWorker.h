@@ -26,11 +26,19 @@ class vtkPolyData;
 namespace stipple
 {
 /// What the preview works on: does not depend on where samples are wanted.
-struct AtlasResult
+struct SamplingInput
 {
   vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
   vtkSmartPointer<vtkPolyData> graph;
   vtkSmartPointer<vtkPartitionedDataSetCollection> maps;
+};
+
+struct AtlasResult
+{
+  // To be shown:
+  vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
+  vtkSmartPointer<vtkPolyData> graph;
+  SamplingInput sampling; ///< for another thread: shares nothing with the others
 };
 
 struct MeshResult
@@ -62,6 +70,8 @@ public:
   [[nodiscard]] bool busy() const { return this->Busy; }
   /// Nothing runs, and all that was done has been taken: not the same, as work may end at any time.
   [[nodiscard]] bool idle();
+  /// What runs has no maps yet.
+  [[nodiscard]] bool makesCharts() const { return this->Busy && !this->MapsDone; }
   [[nodiscard]] double progress() const { return this->Fraction; }
 
   /// What is done since it was asked last; null if nothing.
@@ -84,7 +94,6 @@ private:
 
   vtkSmartPointer<vtkGeometryRemesher> Remesher; ///< the thread's
   unsigned long PublishedTime = 0;               ///< the thread's
-  bool MapsDone = false;                         ///< the thread's, of what runs
   Session Current;                               ///< written under the mutex
   std::mutex Mutex;
   std::condition_variable Wake;
@@ -95,6 +104,7 @@ private:
   bool Quit = false;
   std::atomic<int> StopAsked{ GoOn };
   std::atomic<bool> Busy{ false };
+  std::atomic<bool> MapsDone{ false }; ///< of what runs
   std::atomic<double> Fraction{ 0. };
   std::thread Thread; ///< last: begins when the rest is there
 };

@@ -12,6 +12,11 @@ namespace stipple
 {
 namespace
 {
+// Pixels at scale 1.
+constexpr float HeaderHeight = 54; ///< above the first row
+constexpr float HeadRule = 38;     ///< of the line below the name
+constexpr float BottomPad = 8;
+constexpr float ScrollStep = 60;     ///< a notch of the wheel
 constexpr int ArrayWord = 7;         // of the importances
 constexpr double SliderPoints = 5e4; // most that the slider gives; more can be typed
 
@@ -218,9 +223,38 @@ void Panel::addCommands(Commands& commands)
 void Panel::setBox(const Rect& box, float scale)
 {
   this->Box = box;
+  this->Scale = scale;
+  float height = 0;
+  for (const Row& row : this->Rows)
+  {
+    height += (row.height + row.space) * scale;
+  }
+  this->Hidden = std::max(0.F, height - (box.h - (HeaderHeight + BottomPad) * scale));
+  this->place();
+}
+
+bool Panel::scroll(int notches)
+{
+  const float before = this->Scrolled;
+  this->Scrolled -= static_cast<float>(notches) * ScrollStep * this->Scale;
+  this->place();
+  return this->Scrolled != before;
+}
+
+bool Panel::isSeen(const Rect& box) const
+{
+  // A half seen control would lie over the panel's head.
+  return box.top() <= this->Box.top() - HeadRule * this->Scale && box.y >= this->Box.y;
+}
+
+void Panel::place()
+{
+  const Rect& box = this->Box;
+  const float scale = this->Scale;
+  this->Scrolled = std::clamp(this->Scrolled, 0.F, this->Hidden);
   this->Headings.clear();
   const Rect inner = { box.x + 14 * scale, box.y, box.w - 28 * scale, box.h };
-  float y = box.top() - 54 * scale;
+  float y = box.top() - HeaderHeight * scale + this->Scrolled;
   for (const Row& row : this->Rows)
   {
     y -= row.height * scale;
@@ -295,11 +329,19 @@ void Panel::paint(Canvas& canvas, bool upper)
     canvas.text(left, y, "stipple", { 16, shades::Accent, Align::Left, true });
     const TextLook quiet{ 12, shades::Quiet, Align::Right };
     canvas.text(right, y, canvas.fitted(this->Model, this->Box.w - 110 * s, quiet), quiet);
-    canvas.rule(left, this->Box.top() - 38 * s, right, this->Box.top() - 38 * s, shades::Line);
+    const float rule = this->Box.top() - HeadRule * s;
+    canvas.rule(left, rule, right, rule, shades::Line);
+    if (this->Hidden > 0)
+    {
+      const float seen = rule - this->Box.y;
+      const float length = seen * seen / (seen + this->Hidden);
+      const float top = rule - this->Scrolled / this->Hidden * (seen - length);
+      canvas.fill({ this->Box.right() - 5 * s, top - length, 3 * s, length }, shades::Faint);
+    }
   }
   for (const auto& heading : this->Headings)
   {
-    if (canvas.empty() && (heading.first.y > middle) == upper)
+    if (canvas.empty() && (heading.first.y > middle) == upper && this->isSeen(heading.first))
     {
       canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
         { 11, shades::Quiet, Align::Left, true });
@@ -307,7 +349,7 @@ void Panel::paint(Canvas& canvas, bool upper)
   }
   for (const auto& control : this->Owned)
   {
-    if ((control->box().y > middle) == upper)
+    if ((control->box().y > middle) == upper && this->isSeen(control->box()))
     {
       this->Shown.update(
         canvas, control->box().inset(-1), [&control](Canvas& c) { control->paint(c); });
@@ -320,7 +362,10 @@ std::vector<Control*> Panel::controls()
   std::vector<Control*> list;
   for (const auto& control : this->Owned)
   {
-    list.push_back(control.get());
+    if (this->isSeen(control->box()))
+    {
+      list.push_back(control.get());
+    }
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include "ViewOptions.h"
 
 #include "HelpText.h"
+#include "Layout.h"
 #include "MeshFile.h"
 #include "TextNumbers.h"
 
@@ -27,7 +28,8 @@ std::vector<Option> viewOptions()
     option(Kind::File, "picture", "FILE.png", "where \"picture\" writes (default: MODEL-view.png)"),
     option(Kind::File, "save_session", "FILE.json",
       "where \"session\" writes (default: MODEL-session.json)"),
-    option(Kind::Text, "size", "WxH", "size of the window in pixels (default: 1280x800)"),
+    option(Kind::Text, "size", "WxH",
+      "size of the window in pixels (default: 1280x800, or as much as fits the screen)"),
     option(Kind::File, "record", "FILE", "write what is done in the window, to be played again"),
     option(Kind::File, "play", "FILE", "do what was recorded, wait for the mesh, and end"),
     option(Kind::File, "shot", "FILE.png",
@@ -43,13 +45,17 @@ std::vector<Option> viewOptions()
 Arguments parseViewOptions(const std::vector<std::string>& arguments)
 {
   Arguments line = parseArguments(arguments, viewOptions(), "stipple-view FILE [options]");
-  const std::string size = line.options.has("size") ? line.options.text("size") : "1280x800";
+  if (!line.options.has("size"))
+  {
+    return line;
+  }
+  const std::string size = line.options.text("size");
   const std::size_t cross = size.find('x');
   int width = 0;
   int height = 0;
   if (line.problem.empty() &&
-    (cross == std::string::npos || !parseInteger(size.substr(0, cross), 640, 16384, width) ||
-      !parseInteger(size.substr(cross + 1), 480, 16384, height)))
+    (cross == std::string::npos || !parseInteger(size.substr(0, cross), LeastWidth, 16384, width) ||
+      !parseInteger(size.substr(cross + 1), LeastHeight, 16384, height)))
   {
     line.problem = "--size needs WxH, at least 640x480, not '" + size + "'";
   }

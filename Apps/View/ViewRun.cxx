@@ -18,6 +18,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkVersion.h"
 
+#include <array>
 #include <filesystem>
 
 namespace stipple
@@ -142,9 +143,13 @@ Status runViewer(const Arguments& line)
   {
     return status;
   }
-  const std::vector<double>& size = o.list("size");
-  Viewer viewer(input, image, session, filesOf(o, session), static_cast<int>(size[0]),
-    static_cast<int>(size[1]));
+  std::array<int, 2> size = defaultWindowSize();
+  if (o.has("size"))
+  {
+    const std::vector<double>& wanted = o.list("size");
+    size = { { static_cast<int>(wanted[0]), static_cast<int>(wanted[1]) } };
+  }
+  Viewer viewer(input, image, session, filesOf(o, session), size[0], size[1]);
   return useWindow(line, viewer);
 }
 

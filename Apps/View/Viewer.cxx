@@ -3,6 +3,8 @@
 // The viewer's life: opening, the loop, preview and mesh.
 #include "Viewer.h"
 
+#include "CameraMoves.h"
+#include "Display.h"
 #include "HelpText.h"
 #include "OutputFiles.h"
 #include "PolyDataConversion.h"
@@ -36,6 +38,8 @@ constexpr int CurveBars = 48;
 constexpr std::chrono::milliseconds RestTime(300);
 /// The control map and the curve are drawn this often while a slider moves.
 constexpr std::chrono::milliseconds StripTime(120);
+/// The status line tells of samples that take longer, in seconds.
+constexpr double SamplingTime = 0.3;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
@@ -99,9 +103,9 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
     this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
+  , Sampler(image, CurveBars)
   , Worker(input, image)
 {
-  this->Sampling.setImportanceImage(image);
   this->connect();
   this->showSession();
 }
@@ -131,10 +135,7 @@ void Viewer::connect()
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->tick(); });
   observe(vtkCommand::ConfigureEvent, [](vtkObject*, unsigned long, void* self, void*) {
     auto* viewer = static_cast<Viewer*>(self);
-    if (viewer->Window.resize())
-    {
-      viewer->placeControls();
-    }
+    viewer->resize();
   });
   observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->Window.renew();
@@ -173,12 +174,31 @@ void Viewer::open()
   this->resetCamera();
   this->Window.draw(false);
   this->Interactor->Initialize();
+  setLeastSize(this->Window.window(), LeastWidth, LeastHeight);
   // A window manager may have given another size.
-  if (this->Window.resize())
-  {
-    this->placeControls();
-  }
+  this->resize();
   this->Interactor->CreateRepeatingTimer(TickMilliseconds);
+}
+
+void Viewer::resize()
+{
+  const Rect before = this->Window.layout().before;
+  if (!this->Window.resize())
+  {
+    return;
+  }
+  this->placeControls();
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  if (this->Fitted == placeOf(camera))
+  {
+    this->fitCamera();
+    return;
+  }
+  // As much stays in view of what was, in the direction in which the view is the narrower.
+  const Rect& after = this->Window.layout().before;
+  zoomAbout(camera, Vec3(camera->GetFocalPoint()),
+    std::min(1.F, after.w / after.h) / std::min(1.F, before.w / before.h));
+  this->updateZoom();
 }
 
 void Viewer::run()
@@ -191,6 +211,7 @@ void Viewer::resetCamera()
   const Rect& view = this->Window.layout().before;
   aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
     40 * this->Window.layout().scale / view.h);
+  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
 }
@@ -200,6 +221,7 @@ void Viewer::fitCamera()
   const Rect& view = this->Window.layout().before;
   stipple::fitCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
     40 * this->Window.layout().scale / view.h);
+  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
 }
@@ -217,28 +239,22 @@ void Viewer::updateZoom()
 void Viewer::tick()
 {
   this->takeResults();
-  const bool previews = this->PreviewIsOld && this->Sampling.hasAtlas();
-  if (previews)
+  const bool previews = this->takePreview();
+  if (this->PreviewIsOld && this->HasAtlas)
   {
-    this->updatePreview();
+    this->PreviewIsOld = false;
+    this->Sampler.start(this->Now);
   }
   if (this->MeshWanted && Clock::now() >= this->MeshAt)
   {
     this->startMeshing();
   }
-  const double progress = this->Worker.busy() ? this->Worker.progress() : -1;
-  if (std::abs(progress - this->ShownProgress) > 0.005)
-  {
-    // The mesh's note says whether a newer one is on its way.
-    const bool ends = progress < 0 && !this->meshIsCurrent();
-    this->ShownProgress = progress;
-    this->Window.touch(ViewerWindow::Status | (ends ? ViewerWindow::After : 0));
-  }
+  this->showActivity();
   // A frame with a new preview draws one other part at most: the sum would be felt.
   if (this->StaleIsOld && (!previews || Clock::now() - this->LastStrip > 0.5 * StripTime))
   {
     this->StaleIsOld = false;
-    this->Window.touch(ViewerWindow::After);
+    this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
   }
   else if (this->StripIsOld && Clock::now() - this->LastStrip > StripTime)
   {
@@ -259,10 +275,10 @@ void Viewer::tick()
 
 bool Viewer::atRest()
 {
-  const bool previewIsDue = this->PreviewIsOld && this->Sampling.hasAtlas();
-  const bool showsProgress = this->ShownProgress >= 0;
-  return !this->MeshWanted && this->Worker.idle() && !previewIsDue && !showsProgress &&
-    !this->StripIsOld && !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
+  const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
+  return !this->MeshWanted && this->Worker.idle() && !previewIsDue && this->Sampler.idle() &&
+    this->activity() == this->Doing && !this->StripIsOld && !this->StaleIsOld &&
+    !this->Window.dirty() && !this->Window.rough();
 }
 
 void Viewer::settle()
@@ -279,10 +295,11 @@ void Viewer::takeResults()
 {
   if (const auto atlas = this->Worker.takeAtlas())
   {
-    this->Sampling.setAtlas(*atlas);
+    this->Sampler.setAtlas(atlas->sampling);
+    this->HasAtlas = true;
+    this->Shown.reset();
     this->BeforeSide.setAtlas(atlas->charts, atlas->graph);
     this->Sheet.setCharts(atlas->charts);
-    this->HistogramOf.clear();
     this->PreviewIsOld = true;
     this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip);
   }
@@ -307,28 +324,58 @@ void Viewer::takeResults()
   }
 }
 
-void Viewer::updatePreview()
+bool Viewer::takePreview()
 {
-  const auto begin = Clock::now();
-  this->PreviewIsOld = false;
-  const Status status = this->Sampling.update(this->Now, this->Now.integer("points"));
-  this->PreviewProblem = status.ok() ? "" : status.message();
-  if (status.ok())
+  auto preview = this->Sampler.take();
+  if (!preview)
   {
-    this->BeforeSide.setPreview(
-      this->Sampling.samples(), this->Sampling.halftones(), this->Sampling.controls());
-    this->Sheet.setControls(this->Sampling.controls());
+    return false;
   }
-  const std::string importance =
-    this->Now.text("importance") + " " + this->Now.text("importance_array");
-  if (importance != this->HistogramOf)
+  this->PreviewProblem = preview->problem;
+  if (preview->problem.empty())
   {
-    this->HistogramOf = importance;
-    this->Curve.setHistogram(this->Sampling.importanceHistogram(this->Now, CurveBars));
+    this->BeforeSide.setPreview(preview->samples, preview->halftones, preview->controls);
+    this->Sheet.setControls(preview->controls);
+    this->Shown = std::move(preview);
+    this->Curve.setHistogram(this->Shown->histogram);
   }
-  this->PreviewSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before);
+  return true;
+}
+
+Activity Viewer::activity()
+{
+  using Mesh = Activity::Mesh;
+  Activity now;
+  now.progress = this->Worker.busy() ? std::floor(200 * this->Worker.progress()) / 200 : 0;
+  now.savesMesh = this->SaveWhenDone;
+  now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
+  now.sampling = this->Sampler.waiting() > SamplingTime;
+  now.sampleProblem = this->PreviewProblem;
+  now.meshProblem = this->Problem;
+  const bool works = !this->Stopped && this->Worker.busy();
+  now.mesh = this->meshIsCurrent()         ? Mesh::Current
+    : works && this->Worker.makesCharts()  ? Mesh::Charts
+    : this->MeshWanted                     ? Mesh::Waiting
+    : !this->Problem.empty()               ? Mesh::Failed
+    : this->Stopped || this->Worker.idle() ? Mesh::Stopped
+                                           : Mesh::Making;
+  return now;
+}
+
+void Viewer::showActivity()
+{
+  const Activity now = this->activity();
+  if (now == this->Doing)
+  {
+    return;
+  }
+  // Progress is shown at once; the rest after a preview, where one is drawn.
+  const bool note = now.note() != this->Doing.note();
+  this->Doing = now;
+  this->StaleIsOld = this->StaleIsOld || note;
+  this->Window.touch(ViewerWindow::Status);
 }
 
 void Viewer::startMeshing()
@@ -337,6 +384,8 @@ void Viewer::startMeshing()
   if (!this->meshIsCurrent())
   {
     this->Problem.clear();
+    this->Stopped = false;
+    this->say("");
     this->Worker.start(this->Now);
   }
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
@@ -347,6 +396,7 @@ void Viewer::changed(bool rests)
   this->PreviewIsOld = true;
   this->Problem.clear();
   this->say("");
+  this->Stopped = false;
   this->Worker.relax();
   this->MeshWanted = true;
   this->MeshAt = Clock::now() + (rests ? Clock::duration::zero() : Clock::duration(RestTime));
@@ -359,9 +409,9 @@ void Viewer::showSession()
     this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));
-  this->BeforeSide.setMarks(this->Now);
+  const bool marks = this->BeforeSide.setMarks(this->Now);
   this->StripIsOld = true;
-  this->Window.touch(ViewerWindow::Before | ViewerWindow::PanelPart);
+  this->Window.touch(ViewerWindow::PanelPart | (marks ? ViewerWindow::Before : 0));
   this->showStale();
 }
 

@@ -8,6 +8,7 @@
 #ifndef stipple_Viewer_h
 #define stipple_Viewer_h
 
+#include "Activity.h"
 #include "AfterScene.h"
 #include "BeforeScene.h"
 #include "Commands.h"
@@ -18,7 +19,7 @@
 #include "MeshWorker.h"
 #include "Page.h"
 #include "Panel.h"
-#include "Preview.h"
+#include "PreviewWorker.h"
 #include "SurfacePicker.h"
 #include "ViewerWindow.h"
 #include "vtkViewerStyle.h"
@@ -66,8 +67,10 @@ public:
   const Session& session() const { return this->Now; }
   bool meshIsCurrent() const { return this->Mesh && this->Mesh->session == this->Now; }
   bool busy() const { return this->Worker.busy(); }
-  bool hasPreview() const { return this->Sampling.hasAtlas(); }
-  double previewSeconds() const { return this->PreviewSeconds; }
+  /// The session's samples are shown, or why there are none.
+  bool previewIsCurrent() { return this->HasAtlas && !this->PreviewIsOld && this->Sampler.idle(); }
+  /// That the samples took which are shown.
+  double previewSeconds() const { return this->Shown ? this->Shown->seconds : 0; }
   ViewerWindow& window() { return this->Window; }
   /// Leaves out what differs from run to run, for pictures that are compared.
   void hideTimes() { this->TimesHidden = true; }
@@ -106,8 +109,12 @@ private:
   void changed(bool rests);
   void showSession();
   void takeResults();
-  void updatePreview();
+  /// Whether there was a new one.
+  bool takePreview();
   void startMeshing();
+  /// What is done now, as everything in the window says it.
+  [[nodiscard]] Activity activity();
+  void showActivity();
   void say(const std::string& sentence, bool alarm = false);
 
   /// Says whether it could be written.
@@ -121,6 +128,8 @@ private:
 
   // The window
   void connect();
+  /// The window may have another size; the model stays in view.
+  void resize();
   void placeControls();
   void updateZoom();
   void paintView(Canvas& canvas, bool before);
@@ -162,6 +171,7 @@ private:
   ControlSheet Sheet;
   CurveEditor Curve;
   FiguresView Figures;
+  std::array<double, 9> Fitted = {}; ///< the camera's place when the model was fit into the view
   Painted ShownStrip;
   std::shared_ptr<Page> Asked; ///< what is over the window; null mostly
   Control* Captured = nullptr;
@@ -171,14 +181,14 @@ private:
   Control* Under = nullptr;
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
-  Preview Sampling;
-  bool PreviewIsOld = false;
+  bool HasAtlas = false;     ///< charts are shown
+  bool PreviewIsOld = false; ///< the session is to be sampled
+  std::unique_ptr<PreviewResult> Shown;
   std::string PreviewProblem;
-  double PreviewSeconds = 0;
-  std::string HistogramOf; ///< the importance that the curve's histogram is of
   std::unique_ptr<MeshResult> Mesh;
   std::string Problem; ///< what failed for the session of now
   bool MeshWanted = true;
+  bool Stopped = false;     ///< by the user
   Clock::time_point MeshAt; ///< when, at the earliest
   Clock::time_point LastFrame;
   Clock::time_point LastStrip;
@@ -188,10 +198,11 @@ private:
   bool SaveWhenDone = false;
   std::string Message;
   bool MessageAlarm = false;
-  double ShownProgress = -1;
+  Activity Doing; ///< as it is shown
   bool ShownStale = false;
   bool TimesHidden = false;
 
+  PreviewWorker Sampler;
   MeshWorker Worker; ///< last: stops first
 };
 }

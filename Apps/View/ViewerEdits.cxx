@@ -114,7 +114,9 @@ void Viewer::saveMesh()
   if (!this->meshIsCurrent())
   {
     this->SaveWhenDone = true;
-    this->say(fileName(this->Files.mesh) + " will be written when the mesh is done.");
+    this->say(this->activity().works()
+        ? ""
+        : fileName(this->Files.mesh) + " will be written when the mesh is done; Return makes it.");
     return;
   }
   this->SaveWhenDone = false;

@@ -80,8 +80,9 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "Return" || key == "KP_Enter")
   {
-    this->MeshWanted = true;
+    this->MeshWanted = !this->meshIsCurrent();
     this->MeshAt = Clock::now();
+    this->Stopped = false;
   }
   else if (key == "Escape")
   {
@@ -94,8 +95,8 @@ bool Viewer::key(const KeyStroke& stroke)
       this->Worker.cancel();
       this->MeshWanted = false;
       this->SaveWhenDone = false;
-      this->Window.touch(ViewerWindow::After);
-      this->say("Stopped. Return makes the mesh.");
+      this->Stopped = true;
+      this->say("");
     }
   }
   else

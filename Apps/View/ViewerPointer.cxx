@@ -128,6 +128,10 @@ void Viewer::wheel(const Pointer& pointer, int notches)
     return;
   }
   const Layout& layout = this->Window.layout();
+  if (!this->View.help && layout.panel.has(pointer.x, pointer.y) && this->Controls.scroll(notches))
+  {
+    this->Window.renew();
+  }
   const bool before = layout.before.has(pointer.x, pointer.y);
   if (this->View.help || (!before && !layout.after.has(pointer.x, pointer.y)))
   {

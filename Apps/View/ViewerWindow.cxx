@@ -34,7 +34,7 @@ ViewerWindow::ViewerWindow(int width, int height)
   }
   for (const Part part : { Before, After })
   {
-    addLights(this->renderer(part));
+    addInspectionLights(this->renderer(part));
   }
   this->renderer(After)->SetActiveCamera(this->renderer(Before)->GetActiveCamera());
   this->Places = makeLayout(width, height);
@@ -120,8 +120,10 @@ void ViewerWindow::draw(bool calm)
   for (int i = 0; i < NumberOfParts; ++i)
   {
     const int part = 1 << i;
-    this->Renderers[i]->SetDraw(((parts | smoothed) & part) != 0);
-    if ((parts | smoothed) & part & Views)
+    const Rect place = rectOf(this->Places, i);
+    const bool drawn = ((parts | smoothed) & part) != 0 && place.w > 0 && place.h > 0;
+    this->Renderers[i]->SetDraw(drawn);
+    if (drawn && (part & Views) != 0)
     {
       this->Renderers[i]->SetUseFXAA((smoothed & part) != 0);
       this->Renderers[i]->ResetCameraClippingRange();

@@ -43,6 +43,14 @@ class ClientMessage(ctypes.Structure):
     ]
 
 
+class SizeHints(ctypes.Structure):
+    """Xlib's XSizeHints."""
+
+    _fields_ = [("flags", ctypes.c_long)] + [
+        (name, ctypes.c_int) for name in ("x", "y", "width", "height", "min_width", "min_height", "max_width", "max_height")
+    ] + [("others", ctypes.c_int * 12)]
+
+
 class LiveWindow:
     """The program runs while the context is entered. Places are pixels from the upper left corner of a window there."""
 
@@ -87,16 +95,32 @@ class LiveWindow:
 
     def close(self):
         """Asks the window to close, as a window manager does where its close button is pressed."""
+        event = ClientMessage(type=33, window=self.window(), format=32)
+        event.message_type = X11.XInternAtom(self.display, b"WM_PROTOCOLS", 0)
+        event.data[0] = X11.XInternAtom(self.display, b"WM_DELETE_WINDOW", 0)
+        X11.XSendEvent(self.display, ctypes.c_ulong(event.window), 0, ctypes.c_long(0), ctypes.byref(event))
+        X11.XSync(self.display, 0)
+
+    def window(self):
+        """The number of the program's window: the only one here."""
         root, parent, children, number = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_void_p(), ctypes.c_uint()
         X11.XQueryTree(self.display, self.root, ctypes.byref(root), ctypes.byref(parent), ctypes.byref(children),
             ctypes.byref(number))
         window = ctypes.cast(children, ctypes.POINTER(ctypes.c_ulong))[number.value - 1]
         X11.XFree(children)
-        event = ClientMessage(type=33, window=window, format=32)
-        event.message_type = X11.XInternAtom(self.display, b"WM_PROTOCOLS", 0)
-        event.data[0] = X11.XInternAtom(self.display, b"WM_DELETE_WINDOW", 0)
-        X11.XSendEvent(self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+        return window
+
+    def resize(self, width, height):
+        """As if the user had drawn the window's corner; pictures are of this size from now on."""
+        X11.XResizeWindow(self.display, ctypes.c_ulong(self.window()), ctypes.c_uint(width), ctypes.c_uint(height))
         X11.XSync(self.display, 0)
+        self.size = width, height
+
+    def least_size(self):
+        """Width and height that the window asks window managers for."""
+        hints, supplied = SizeHints(), ctypes.c_long()
+        X11.XGetWMNormalHints(self.display, ctypes.c_ulong(self.window()), ctypes.byref(hints), ctypes.byref(supplied))
+        return hints.min_width, hints.min_height
 
     def ended(self, limit=120.0):
         """Waits for the program's end; its exit status."""

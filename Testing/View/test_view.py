@@ -206,7 +206,7 @@ class Interaction(ViewTest):
         """However near the surface is: it is light or dark, and hardly anything between."""
         (near,), _ = self.shots_and_session([self.bunny, "--points", 1500], ("zoom", "zoom", "zoom"))
         near = near[260:, 8:496].sum(axis=2)
-        dark, light = near < 200, near > 560
+        dark, light = near < 200, near > 380
         self.assertGreater(dark.mean(), 0.01)
         self.assertGreater(light.mean(), 0.5)
         self.assertLess(1 - dark.mean() - light.mean(), 0.02)

@@ -8,7 +8,7 @@ import numpy as np
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import VIEW
+from stipple_program import VIEW, run
 from view_program import FANDISK, ViewTest
 
 VIEWS = np.s_[250:, :1005]  # of a picture, whose rows go up
@@ -116,6 +116,47 @@ class Quitting(ViewTest):
             status = window.settle(after=asked)[-26:]
             self.assertIsNone(window.program.poll())
             self.assertTrue(((status[..., 2] > 150) & (status[..., 1] < 90)).any(), "a sentence in red")
+
+
+class Sizes(ViewTest):
+    def test_the_window_fits_its_screen(self):
+        """With a title bar, and with the status line in it."""
+        for screen, expected in (("1280x800", (1280, 728)), ("1024x600", (1024, 528)), ("2560x1440", (1280, 800))):
+            with self.subTest(screen):
+                shot = self.folder / f"{screen}.png"
+                server = "-a", "-s", f"-screen 0 {screen}x24"
+                status = run(*server, VIEW, FANDISK, "--points", 300, "--shot", shot, program="xvfb-run")
+                self.assertEqual(status, (0, "", ""))
+                picture = pictures.read(shot)
+                self.assertEqual(picture.shape[1::-1], expected)
+                self.assertGreater(np.ptp(picture[4:20, :200]), 100, "words in the status line")
+
+    def test_small_and_narrow_windows_show_the_whole_model(self):
+        with LiveWindow(VIEW, FANDISK, "--points", 300) as window:
+            window.move(5, 5)
+            window.settle()
+            self.assertEqual(window.least_size(), (640, 480))
+            for size in ((640, 480), (500, 1100), (1900, 500), (480, 360)):
+                with self.subTest(size=size):
+                    window.resize(*size)
+                    picture = window.settle()
+                    # Below the title, where at least the view's upper half is.
+                    view = picture[30 : 2 * size[1] // 5]
+                    red = (view[..., 2] > 180) & (view[..., 1] < 60)
+                    self.assertTrue((view[:, :4] >= 250).all(), "paper beside the model")
+                    self.assertGreater(red.sum(), 40, "its features")
+                    status = picture[-16:-4, :100]
+                    self.assertGreater(np.ptp(status), 100, "words in the status line")
+
+    def test_the_number_of_samples_is_that_of_the_dots(self):
+        """Too few points cannot be sampled: there is no dot then, and none is told."""
+        begin = FANDISK, "--points", 700
+        before, after, again = self.shots(begin, self.recorded("v"), self.recorded("n", "5", "Return"), self.recorded("Control+z"))
+        dots = [(p[250:760, :500, 2] - p[250:760, :500, 0] > 50).sum() for p in (before, after, again)]
+        self.assertGreater(dots[0], 1000)
+        self.assertLess(dots[1], 0.05 * dots[0])
+        self.assertGreater(pictures.worst_pixel(after[:26], before[:26]), 60, "the status line tells of it")
+        self.assertGreater(dots[2], 0.9 * dots[0], "undone, they are there again")
 
 
 if __name__ == "__main__":
