@@ -297,6 +297,7 @@ void Viewer::takeResults()
   {
     this->Sampler.setAtlas(atlas->sampling);
     this->HasAtlas = true;
+    this->AtlasIsNewer = true;
     this->Shown.reset();
     this->BeforeSide.setAtlas(atlas->charts, atlas->graph);
     this->Sheet.setCharts(atlas->charts);
@@ -306,6 +307,7 @@ void Viewer::takeResults()
   if (auto mesh = this->Worker.takeMesh())
   {
     this->Mesh = std::move(mesh);
+    this->AtlasIsNewer = false;
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines);
     this->Figures.setFigures(this->Mesh->figures);
     this->showStale();
@@ -381,7 +383,7 @@ void Viewer::showActivity()
 void Viewer::startMeshing()
 {
   this->MeshWanted = false;
-  if (!this->meshIsCurrent())
+  if (!this->meshIsCurrent() || this->AtlasIsNewer)
   {
     this->Problem.clear();
     this->Stopped = false;

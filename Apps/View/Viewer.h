@@ -182,6 +182,7 @@ private:
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
   bool HasAtlas = false;     ///< charts are shown
+  bool AtlasIsNewer = false; ///< than the mesh: of a session whose mesh was stopped, or failed
   bool PreviewIsOld = false; ///< the session is to be sampled
   std::unique_ptr<PreviewResult> Shown;
   std::string PreviewProblem;

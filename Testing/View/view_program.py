@@ -30,7 +30,7 @@ class ViewTest(ProgramTest):
         for event in events:
             if isinstance(event, str):
                 key = event.rpartition("+")[2]
-                control = int(event.startswith("Control+"))
+                control = 2 * event.startswith("Control+")
                 code = CODES.get(key, ord(key[0]) if len(key) == 1 else 0)
                 lines += [f"{name} {x} {y} {control} {code} 1 {key}" for name in ("KeyPressEvent", "CharEvent")]
             else:
