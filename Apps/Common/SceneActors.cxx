@@ -156,7 +156,7 @@ void addLights(vtkRenderer* renderer)
 void addInspectionLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.63);
+  lights->SetKeyLightIntensity(0.57);
   lights->SetKeyLightWarmth(0.53);
   lights->SetKeyToHeadRatio(1.0);
   lights->AddLightsToRenderer(renderer);

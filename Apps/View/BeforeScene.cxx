@@ -117,6 +117,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     this->Renderer->RemoveActor(actor);
   }
   this->Charts.clear();
+  this->Vertices.reset();
   this->Sampling = nullptr;
   this->Halftones = nullptr;
   this->Controls = nullptr;
@@ -164,10 +165,20 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
 void BeforeScene::setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
   vtkPartitionedDataSetCollection* controls)
 {
+  this->Vertices.reset();
   this->Sampling = samples;
   this->Halftones = halftones;
   this->Controls = controls;
   this->paintTextures();
+}
+
+void BeforeScene::setVertices(std::shared_ptr<const MeshDots> vertices)
+{
+  if (vertices != this->Vertices)
+  {
+    this->Vertices = std::move(vertices);
+    this->paintTextures();
+  }
 }
 
 void BeforeScene::paintTextures()
@@ -178,7 +189,14 @@ void BeforeScene::paintTextures()
   }
   if (this->View.display == Display::Samples)
   {
-    this->Samples.setSamples(this->Sampling, this->Halftones);
+    if (this->Vertices)
+    {
+      this->Samples.setVertices(*this->Vertices, this->Halftones);
+    }
+    else
+    {
+      this->Samples.setSamples(this->Sampling, this->Halftones);
+    }
     return;
   }
   const bool density = this->View.display == Display::Density;

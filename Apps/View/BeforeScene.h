@@ -10,6 +10,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <vector>
 
 class vtkActor;
@@ -33,6 +34,8 @@ public:
   /// New samples: both outputs of the sampler, and the control images.
   void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
     vtkPartitionedDataSetCollection* controls);
+  /// The dots of a mesh that is there, instead of samples; until the next preview.
+  void setVertices(std::shared_ptr<const MeshDots> vertices);
   void setView(const ViewState& view, float lineWidth);
   /// Constraints, tagged edges. Whether they are others than before.
   bool setMarks(const Session& session);
@@ -61,6 +64,7 @@ private:
   std::vector<Chart> Charts;
   SampleTextures Samples;
   vtkSmartPointer<vtkPolyData> Sampling;
+  std::shared_ptr<const MeshDots> Vertices; ///< null: the samples are shown
   vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
   vtkSmartPointer<vtkActor> Surface;

@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stipple
@@ -34,6 +35,25 @@ std::array<double, 9> placeOf(vtkCamera* camera)
   camera->GetFocalPoint(place.data() + 3);
   camera->GetViewUp(place.data() + 6);
   return place;
+}
+
+void lookAt(vtkCamera* camera, const Vec3 corners[3])
+{
+  constexpr double ShareOfView = 0.1;
+  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+  const double size = std::max({ (corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
+    (corners[0] - corners[2]).norm() });
+  Vec3 from = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  from = from.norm() > 1e-9 * size * size ? from.normalized()
+                                          : -Vec3(camera->GetDirectionOfProjection());
+  const double distance =
+    0.5 * size / ShareOfView / std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const Vec3 position = middle + distance * from;
+  Vec3 up(camera->GetViewUp());
+  up = std::abs(up.normalized().dot(from)) < 0.95 ? up : from.unitOrthogonal();
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
 }
 
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor)

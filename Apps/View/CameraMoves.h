@@ -19,6 +19,9 @@ namespace stipple
 /// Where it stands, what it looks at, what is up.
 [[nodiscard]] std::array<double, 9> placeOf(vtkCamera* camera);
 
+/// Looks at a triangle from the side that it faces, so near that it is a tenth of the view.
+void lookAt(vtkCamera* camera, const Vec3 corners[3]);
+
 /// Makes everything larger by a factor; the center stays where it is on the screen.
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);
 }

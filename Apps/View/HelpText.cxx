@@ -12,12 +12,16 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface, in both views" },
     { "Edit", "" }, { "n", "type the number of points; Return takes it" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
+    { "[ ], Ctrl with the brush", "smaller, larger; erases" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
     { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
     { "Show", "" }, { "d", "next of samples, input, charts, density" },
-    { "l, m", "feature lines, seams" }, { "Files", "" }, { "Ctrl+S", "save the mesh" },
-    { "Ctrl+P", "save a picture of the window" }, { "Ctrl+J", "save the session" },
+    { "l, m", "feature lines, seams" },
+    { "c", "mesh colored by smallest angle, quality, deviation, not" },
+    { "g", "go to the worst triangle, then to the next" }, { "Files", "" },
+    { "Ctrl+S", "save the mesh" }, { "Ctrl+P", "save a picture of the window" },
+    { "Ctrl+J", "save the session" },
     { "q, e, Ctrl+Q", "quit; asks first if paint or picks are not saved" }, { "h", "this page" } };
   return lines;
 }

@@ -5,6 +5,8 @@
 #ifndef stipple_MeshWorker_h
 #define stipple_MeshWorker_h
 
+#include "MeshColors.h"
+#include "MeshDots.h"
 #include "MeshFigures.h"
 #include "Session.h"
 
@@ -47,6 +49,8 @@ struct MeshResult
   vtkSmartPointer<vtkPolyData> mesh;
   vtkSmartPointer<vtkPolyData> lines;
   MeshFigures figures;
+  MeshColors colors;
+  std::shared_ptr<const MeshDots> dots; ///< on the charts that were handed over last
   double seconds = 0;
 };
 
@@ -91,8 +95,11 @@ private:
   void work();
   void perform(const Session& session);
   void publishAtlas();
+  bool inspect(MeshResult& result);
 
   vtkSmartPointer<vtkGeometryRemesher> Remesher; ///< the thread's
+  TriangleSurface Input;                         ///< the thread's
+  std::unique_ptr<NearestTriangle> NearestInput; ///< the thread's; made when first needed
   unsigned long PublishedTime = 0;               ///< the thread's
   Session Current;                               ///< written under the mutex
   std::mutex Mutex;

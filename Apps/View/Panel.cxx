@@ -161,10 +161,11 @@ void Panel::addPointer(Commands& commands)
     std::vector<std::string>{ "camera", "brush", "point", "edge" }, 4, [&commands](int word) {
       commands.changeView([word](ViewState& v) { v.tool = static_cast<Tool>(word); });
     });
-  this->Radius = this->make<Slider>("Brush", Slider::Range{ 1, 30, 2, false, 0.5 },
-    format("%.1f %%"), [&commands](double value, bool) {
-      commands.changeView([value](ViewState& v) { v.brushRadius = value; });
-    });
+  this->Radius =
+    this->make<Slider>("Brush", Slider::Range{ LeastBrush, LargestBrush, 2, false, 0.5 },
+      format("%.1f %%"), [&commands](double value, bool) {
+        commands.changeView([value](ViewState& v) { v.brushRadius = value; });
+      });
   this->Strength = this->make<Slider>(
     "Paint", Slider::Range{ -1, 3, 1, false, 0.1 },
     [](double value) {

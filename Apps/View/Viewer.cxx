@@ -308,7 +308,8 @@ void Viewer::takeResults()
   {
     this->Mesh = std::move(mesh);
     this->AtlasIsNewer = false;
-    this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines);
+    this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
+    this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showStale();
     this->Problem.clear();
@@ -340,10 +341,25 @@ bool Viewer::takePreview()
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
+    this->showVertices();
   }
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before);
   return true;
+}
+
+void Viewer::showVertices()
+{
+  if (this->showsVertices())
+  {
+    this->BeforeSide.setVertices(this->Mesh->dots);
+    this->Window.touch(ViewerWindow::Before);
+  }
+}
+
+bool Viewer::showsVertices() const
+{
+  return this->Shown && this->meshIsCurrent() && !this->AtlasIsNewer && this->Mesh->dots;
 }
 
 Activity Viewer::activity()

@@ -112,6 +112,11 @@ private:
   /// Whether there was a new one.
   bool takePreview();
   void startMeshing();
+  /// The dots are the mesh's own vertices where that is the session's.
+  void showVertices();
+  [[nodiscard]] bool showsVertices() const;
+  /// The next of the triangles with the smallest angles is marked and looked at.
+  void goToWorst();
   /// What is done now, as everything in the window says it.
   [[nodiscard]] Activity activity();
   void showActivity();
@@ -179,6 +184,7 @@ private:
   Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;
   Control* Under = nullptr;
+  std::size_t NextWorst = 0; ///< of the mesh's worst triangles
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
   bool HasAtlas = false;     ///< charts are shown

@@ -3,6 +3,15 @@
 // The keys.
 #include "Viewer.h"
 
+#include "CameraMoves.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cstdio>
+
 namespace stipple
 {
 bool Viewer::key(const KeyStroke& stroke)
@@ -59,6 +68,23 @@ bool Viewer::key(const KeyStroke& stroke)
   else if (key == "m")
   {
     this->changeView([](ViewState& v) { v.seams = !v.seams; });
+  }
+  else if (key == "bracketleft" || key == "bracketright")
+  {
+    this->changeView([&key](ViewState& v) {
+      v.brushRadius =
+        std::clamp(v.brushRadius * (key == "bracketleft" ? 0.8 : 1.25), LeastBrush, LargestBrush);
+    });
+  }
+  else if (key == "c")
+  {
+    this->changeView([](ViewState& v) {
+      v.coloring = static_cast<MeshColoring>((static_cast<int>(v.coloring) + 1) % 4);
+    });
+  }
+  else if (key == "g")
+  {
+    this->goToWorst();
   }
   else if (key == "w" || key == "s")
   {
@@ -137,5 +163,32 @@ bool Viewer::commandKey(const KeyStroke& stroke)
     return false;
   }
   return true;
+}
+
+void Viewer::goToWorst()
+{
+  const std::vector<int> none;
+  const std::vector<int>& worst = this->Mesh ? this->Mesh->colors.worst : none;
+  if (worst.empty())
+  {
+    this->say("There is no mesh yet.");
+    return;
+  }
+  const std::size_t place = this->AfterSide.marked() < 0 ? 0 : (this->NextWorst % worst.size());
+  this->NextWorst = place + 1;
+  const int cell = worst[place];
+  this->AfterSide.setMarked(cell);
+  vtkIdType size;
+  const vtkIdType* ids;
+  this->Mesh->mesh->GetPolys()->GetCellAtId(cell, size, ids);
+  const Vec3 corners[3] = { Vec3(this->Mesh->mesh->GetPoint(ids[0])),
+    Vec3(this->Mesh->mesh->GetPoint(ids[1])), Vec3(this->Mesh->mesh->GetPoint(ids[2])) };
+  lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), corners);
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+  char text[128];
+  std::snprintf(text, sizeof(text), "Triangle %d: smallest angle %.1f\u00b0; %zu of the %zu worst.",
+    cell, this->Mesh->colors.angle[static_cast<std::size_t>(cell)], place + 1, worst.size());
+  this->say(text);
 }
 }

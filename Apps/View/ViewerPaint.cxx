@@ -61,6 +61,8 @@ void Viewer::paintView(Canvas& canvas, bool before)
       ? countOf(this->Input->GetNumberOfPoints(), "points, ") +
         countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "faces")
       : this->View.display == Display::Density ? ""
+      : this->showsVertices() && this->View.display == Display::Samples
+      ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "samples, as the mesh has them")
       : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "samples")
                     : (this->PreviewProblem.empty() ? "sampling ..." : "no samples");
   }
@@ -85,6 +87,10 @@ void Viewer::paintView(Canvas& canvas, bool before)
   if (before && this->Shown && this->View.display == Display::Density && !this->View.wireframe)
   {
     paintColorBar(canvas, view, densityBar());
+  }
+  if (!before && this->Mesh && this->View.coloring != MeshColoring::Plain && !this->View.wireframe)
+  {
+    paintColorBar(canvas, view, scaleOf(this->Mesh->colors, this->View.coloring).bar);
   }
   if (!before)
   {

@@ -108,6 +108,7 @@ void Viewer::release(const Pointer& pointer)
   if (this->Painting)
   {
     this->Painting = false;
+    this->View.brushErases = false;
     this->edit([](Session&) {}, true);
   }
   if (this->Captured)
@@ -202,6 +203,7 @@ void Viewer::useTool(const PickedPlace& place, const Pointer& pointer)
   else if (this->View.tool == Tool::Brush)
   {
     this->Painting = true;
+    this->View.brushErases = pointer.control;
     this->paint(place.position, true);
   }
 }
@@ -214,7 +216,7 @@ void Viewer::paint(const Vec3& position, bool begins)
     return;
   }
   this->LastDab = position;
-  const double strength = this->View.brushStrength;
+  const double strength = this->View.brushErases ? -1 : this->View.brushStrength;
   this->edit(
     [&](Session& s) {
       auto strokes = s.list("strokes");

@@ -26,15 +26,20 @@ inline Session withPoints(int points)
   return session;
 }
 
+inline vtkSmartPointer<vtkPolyData> sphere(int resolution)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  vtkNew<vtkCleanPolyData> closed;
+  closed->SetInputConnection(source->GetOutputPort());
+  closed->Update();
+  return closed->GetOutput();
+}
+
 inline SamplingInput sphereAtlas(int resolution)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(resolution);
-  sphere->SetPhiResolution(resolution);
-  vtkNew<vtkCleanPolyData> closed;
-  closed->SetInputConnection(sphere->GetOutputPort());
-  closed->Update();
-  MeshWorker worker(closed->GetOutput(), nullptr);
+  MeshWorker worker(sphere(resolution), nullptr);
   worker.start(withPoints(500));
   std::unique_ptr<AtlasResult> atlas;
   while (!(atlas = worker.takeAtlas()))

@@ -61,6 +61,67 @@ class Keys(ViewTest):
         self.assertLess(pictures.coarse_difference(after[VIEWS], before[VIEWS]), 0.5)
 
 
+class Inspection(ViewTest):
+    """The mesh's colours and its worst triangles."""
+
+    model = (FANDISK, "--points", 800)
+    left, right = np.s_[250:, :500], np.s_[250:, 508:1005]
+
+    def test_colors_of_the_mesh(self):
+        keys = [self.recorded("v")] + [self.recorded("c") for _ in range(4)]
+        shots = self.shots(self.model, *keys)
+        for one in shots[1:4]:
+            np.testing.assert_array_equal(one[self.left], shots[0][self.left])
+            blue = one[self.right][..., 2] - one[self.right][..., 0] > 40
+            self.assertGreater(blue.mean(), 0.02)
+            # The bar with its numbers.
+            self.assertGreater(np.ptp(one[250:310, 520:740], axis=(0, 1)).min(), 150)
+        for i, one in enumerate(shots[1:4]):
+            for other in shots[i + 2 : 4]:
+                self.assertGreater(pictures.worst_pixel(one[self.right], other[self.right]), 60)
+        np.testing.assert_array_equal(shots[4], shots[0])
+
+    def test_the_worst_triangle_is_marked_and_looked_at(self):
+        steps = [self.recorded("v"), self.recorded("g"), self.recorded("g"), self.recorded("r")]
+        before, worst, next_one, all_of_it = self.shots(self.model, *steps)
+        marked = [((p[..., 0] > 180) & (p[..., 1] < 60) & (p[..., 2] > 150)) for p in (before, worst, next_one, all_of_it)]
+        self.assertEqual(marked[0].sum(), 0)
+        for one in marked[1:3]:
+            ys, xs = np.nonzero(one)
+            self.assertGreater(len(xs), 60)
+            # In the middle of the right view, and nowhere else.
+            self.assertLess(abs(xs.mean() - 756), 40)
+            self.assertLess(abs(ys.mean() - 521), 40)
+        self.assertGreater(pictures.worst_pixel(worst[:26], next_one[:26]), 60, "the status line tells which")
+        self.assertGreater(marked[3].sum(), 0)
+
+
+class Brush(ViewTest):
+    def strokes(self, *events):
+        left = self.folder / "left.json"
+        left.unlink(missing_ok=True)
+        self.view(FANDISK, "--points", 300, "--save-session", left, *self.recorded("b", *events, "Control+j"))
+        return json.loads(left.read_text())["strokes"]
+
+    @staticmethod
+    def dab(*control):
+        return ("LeftButtonPressEvent", 250, 480, *control), ("LeftButtonReleaseEvent", 250, 480, *control)
+
+    def test_control_erases_while_it_is_held(self):
+        strokes = self.strokes(*self.dab(), *self.dab("Control"), *self.dab())
+        self.assertEqual([stroke[4] for stroke in strokes], [1, -1, 1])
+
+    def test_brackets_change_the_size(self):
+        first, larger, smaller = (
+            self.strokes(*keys, *self.dab())[0][3] for keys in ((), ("bracketright",), ("bracketleft", "bracketleft"))
+        )
+        self.assertAlmostEqual(larger / first, 1.25)
+        self.assertAlmostEqual(smaller / first, 0.64)
+        least, largest = (self.strokes(*[key] * 30, *self.dab())[0][3] for key in ("bracketleft", "bracketright"))
+        self.assertAlmostEqual(least / first, 1 / 5)
+        self.assertAlmostEqual(largest / first, 30 / 5)
+
+
 class Quitting(ViewTest):
     def paint(self, window):
         """A dab on the fandisk, seen."""
