@@ -11,6 +11,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "right button, wheel", "zoom" }, { "r", "fit the model into the view" },
     { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface, in both views" },
     { "Edit", "" }, { "n", "type the number of points; Return takes it" },
+    { "on a slider", "click its number to type it; right button: default" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
     { "[ ], Ctrl with the brush", "smaller, larger; erases" },
     { "Shift with the edge tool", "all edges on the way from the last one" },

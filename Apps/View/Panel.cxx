@@ -12,6 +12,7 @@ namespace stipple
 {
 namespace
 {
+constexpr const char* SliderHint = "Click its number to type; right button: default.";
 // Pixels at scale 1.
 constexpr float HeaderHeight = 54; ///< above the first row
 constexpr float HeadRule = 38;     ///< of the line below the name
@@ -126,6 +127,27 @@ void Panel::addSampling(Commands& commands, bool hasImage)
     format("%.3f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("minimum_density", value); }, rests);
     });
+  const Session defaults;
+  this->Gamma->setDefault(defaults.number("gamma"));
+  this->Gradation->setDefault(defaults.number("gradation"));
+  this->Floor->setDefault(defaults.number("minimum_density"));
+  this->Number->setHint("Exactly so many points has the mesh. Click or n, digits, Return.");
+  this->PointsSlider->setHint("Exactly so many points has the mesh.");
+  this->Importance->setHints(
+    { "The same density everywhere.", "More samples where the mean curvature is large.",
+      "More samples where the Gaussian curvature is large.",
+      "More samples where the smaller principal curvature is large.",
+      "More samples where the larger principal curvature is large.",
+      "More samples where the surface bends: both principal curvatures, squared and added.",
+      "The density that approximates the surface best (L2): fewest points for an error.",
+      hasImage ? "The density is that of the picture."
+               : "The density is that of an array of the file; one more click, the next array." });
+  this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
+    std::string(SliderHint));
+  this->Gradation->setHint(
+    "How smoothly sizes change: a Gaussian's width, % of the diagonal. " + std::string(SliderHint));
+  this->Floor->setHint(
+    "What is not important has so much of the highest density. " + std::string(SliderHint));
   this->row({ this->Number }, 27, 2);
   this->row({ this->PointsSlider }, 20, 12);
   this->heading("Importance");
@@ -150,6 +172,13 @@ void Panel::addFeatures(Commands& commands)
     "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("charts", std::trunc(value)); }, rests);
     });
+  const Session defaults;
+  this->Angle->setDefault(defaults.number("feature_angle"));
+  this->Charts->setDefault(defaults.number("charts"));
+  this->Angle->setHint(
+    "Edges bent more than this are features (red), kept in the mesh. " + std::string(SliderHint));
+  this->Charts->setHint(
+    "The surface is cut into so many pieces at least. " + std::string(SliderHint));
   this->heading("Features and charts");
   this->row({ this->Angle }, 34);
   this->row({ this->Charts }, 34, 14);
@@ -177,6 +206,15 @@ void Panel::addPointer(Commands& commands)
   this->Clearing = this->make<Choice>(Choice::Kind::Commands,
     std::vector<std::string>{ "clear paint", "clear points", "clear edges" }, 3,
     [&commands](int word) { commands.clear(static_cast<Commands::Clear>(word)); });
+  const ViewState defaults;
+  this->Radius->setDefault(defaults.brushRadius);
+  this->Strength->setDefault(defaults.brushStrength);
+  this->Tools->setHints({ "v: turn, move, zoom.", "b: paint density on either model or the map.",
+    "k: pick points that must be vertices.", "x: tag edges as features." });
+  this->Radius->setHint(
+    "The brush's radius, % of the diagonal; [ and ]. " + std::string(SliderHint));
+  this->Strength->setHint(
+    "What a dab adds; below 0 the share that it takes away (-1 to 3). " + std::string(SliderHint));
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);
   this->row({ this->Radius, this->Strength }, 34, 6);
@@ -196,6 +234,11 @@ void Panel::addShow(Commands& commands)
         on = !on;
       });
     });
+  this->Displays->setHints(
+    { "d: samples; once the mesh is there, its vertices.", "d: the surface with its edges.",
+      "d: the pieces that it is cut into.", "d: how many samples are wanted where." });
+  this->Overlays->setHints(
+    { "l: features red, boundaries blue.", "m: where the surface is cut, dark." });
   this->heading("Show");
   this->row({ this->Displays }, 27);
   this->row({ this->Overlays }, 27, 18);
@@ -217,6 +260,9 @@ void Panel::addCommands(Commands& commands)
       word == 0 ? commands.saveMesh()
                 : (word == 1 ? commands.savePicture() : commands.saveSession());
     });
+  this->Undoing->setHints({ "Ctrl+Z", "Ctrl+Y", "h: all keys." });
+  saving->setHints({ "Ctrl+S: the mesh, in its file.", "Ctrl+P: a picture of the window.",
+    "Ctrl+J: everything that makes this mesh again." });
   this->row({ this->Undoing }, 27);
   this->row({ saving }, 27);
 }

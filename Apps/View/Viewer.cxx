@@ -106,6 +106,11 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   , Sampler(image, CurveBars)
   , Worker(input, image)
 {
+  this->Sheet.setHint("Where samples go, unfolded; the brush paints here too.");
+  this->Curve.setHint(
+    "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
+    "surface. Left adds and drags, right removes.");
+  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle.");
   this->connect();
   this->showSession();
 }

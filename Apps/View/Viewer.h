@@ -148,6 +148,9 @@ private:
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
   void showBrush(const Pointer& pointer);
+  /// What the left button does over a view.
+  [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
+  void showHint(const std::string& hint);
   void togglePoint(const PickedPlace& place);
   void tagEdges(const PickedPlace& place, bool path);
   Control* controlAt(const Pointer& pointer);
@@ -204,6 +207,7 @@ private:
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
   std::string Message;
+  std::string Hint; ///< of what is under the pointer
   bool MessageAlarm = false;
   Activity Doing; ///< as it is shown
   bool ShownStale = false;

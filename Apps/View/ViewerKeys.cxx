@@ -26,7 +26,7 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     const bool taken = this->Focus->key(stroke);
     this->Window.touch(ViewerWindow::PanelPart);
-    if (!this->Controls.points().hasFocus())
+    if (this->Focus && !this->Focus->wantsKeys())
     {
       this->Focus = nullptr;
     }

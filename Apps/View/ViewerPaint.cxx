@@ -173,6 +173,10 @@ void Viewer::paintStatus(Canvas& canvas)
     this->Doing.alarms() || this->Message.empty() ? this->Doing.sentence() : this->Message;
   if (words.empty())
   {
+    words = this->Hint;
+  }
+  if (words.empty())
+  {
     char text[128];
     std::snprintf(text, sizeof(text), "Mesh in %.2f s, preview in %.0f ms.",
       this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->previewSeconds());

@@ -69,10 +69,14 @@ bool Viewer::press(const Pointer& pointer)
     return true;
   }
   Control* control = this->controlAt(pointer);
-  this->setFocus(control && control->wantsKeys() ? control : nullptr);
+  if (this->Focus != control)
+  {
+    this->setFocus(nullptr);
+  }
   if (control)
   {
     this->Captured = control->press(pointer) ? control : nullptr;
+    this->setFocus(control->wantsKeys() ? control : nullptr);
     this->Window.touch(this->partOf(control));
     return true;
   }
@@ -166,9 +170,39 @@ void Viewer::hover(const Pointer& pointer)
   {
     this->Window.touch(this->partOf(control));
   }
+  this->showHint(control ? control->hint(pointer) : this->toolHint(pointer));
   if (this->View.tool == Tool::Brush)
   {
     this->showBrush(pointer);
+  }
+}
+
+std::string Viewer::toolHint(const Pointer& pointer) const
+{
+  const Layout& layout = this->Window.layout();
+  if (!layout.before.has(pointer.x, pointer.y) && !layout.after.has(pointer.x, pointer.y))
+  {
+    return "";
+  }
+  switch (this->View.tool)
+  {
+    case Tool::Brush:
+      return "Brush: drag paints, Ctrl erases; [ and ] change its size. Off the model, drag turns.";
+    case Tool::Point:
+      return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
+    case Tool::Edge:
+      return "Edge: a click tags an edge as a feature, Shift all on the way from the last one.";
+    default:
+      return "Drag turns, Shift moves, the wheel zooms at the pointer; r shows the whole model.";
+  }
+}
+
+void Viewer::showHint(const std::string& hint)
+{
+  if (hint != this->Hint)
+  {
+    this->Hint = hint;
+    this->Window.touch(ViewerWindow::Status);
   }
 }
 

@@ -122,6 +122,50 @@ class Brush(ViewTest):
         self.assertAlmostEqual(largest / first, 30 / 5)
 
 
+class Sliders(ViewTest):
+    value, line = (1250, 594), (1100, 577)  # of gamma, at 1280x800
+
+    def session(self, *events):
+        left = self.folder / "left.json"
+        left.unlink(missing_ok=True)
+        self.view(FANDISK, "--points", 300, "--save-session", left, *self.recorded(*events, "Control+j"))
+        return json.loads(left.read_text())
+
+    @staticmethod
+    def click(place, button="Left"):
+        return (f"{button}ButtonPressEvent", *place), (f"{button}ButtonReleaseEvent", *place)
+
+    def test_values_are_typed(self):
+        for keys, expected in (
+            (("1", ".", "2", "3", "Return"), 1.23),
+            (("2", "BackSpace", "3", "Return"), 3),
+            (("9", "9", "Return"), 3),  # the slider's end
+            (("2", "Escape"), 0.5),
+            (("-", ".", "-", "Return"), 0.5),  # no number
+            (("2", ("LeftButtonPressEvent", 250, 700), ("LeftButtonReleaseEvent", 250, 700)), 2),  # elsewhere
+        ):
+            with self.subTest(keys=keys):
+                self.assertEqual(self.session(*self.click(self.value), *keys)["gamma"], expected)
+
+    def test_keys_that_are_typed_do_nothing_else(self):
+        """q and 3 among them."""
+        self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 3)
+
+    def test_the_right_button_resets(self):
+        self.assertEqual(self.session(*self.click(self.line, "Right"))["gamma"], 1)
+        undone = self.session(*self.click(self.line, "Right"), "Control+z")
+        self.assertEqual(undone["gamma"], 0.5)
+
+    def test_what_is_under_the_pointer_is_told(self):
+        places = (1100, 577), (1100, 540), (1050, 650), (1180, 650), (250, 400), (100, 100), (500, 100), (800, 100)
+        steps = [self.recorded(("MouseMoveEvent", *place)) for place in places]
+        told = [shot[:26, :900] for shot in self.shots((FANDISK, "--points", 300), *steps)]
+        for i, one in enumerate(told):
+            self.assertGreater((one.min(axis=2) < 120).sum(), 300, "a sentence")
+            for other in told[:i]:
+                self.assertGreater((one != other).sum(), 300)
+
+
 class Quitting(ViewTest):
     def paint(self, window):
         """A dab on the fandisk, seen."""
