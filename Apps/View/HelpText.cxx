@@ -21,7 +21,9 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "l, m", "feature lines, seams" },
     { "c", "mesh colored by smallest angle, quality, deviation, not" },
     { "g", "go to the worst triangle, then to the next" }, { "Files", "" },
-    { "Ctrl+S", "save the mesh" }, { "Ctrl+P", "save a picture of the window" },
+    { "Ctrl+O", "open a surface or a session" },
+    { "Ctrl+S, Ctrl+Shift+S", "save the mesh; under a name" },
+    { "Ctrl+P, Ctrl+E", "save a picture of the window; figures of both views" },
     { "Ctrl+J", "save the session" },
     { "q, e, Ctrl+Q", "quit; asks first if paint or picks are not saved" }, { "h", "this page" } };
   return lines;

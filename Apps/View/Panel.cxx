@@ -56,6 +56,7 @@ Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arr
   this->addPointer(commands);
   this->addShow(commands);
   this->addCommands(commands);
+  this->addMesh(commands);
 }
 
 void Panel::heading(const std::string& text)
@@ -265,6 +266,49 @@ void Panel::addCommands(Commands& commands)
     "Ctrl+J: everything that makes this mesh again." });
   this->row({ this->Undoing }, 27);
   this->row({ saving }, 27);
+  this->Coloring = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
+      commands.changeView([word](ViewState& v) { v.coloring = static_cast<MeshColoring>(word); });
+    });
+  this->Coloring->setHints(
+    { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
+      "c: triangles by quality, 1 where they are equilateral.",
+      "c: triangles by their distance from the input." });
+  auto* files = this->make<Choice>(Choice::Kind::Commands,
+    std::vector<std::string>{ "open", "save as", "figures" }, 3, [&commands](int word) {
+      word == 0 ? commands.openFile()
+                : (word == 1 ? commands.saveMeshAs() : commands.saveFigures());
+    });
+  files->setHints({ "Ctrl+O: another surface, or a session; or drop one.",
+    "Ctrl+Shift+S: the mesh, under a name.",
+    "Ctrl+E: both views alone, 2000 pixels high, transparent." });
+  this->row({ this->Coloring }, 27);
+  this->row({ files }, 27, 12);
+}
+
+Choice* Panel::optionChoice(Commands& commands, const char* option, std::vector<std::string> words)
+{
+  const int columns = static_cast<int>(words.size());
+  return this->make<Choice>(
+    Choice::Kind::One, std::move(words), columns, [&commands, option](int word) {
+      commands.edit(
+        [option, word](Session& s) { s.set(option, findOption(option)->choices[word]); }, true);
+    });
+}
+
+void Panel::addMesh(Commands& commands)
+{
+  this->Preset = this->optionChoice(commands, "preset", { "uniform", "adaptive", "rib" });
+  this->Preset->setHints(
+    { "Triangles that are alike, whatever the importance.", "Triangles that follow the importance.",
+      "They follow the importance, with two neighbours on each side of features." });
+  this->Pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
+  this->Pattern->setHints(
+    { "A mesh of triangles.", "Quads, regular in every chart; they are not optimised.",
+      "Triangles split 1 to 4; the number of points is the base mesh's." });
+  this->heading("Mesh");
+  this->row({ this->Preset }, 27);
+  this->row({ this->Pattern }, 27);
 }
 
 void Panel::setBox(const Rect& box, float scale)
@@ -360,6 +404,14 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   this->Undoing->setEnabled(0, canUndo);
   this->Undoing->setEnabled(1, canRedo);
   this->Undoing->setOn(2, v.help);
+  this->Coloring->choose(static_cast<int>(v.coloring));
+  for (const auto& [choice, option] :
+    { std::pair(this->Preset, "preset"), std::pair(this->Pattern, "pattern") })
+  {
+    const auto& words = findOption(option)->choices;
+    choice->choose(
+      static_cast<int>(std::find(words.begin(), words.end(), s.text(option)) - words.begin()));
+  }
 }
 
 void Panel::paint(Canvas& canvas, bool upper)

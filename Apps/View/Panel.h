@@ -49,6 +49,8 @@ private:
   void addPointer(Commands& commands);
   void addShow(Commands& commands);
   void addCommands(Commands& commands);
+  void addMesh(Commands& commands);
+  Choice* optionChoice(Commands& commands, const char* option, std::vector<std::string> words);
   void heading(const std::string& text);
   void row(std::vector<Control*> controls, float height, float space = 4);
 
@@ -78,6 +80,9 @@ private:
   Choice* Displays = nullptr;
   Choice* Overlays = nullptr;
   Choice* Undoing = nullptr;
+  Choice* Coloring = nullptr;
+  Choice* Preset = nullptr;
+  Choice* Pattern = nullptr;
 };
 }
 

@@ -44,7 +44,7 @@ std::vector<Option> viewOptions()
 
 Arguments parseViewOptions(const std::vector<std::string>& arguments)
 {
-  Arguments line = parseArguments(arguments, viewOptions(), "stipple-view FILE [options]");
+  Arguments line = parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", true);
   if (!line.options.has("size"))
   {
     return line;
@@ -69,7 +69,7 @@ ProgramDescription describeViewer()
   program.name = "stipple-view";
   program.version = STIPPLE_VERSION;
   program.brief = "remesh triangle surfaces in a window, while you watch";
-  program.arguments = "FILE [options]";
+  program.arguments = "[FILE] [options]";
   program.text = "Remeshes a triangle surface while you watch: a live preview of the samples, the\n"
                  "mesh when a slider rests. Needs a display with OpenGL.\n";
   program.groups = { { "Options", viewOptions() } };

@@ -4,7 +4,6 @@
 #include "Viewer.h"
 
 #include "CameraMoves.h"
-#include "Display.h"
 #include "HelpText.h"
 #include "OutputFiles.h"
 #include "PolyDataConversion.h"
@@ -22,6 +21,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <cmath>
@@ -32,7 +32,6 @@ namespace stipple
 {
 namespace
 {
-constexpr int TickMilliseconds = 10;
 constexpr int CurveBars = 48;
 /// A slider that is held still rests after this.
 constexpr std::chrono::milliseconds RestTime(300);
@@ -75,20 +74,21 @@ std::vector<std::string> arraysOf(vtkPolyData* input)
 }
 }
 
-Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
-  const ViewerFiles& files, int width, int height)
-  : Input(input)
-  , Diagonal(input->GetLength())
-  , Solid(isSolid(input))
-  , Now(session)
-  , Saved(session)
-  , Files(files)
-  , Window(width, height)
-  , BeforeSide(this->Window.renderer(ViewerWindow::Before), input, this->Solid)
+Viewer::Viewer(
+  ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document)
+  : Input(document.input)
+  , Diagonal(document.input->GetLength())
+  , Solid(isSolid(document.input))
+  , Now(document.session)
+  , Saved(document.session)
+  , Files(document.files)
+  , Window(window)
+  , Interactor(interactor)
+  , BeforeSide(this->Window.renderer(ViewerWindow::Before), document.input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
-  , Picker(input)
-  , Controls(*this, std::filesystem::path(session.text("model")).filename().string(),
-      arraysOf(input), image != nullptr)
+  , Picker(document.input)
+  , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
+      arraysOf(document.input), document.image != nullptr)
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -103,8 +103,8 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
     this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
-  , Sampler(image, CurveBars)
-  , Worker(input, image)
+  , Sampler(document.image, CurveBars)
+  , Worker(document.input, document.image)
 {
   this->Sheet.setHint("Where samples go, unfolded; the brush paints here too.");
   this->Curve.setHint(
@@ -115,14 +115,18 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
   this->showSession();
 }
 
-Viewer::~Viewer() = default;
+Viewer::~Viewer()
+{
+  for (const unsigned long observer : this->Observers)
+  {
+    this->Interactor->RemoveObserver(observer);
+  }
+  this->Interactor->SetInteractorStyle(nullptr);
+}
 
 void Viewer::connect()
 {
-  this->Interactor->SetRenderWindow(this->Window.window());
   this->Interactor->SetInteractorStyle(this->Style);
-  // VTK's style asks for a frame after every event; tick() draws one for all of them.
-  this->Interactor->EnableRenderOff();
   this->Style->SetHandler(this);
   this->Style->AutoAdjustCameraClippingRangeOff(); // the window does
   const auto observe = [this](unsigned long event,
@@ -130,14 +134,19 @@ void Viewer::connect()
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
     command->SetCallback(function);
-    this->Interactor->AddObserver(event, command);
+    this->Observers.push_back(this->Interactor->AddObserver(event, command));
   };
   observe(vtkCommand::RenderEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->updateZoom();
     static_cast<Viewer*>(self)->Window.touch(ViewerWindow::Views);
   });
-  observe(vtkCommand::TimerEvent,
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->tick(); });
+  observe(vtkCommand::DropFilesEvent, [](vtkObject*, unsigned long, void* self, void* names) {
+    auto* files = static_cast<vtkStringArray*>(names);
+    if (files && files->GetNumberOfValues() > 0)
+    {
+      static_cast<Viewer*>(self)->askToOpen(files->GetValue(0));
+    }
+  });
   observe(vtkCommand::ConfigureEvent, [](vtkObject*, unsigned long, void* self, void*) {
     auto* viewer = static_cast<Viewer*>(self);
     viewer->resize();
@@ -178,11 +187,6 @@ void Viewer::open()
   this->placeControls();
   this->resetCamera();
   this->Window.draw(false);
-  this->Interactor->Initialize();
-  setLeastSize(this->Window.window(), LeastWidth, LeastHeight);
-  // A window manager may have given another size.
-  this->resize();
-  this->Interactor->CreateRepeatingTimer(TickMilliseconds);
 }
 
 void Viewer::resize()
@@ -204,11 +208,6 @@ void Viewer::resize()
   zoomAbout(camera, Vec3(camera->GetFocalPoint()),
     std::min(1.F, after.w / after.h) / std::min(1.F, before.w / before.h));
   this->updateZoom();
-}
-
-void Viewer::run()
-{
-  this->Interactor->Start();
 }
 
 void Viewer::resetCamera()
@@ -281,9 +280,9 @@ void Viewer::tick()
 bool Viewer::atRest()
 {
   const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
-  return !this->MeshWanted && this->Worker.idle() && !previewIsDue && this->Sampler.idle() &&
-    this->activity() == this->Doing && !this->StripIsOld && !this->StaleIsOld &&
-    !this->Window.dirty() && !this->Window.rough();
+  return this->WantedFile.empty() && !this->MeshWanted && this->Worker.idle() && !previewIsDue &&
+    this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
+    !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
 }
 
 void Viewer::settle()

@@ -14,6 +14,7 @@
 #include "Commands.h"
 #include "ControlSheet.h"
 #include "CurveEditor.h"
+#include "Document.h"
 #include "FiguresView.h"
 #include "History.h"
 #include "MeshWorker.h"
@@ -34,31 +35,29 @@ class vtkRenderWindowInteractor;
 
 namespace stipple
 {
-struct ViewerFiles
-{
-  std::string mesh;
-  std::string picture;
-  std::string session;
-};
-
 class Viewer
   : public Commands
   , public PointerHandler
 {
 public:
-  /// `session.model` names the input; `image` is its importance image or null.
-  Viewer(vtkPolyData* input, vtkImageData* image, const Session& session, const ViewerFiles& files,
-    int width, int height);
+  /// Shows itself in the window, by the interactor's events; both outlive it.
+  Viewer(ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document);
   ~Viewer() override;
 
-  vtkRenderWindowInteractor* interactor() { return this->Interactor; }
-
-  /// Opens the window and handles events until it is closed.
-  void run();
-  /// Opens the window.
+  /// Draws for the first time.
   void open();
+  /// The window may have another size; the model stays in view.
+  void resize();
+  /// The file that was asked for since this was called last; empty: none.
+  [[nodiscard]] std::string takeWantedFile();
+  /// Says what went wrong.
+  void complain(const std::string& sentence);
+  /// The page of a window without a file, with what went wrong, if anything.
+  void showStart(const std::string& problem = "");
   /// One turn of the loop: takes what the worker has done, previews, starts meshing, draws.
   void tick();
+  /// The mesh is that of the session, or failed or was stopped, and all is drawn as it will stay.
+  [[nodiscard]] bool atRest();
   /// Ticks until it is at rest.
   void settle();
   /// The window's picture as it is.
@@ -80,6 +79,8 @@ public:
   void fitCamera();
   /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
   void askToQuit();
+  /// Opens another file; asks first likewise.
+  void askToOpen(const std::string& file);
 
   // Commands
   void edit(const std::function<void(Session&)>& change, bool rests) override;
@@ -90,6 +91,9 @@ public:
   void saveMesh() override;
   void savePicture() override;
   void saveSession() override;
+  void openFile() override;
+  void saveMeshAs() override;
+  void saveFigures() override;
 
   // PointerHandler
   bool press(const Pointer& pointer) override;
@@ -101,9 +105,6 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-
-  /// The mesh is that of the session, or failed or was stopped, and all is drawn as it will stay.
-  [[nodiscard]] bool atRest();
 
   // The session and what follows from it
   void changed(bool rests);
@@ -129,12 +130,13 @@ private:
   void show(std::shared_ptr<Page> page);
   void closePage();
   [[nodiscard]] bool hasUnsavedWork() const;
+  /// Does it, after a question if there is unsaved work. `title` is the question.
+  void askFirst(
+    const std::string& title, const std::string& answer, const std::function<void()>& action);
   void quit();
 
   // The window
   void connect();
-  /// The window may have another size; the model stays in view.
-  void resize();
   void placeControls();
   void updateZoom();
   void paintView(Canvas& canvas, bool before);
@@ -168,9 +170,12 @@ private:
   History Edits;
   ViewState View;
   ViewerFiles Files;
+  std::string WantedFile;
+  bool Starts = false; ///< nothing was chosen on the start page yet
 
-  ViewerWindow Window;
-  vtkNew<vtkRenderWindowInteractor> Interactor;
+  ViewerWindow& Window;
+  vtkRenderWindowInteractor* Interactor;
+  std::vector<unsigned long> Observers; ///< of the interactor
   vtkNew<vtkViewerStyle> Style;
   BeforeScene BeforeSide;
   AfterScene AfterSide;

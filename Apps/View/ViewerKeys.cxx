@@ -146,6 +146,18 @@ bool Viewer::commandKey(const KeyStroke& stroke)
   {
     this->askToQuit();
   }
+  else if (stroke.symbol == "o")
+  {
+    this->openFile();
+  }
+  else if (stroke.symbol == "e")
+  {
+    this->saveFigures();
+  }
+  else if (stroke.symbol == "S" || (stroke.symbol == "s" && stroke.shift))
+  {
+    this->saveMeshAs();
+  }
   else if (stroke.symbol == "s")
   {
     this->saveMesh();

@@ -70,7 +70,8 @@ void Viewer::paintView(Canvas& canvas, bool before)
   {
     title = "mesh";
     detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "points, ") +
-        countOf(this->Mesh->mesh->GetNumberOfPolys(), "triangles")
+        countOf(this->Mesh->mesh->GetNumberOfPolys(),
+          this->Mesh->session.text("pattern") == "quads" ? "faces" : "triangles")
                         : "";
   }
   const float y = view.top() - 18 * s;

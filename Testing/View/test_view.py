@@ -270,7 +270,6 @@ class Program(ViewTest):
         self.fail_with(1, "cannot read the recording", BUNNY, "--play", self.file("bad.log", "nothing"))
 
     def test_usage(self):
-        self.fail_with(2, "no input file")
         self.fail_with(2, "did you mean '--points'", BUNNY, "--point", 5)
         self.fail_with(2, "at least 640x480", BUNNY, "--size", "10x10")
         self.fail_with(2, "the output .mesh.doc. must end in .ply", BUNNY, "-o", "mesh.doc")
