@@ -272,7 +272,7 @@ void BeforeScene::showRightActors()
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
   this->Edges->GetProperty()->SetLineWidth(4 * this->LineWidth);
-  this->Brush->GetProperty()->SetLineWidth(2 * this->LineWidth);
+  this->Brush->GetProperty()->SetLineWidth(2.5F * this->LineWidth);
   this->Points->GetProperty()->SetPointSize(11 * this->LineWidth);
   const bool edges = this->View.display == Display::Input;
   setInspectionEdgeLook(
@@ -350,5 +350,24 @@ void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radi
   }
   static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circle);
   this->Brush->SetVisibility(radius > 0);
+}
+
+vtkActor* BeforeScene::points()
+{
+  return this->Points;
+}
+
+void BeforeScene::setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges)
+{
+  vtkNew<vtkPolyData> under;
+  vtkNew<vtkCellArray> lines;
+  for (const auto& edge : edges)
+  {
+    lines->InsertNextCell(2, edge.data());
+  }
+  under->SetPoints(this->Input->GetPoints());
+  under->SetLines(lines);
+  static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(under);
+  this->Brush->SetVisibility(!edges.empty());
 }
 }

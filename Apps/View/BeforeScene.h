@@ -10,6 +10,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -41,6 +42,10 @@ public:
   bool setMarks(const Session& session);
   /// The brush's outline on the surface; no radius: none.
   void setBrush(const Vec3& position, const Vec3& normal, double radius);
+  /// Edges of the input that a click would tag, in the brush's place.
+  void setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges);
+  /// The picked points, to be shown in another view as well.
+  vtkActor* points();
   /// Edges are drawn as far as they can be told apart; pixels per unit of length.
   void setZoom(double pixelsPerLength);
 

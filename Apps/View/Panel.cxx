@@ -282,8 +282,8 @@ void Panel::addCommands(Commands& commands)
   files->setHints({ "Ctrl+O: another surface, or a session; or drop one.",
     "Ctrl+Shift+S: the mesh, under a name.",
     "Ctrl+E: both views alone, 2000 pixels high, transparent." });
-  this->row({ this->Coloring }, 27);
-  this->row({ files }, 27, 12);
+  this->row({ this->Coloring }, 25);
+  this->row({ files }, 25, 14);
 }
 
 Choice* Panel::optionChoice(Commands& commands, const char* option, std::vector<std::string> words)

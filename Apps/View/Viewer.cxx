@@ -111,6 +111,7 @@ Viewer::Viewer(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle.");
+  this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->connect();
   this->showSession();
 }

@@ -149,10 +149,15 @@ private:
   void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
-  void showBrush(const Pointer& pointer);
+  /// What a click would touch: the brush's outline, a point's, edges.
+  void showTool(const Pointer& pointer);
+  /// The edge there, or the way to it from the last one.
+  [[nodiscard]] std::vector<std::array<vtkIdType, 2>> edgesAt(
+    const PickedPlace& place, bool path) const;
   /// What the left button does over a view.
   [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
-  void showHint(const std::string& hint);
+  /// Of what is under the pointer now.
+  void renewHint();
   void togglePoint(const PickedPlace& place);
   void tagEdges(const PickedPlace& place, bool path);
   Control* controlAt(const Pointer& pointer);
@@ -192,6 +197,7 @@ private:
   Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;
   Control* Under = nullptr;
+  Pointer LastPointer;
   std::size_t NextWorst = 0; ///< of the mesh's worst triangles
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 

@@ -65,10 +65,11 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
   const float lines = this->Window.layout().scale;
   this->BeforeSide.setView(this->View, lines);
   this->AfterSide.setView(this->View, lines);
-  if (this->View.tool != Tool::Brush)
+  if (this->View.tool == Tool::Camera)
   {
     this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
   }
+  this->renewHint();
   this->Window.touch(ViewerWindow::Views);
   this->LastTagged = this->View.tool == Tool::Edge ? this->LastTagged : -1;
   this->showSession();

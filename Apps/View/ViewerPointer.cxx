@@ -98,7 +98,7 @@ void Viewer::drag(const Pointer& pointer)
   if (this->Painting && this->pick(pointer, place))
   {
     this->paint(place.position, false);
-    this->showBrush(pointer);
+    this->showTool(pointer);
   }
   if (this->Captured)
   {
@@ -170,10 +170,11 @@ void Viewer::hover(const Pointer& pointer)
   {
     this->Window.touch(this->partOf(control));
   }
-  this->showHint(control ? control->hint(pointer) : this->toolHint(pointer));
-  if (this->View.tool == Tool::Brush)
+  this->LastPointer = pointer;
+  this->renewHint();
+  if (this->View.tool != Tool::Camera)
   {
-    this->showBrush(pointer);
+    this->showTool(pointer);
   }
 }
 
@@ -197,8 +198,10 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   }
 }
 
-void Viewer::showHint(const std::string& hint)
+void Viewer::renewHint()
 {
+  const std::string hint =
+    this->Under ? this->Under->hint(this->LastPointer) : this->toolHint(this->LastPointer);
   if (hint != this->Hint)
   {
     this->Hint = hint;
@@ -206,12 +209,21 @@ void Viewer::showHint(const std::string& hint)
   }
 }
 
-void Viewer::showBrush(const Pointer& pointer)
+void Viewer::showTool(const Pointer& pointer)
 {
   PickedPlace place;
   const bool on = this->pick(pointer, place);
-  this->BeforeSide.setBrush(
-    place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
+  if (this->View.tool == Tool::Edge)
+  {
+    this->BeforeSide.setEdgesUnder(
+      on ? this->edgesAt(place, pointer.shift) : std::vector<std::array<vtkIdType, 2>>{});
+  }
+  else
+  {
+    const double radius =
+      this->View.tool == Tool::Brush ? 0.01 * this->View.brushRadius : NearPoint;
+    this->BeforeSide.setBrush(place.position, place.normal, on ? radius * this->Diagonal : 0);
+  }
   this->Window.touch(ViewerWindow::Before);
 }
 
@@ -281,13 +293,18 @@ void Viewer::togglePoint(const PickedPlace& place)
     true);
 }
 
-void Viewer::tagEdges(const PickedPlace& place, bool path)
+std::vector<std::array<vtkIdType, 2>> Viewer::edgesAt(const PickedPlace& place, bool path) const
 {
-  std::vector<std::array<vtkIdType, 2>> edges = { place.edge };
   if (path && this->LastTagged >= 0)
   {
-    edges = this->Picker.shortestPath(this->LastTagged, place.point);
+    return this->Picker.shortestPath(this->LastTagged, place.point);
   }
+  return { place.edge };
+}
+
+void Viewer::tagEdges(const PickedPlace& place, bool path)
+{
+  const std::vector<std::array<vtkIdType, 2>> edges = this->edgesAt(place, path);
   this->LastTagged = place.point;
   this->edit(
     [&](Session& s) {

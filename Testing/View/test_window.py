@@ -177,6 +177,35 @@ class Sliders(ViewTest):
                 self.assertGreater((one != other).sum(), 300)
 
 
+class Tools(ViewTest):
+    """What a click would do is seen before it, and what was picked in both views."""
+
+    @staticmethod
+    def orange(picture, half):
+        view = picture[250:, :500] if half == 0 else picture[250:, 508:1005]
+        return ((view[..., 0] > 200) & (view[..., 1] > 90) & (view[..., 1] < 160) & (view[..., 2] < 60)).sum()
+
+    def test_what_is_under_the_pointer_is_outlined(self):
+        over, beside = ("MouseMoveEvent", 200, 570), ("MouseMoveEvent", 400, 300)
+        steps = [self.recorded("v", over)]
+        for tool in "bkx":
+            steps += [self.recorded(tool, over), self.recorded(beside), self.recorded("v")]
+        camera, *others = self.shots((FANDISK, "--points", 300), *steps)
+        self.assertEqual(self.orange(camera, 0), 0)
+        for i, tool in enumerate("bkx"):
+            with self.subTest(tool):
+                self.assertGreater(self.orange(others[3 * i], 0), 8)
+                self.assertEqual(self.orange(others[3 * i + 1], 0), 0)
+                self.assertEqual(self.orange(others[3 * i + 2], 0), 0)
+
+    def test_picked_points_are_seen_on_the_mesh(self):
+        pick = ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480), "v"
+        before, after = self.shots((FANDISK, "--points", 300), self.recorded("v"), self.recorded("k", *pick))
+        self.assertEqual((self.orange(before, 0), self.orange(before, 1)), (0, 0))
+        self.assertGreater(self.orange(after, 0), 40)
+        self.assertGreater(self.orange(after, 1), 40)
+
+
 class Quitting(ViewTest):
     def paint(self, window):
         """A dab on the fandisk, seen."""
