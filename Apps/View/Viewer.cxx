@@ -39,6 +39,8 @@ constexpr std::chrono::milliseconds RestTime(300);
 constexpr std::chrono::milliseconds StripTime(120);
 /// The status line tells of samples that take longer, in seconds.
 constexpr double SamplingTime = 0.3;
+/// Controls that changed are drawn with the new samples, or without them after so many seconds.
+constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
@@ -267,12 +269,16 @@ void Viewer::tick()
     this->LastStrip = Clock::now();
     this->Window.touch(ViewerWindow::Strip | ViewerWindow::Status);
   }
-  if (this->Window.dirty())
+  // A frame of the controls alone would take its time from the samples that are nearly there.
+  const double waiting = this->Sampler.waiting();
+  const bool waits =
+    waiting > 0 && waiting < OwnFrameTime && (this->Window.dirtyParts() & ViewerWindow::Views) == 0;
+  if (this->Window.dirty() && !waits)
   {
     this->Window.draw(false);
     this->LastFrame = Clock::now();
   }
-  else if (this->Window.rough() && Clock::now() - this->LastFrame > CalmTime)
+  else if (!waits && this->Window.rough() && Clock::now() - this->LastFrame > CalmTime)
   {
     this->Window.draw(true);
   }

@@ -56,6 +56,8 @@ public:
   /// All, and nothing of what the window shows is kept.
   void renew();
   bool dirty() const { return this->Dirty != 0; }
+  /// Parts that will be drawn.
+  int dirtyParts() const { return this->Dirty; }
   /// Also smooths the lines of views, if calm; that costs time.
   void draw(bool calm);
   /// A view's model alone, without a word, at another size in pixels and the view's proportions, as
