@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpText.h"
 
+#include <algorithm>
+
 namespace stipple
 {
 const std::vector<std::pair<std::string, std::string>>& keyHelp()
@@ -14,6 +16,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "on a slider", "click its number to type it; right button: default" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
     { "[ ], Ctrl with the brush", "smaller, larger; erases" },
+    { "y", "the brush mirrors in x, in y, in z, not" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
     { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
@@ -33,9 +36,10 @@ void paintHelp(Canvas& canvas, const Rect& window)
 {
   const float s = canvas.scale();
   const auto& lines = keyHelp();
-  const float step = 21 * s;
+  const auto rows = static_cast<float>(lines.size() + 1);
+  const float step = std::min(21 * s, (window.h - 60 * s) / rows);
   const float width = 620 * s;
-  const float height = step * static_cast<float>(lines.size() + 1) + 44 * s;
+  const float height = step * rows + 44 * s;
   const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
     width, height };
   canvas.fill(window, { 30, 36, 46, 110 });

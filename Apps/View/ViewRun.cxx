@@ -18,7 +18,6 @@
 #include "vtkVersion.h"
 
 #include <array>
-#include <filesystem>
 
 namespace stipple
 {

@@ -44,7 +44,9 @@ struct ViewState
   MeshColoring coloring = MeshColoring::Plain;
   bool features = true;
   bool seams = false;
-  double brushRadius = 5;   ///< percent of the bounding box's diagonal
+  double brushRadius = 5; ///< percent of the bounding box's diagonal
+  int brushMirror = -1;   ///< dabs also go to the other side of the box's middle, in x, y or z; -1:
+                          ///< no
   bool brushErases = false; ///< while Ctrl is held: takes away all paint, whatever its strength
   double brushStrength = 1; ///< importance that a dab adds; -1 to 0: share that it takes away
   bool wireframe = false;   ///< only edges, in both views

@@ -76,6 +76,11 @@ bool Viewer::key(const KeyStroke& stroke)
         std::clamp(v.brushRadius * (key == "bracketleft" ? 0.8 : 1.25), LeastBrush, LargestBrush);
     });
   }
+  else if (key == "y")
+  {
+    this->changeView(
+      [](ViewState& v) { v.brushMirror = v.brushMirror == 2 ? -1 : v.brushMirror + 1; });
+  }
   else if (key == "c")
   {
     this->changeView([](ViewState& v) {

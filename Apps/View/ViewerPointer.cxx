@@ -5,6 +5,7 @@
 
 #include "CameraMoves.h"
 
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -188,7 +189,8 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   switch (this->View.tool)
   {
     case Tool::Brush:
-      return "Brush: drag paints, Ctrl erases; [ and ] change its size. Off the model, drag turns.";
+      return std::string("Brush: drag paints, Ctrl erases; [ and ] change its size; y mirrors: ") +
+        (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
       return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
     case Tool::Edge:
@@ -262,11 +264,18 @@ void Viewer::paint(const Vec3& position, bool begins)
     return;
   }
   this->LastDab = position;
+  const int mirror = this->View.brushMirror;
   const double strength = this->View.brushErases ? -1 : this->View.brushStrength;
   this->edit(
     [&](Session& s) {
       auto strokes = s.list("strokes");
       strokes.insert(strokes.end(), { position[0], position[1], position[2], radius, strength });
+      if (mirror >= 0)
+      {
+        Vec3 other = position;
+        other[mirror] = 2 * this->Input->GetCenter()[mirror] - position[mirror];
+        strokes.insert(strokes.end(), { other[0], other[1], other[2], radius, strength });
+      }
       s.setList("strokes", std::move(strokes));
     },
     false);

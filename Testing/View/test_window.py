@@ -8,7 +8,7 @@ import numpy as np
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import VIEW, run
+from stipple_program import VIEW, points_of, run
 from view_program import FANDISK, ViewTest
 
 VIEWS = np.s_[250:, :1005]  # of a picture, whose rows go up
@@ -110,6 +110,18 @@ class Brush(ViewTest):
     def test_control_erases_while_it_is_held(self):
         strokes = self.strokes(*self.dab(), *self.dab("Control"), *self.dab())
         self.assertEqual([stroke[4] for stroke in strokes], [1, -1, 1])
+
+    def test_dabs_are_mirrored(self):
+        """Through the middle of the model's box."""
+        points = np.array(points_of(FANDISK))
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        for axis in range(3):
+            one, other = np.array(self.strokes(*["y"] * (axis + 1), *self.dab()))
+            np.testing.assert_array_equal(one[3:], other[3:])
+            np.testing.assert_allclose((one[axis] + other[axis]) / 2, middle[axis], atol=1e-6)
+            same = [k for k in range(3) if k != axis]
+            np.testing.assert_array_equal(one[same], other[same])
+        self.assertEqual(len(self.strokes(*["y"] * 4, *self.dab())), 1, "and no more")
 
     def test_brackets_change_the_size(self):
         first, larger, smaller = (
