@@ -9,7 +9,7 @@ import numpy as np
 import pictures
 from live_window import LiveWindow
 from stipple_program import VIEW, points_of, run
-from view_program import FANDISK, ViewTest
+from view_program import BUNNY, FANDISK, ViewTest
 
 VIEWS = np.s_[250:, :1005]  # of a picture, whose rows go up
 
@@ -187,6 +187,32 @@ class Sliders(ViewTest):
             self.assertGreater((one.min(axis=2) < 120).sum(), 300, "a sentence")
             for other in told[:i]:
                 self.assertGreater((one != other).sum(), 300)
+
+
+class States(ViewTest):
+    def test_header_and_status_agree_after_a_stop(self):
+        """Without a move of the camera; and Return ends it."""
+        def drag(begin, end):
+            return ("LeftButtonPressEvent", begin, 577), ("MouseMoveEvent", end, 577), ("LeftButtonReleaseEvent", end, 577)
+
+        away = ("MouseMoveEvent", 1020, 790)  # where nothing is told of
+        done, stopped, made = self.shots(
+            [BUNNY, "--points", 3000], self.recorded(*drag(1105, 1090), away), self.recorded(*drag(1090, 1120), away, "Escape"),
+            self.recorded("Return"))
+        header, status = np.s_[770:795, 880:1005], np.s_[:26, :400]
+        red = [((p[header][..., 0] > 150) & (p[header][..., 1] < 90)).sum() for p in (done, stopped, made)]
+        self.assertEqual((red[0], red[2]), (0, 0))
+        self.assertGreater(red[1], 60, "not up to date")
+        self.assertGreater((stopped[status] != done[status]).sum(), 300, "stopped")
+        np.testing.assert_array_equal(made[status], done[status])
+
+    def test_uniform_density_is_neither_few_nor_many(self):
+        uniform = ("LeftButtonPressEvent", 1050, 654), ("LeftButtonReleaseEvent", 1050, 654)
+        shot, = self.shots([FANDISK, "--points", 500], self.recorded(*uniform, "d", "d", "d", "l"))
+        view = shot[320:760, :500]  # above the bar
+        model = view[view.min(axis=2) < 250]
+        self.assertGreater(len(model), 20000)
+        self.assertLess(np.mean(np.ptp(model, axis=1) > 40), 0.05, "grey by the light only")
 
 
 class Tools(ViewTest):
