@@ -186,7 +186,7 @@ Option programOption(Option::Group group, Option::Kind kind, const char* name, c
 }
 
 Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage)
+  const std::vector<Option>& table, const std::string& usage, bool mayBeEmpty)
 {
   Arguments result;
   const auto complainIf = [&result](bool wrong, const std::string& sentence) {
@@ -247,7 +247,7 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
     complainIf(!wrong.empty(), typed + " " + wrong);
     result.inOrder.emplace_back(option.name, value);
   }
-  complainIf(!result.options.has("model") && !result.options.has("session"),
+  complainIf(!mayBeEmpty && !result.options.has("model") && !result.options.has("session"),
     "no input file; usage: " + usage);
   const auto checkEnding = [&](const std::string& name, const std::string& called,
                              const std::vector<std::string>& endings) {

@@ -39,9 +39,9 @@ struct Arguments
 };
 
 /// Reads a command line with these options; -o FILE and -oFILE are --output, and -h is --help;
-/// what follows -- is the input. It needs a model or a session.
+/// what follows -- is the input. It needs a model or a session, unless `mayBeEmpty`.
 [[nodiscard]] Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage);
+  const std::vector<Option>& table, const std::string& usage, bool mayBeEmpty = false);
 
 /// Of some words, the one that was probably meant; empty if none is near.
 [[nodiscard]] std::string nearestWord(
