@@ -165,10 +165,13 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
     improve(edit, vertices);
   }
   const EdgeLengths after = edgeLengths(mesh, faces);
+  // Where a vertex has come home from afar, others lie by now.
+  const std::vector<Face> about =
+    facesAbout(mesh, withRings(mesh, cornersOf(mesh, faces), Tuning::RingsAboutEmbedding));
   return after.longest <= Tuning::GrowthByEmbedding * before.longest &&
     after.shortest >= std::min(before.shortest, Tuning::OnEdge * before.longest) &&
     std::all_of(places.begin(), places.end(),
-      [&](const Vec3& p) { return isNear(mesh, p, faces, Tuning::FarthestLeft * before.mean); });
+      [&](const Vec3& p) { return isNear(mesh, p, about, Tuning::FarthestLeft * before.mean); });
 }
 
 std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)

@@ -16,8 +16,8 @@ namespace stipple
 /// folds where the region is nearly flat), starting over from the vertices around; then swaps and
 /// moves for good angles. The vertices are free; `faces` are all triangles about them. False if
 /// vertices were drawn off a part of the surface, which a few triangles then cut off: the longest
-/// edge became much longer, or a place where a vertex was is farther from all triangles than half
-/// of it.
+/// edge became much longer, or a place where a vertex was is farther from all triangles there than
+/// half of the mean edge; or if a vertex came to lie on another.
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(
   MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces);
 

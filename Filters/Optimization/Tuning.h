@@ -117,9 +117,11 @@ struct Tuning
   static constexpr double AngleOfEmbedding = 0.6; ///< up to which these improve triangles
   /// Of the longest edge: more, and vertices were drawn off a part of the surface.
   static constexpr double GrowthByEmbedding = 1.2;
-  /// Of it, too: how far the mesh may be in the end from where its vertices were. A pocket that
-  /// vertices were drawn out of is lost (l_camelhead at 1,500 points: the mouth, 6 % of the
-  /// diagonal deep).
+  /// Of the mean edge: how far the mesh may be in the end from where its vertices were, and rings
+  /// of it that are looked at. A pocket that vertices were drawn out of is lost (l_camelhead at
+  /// 1,500 points: the mouth, 6 % of the diagonal deep), and a hook is (falconstatue at 5,000
+  /// points: a claw, with half of the longest edge).
+  static constexpr int RingsAboutEmbedding = 1;
   static constexpr double FarthestLeft = 0.5;
   /// Of the mean edge: triangles that have moved less are where they were.
   static constexpr double SamePlace = 0.1;

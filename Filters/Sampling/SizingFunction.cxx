@@ -32,8 +32,13 @@ class Sizing
 public:
   Sizing(const std::vector<ControlImage>& images, const SizingOptions& options);
 
-  /// Samples per unit of parameter area at least, by chart and pixel; empty: sizes do not grow.
-  using Least = std::vector<std::vector<float>>;
+  /// Samples per unit of parameter area at least, by chart and pixel, and the finest size that was
+  /// asked for, over the spacing. Empty: sizes do not grow.
+  struct Growth
+  {
+    std::vector<std::vector<float>> least;
+    double finest = Constants::FinestSize;
+  };
   /// Lets sizes grow from features, down to `finest` of the spacing. Nothing is done where none are
   /// near one another.
   void grow(
@@ -44,18 +49,20 @@ public:
     return featureSizes(
       atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop);
   }
-  Least takeLeast() { return std::move(this->Grown); }
+  Growth takeGrowth() { return std::move(this->Grown); }
   /// To be fitted from a scale on.
-  void setLeast(Least least, double scale)
+  void setGrowth(Growth growth, double scale)
   {
-    this->Grown = std::move(least);
+    this->Grown = std::move(growth);
     this->Scale = scale;
   }
+  /// Whether as many samples per area are wanted everywhere.
+  bool isUniform() const;
   /// The ratio of neighbouring edges.
   double growth() const { return this->Options.growth; }
   /// Finds the scale at which there are as many samples as asked for.
   Status fitScale();
-  bool hasGrown() const { return !this->Grown.empty(); }
+  bool hasGrown() const { return !this->Grown.least.empty(); }
   bool isBounded() const
   {
     return this->hasGrown() || this->Options.smallest > 0 || this->Options.largest > 0;
@@ -85,11 +92,11 @@ private:
   /// Samples per unit of parameter area where so many are wanted.
   double bounded(std::size_t chart, std::size_t pixel, double wanted) const
   {
-    constexpr double most = 1. / (Constants::FinestSize * Constants::FinestSize);
+    const double most = 1. / (this->Grown.finest * this->Grown.finest);
     const double area = std::max(0.f, this->Images[chart].areaDistortion[pixel]);
-    const double grown = this->Grown.empty()
+    const double grown = this->Grown.least.empty()
       ? wanted
-      : std::clamp<double>(this->Grown[chart][pixel], wanted, most * wanted);
+      : std::clamp<double>(this->Grown.least[chart][pixel], wanted, most * wanted);
     return std::clamp(grown, area * this->Lowest, area * this->Highest);
   }
 
@@ -98,7 +105,7 @@ private:
   double Lowest = 0; ///< bounds on samples per area
   double Highest = Unbounded;
   double Scale = 0; ///< samples for the control's unit
-  Least Grown;
+  Growth Grown;
 };
 
 Sizing::Sizing(const std::vector<ControlImage>& images, const SizingOptions& options)
@@ -122,6 +129,22 @@ Sizing::Sizing(const std::vector<ControlImage>& images, const SizingOptions& opt
   this->Scale = mass > 0 ? number / mass : 0.;
 }
 
+bool Sizing::isUniform() const
+{
+  double least = Unbounded;
+  double most = 0;
+  for (const ControlImage& image : this->Images)
+  {
+    for (int i = 0; i < image.numberOfPixels(); ++i)
+    {
+      const double density = image.density(i);
+      least = density > 0 ? std::min(least, density) : least;
+      most = std::max(most, density);
+    }
+  }
+  return most <= (1. + Constants::SizingTolerance) * least;
+}
+
 double Sizing::spacingAt(const Atlas& atlas, const SurfacePlace& place) const
 {
   const AtlasSurface& surface = atlas.surface();
@@ -136,19 +159,19 @@ void Sizing::grow(
   const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale)
 {
   const GradedSizes sizes(sizesFrom(features, finest), this->Options.growth - 1.);
-  this->setLeast({}, scale);
+  this->setGrowth({ {}, finest }, scale);
   if (sizes.empty())
   {
     return;
   }
-  this->Grown.resize(this->Images.size());
-  for (std::size_t c = 0; c < this->Grown.size(); ++c)
+  this->Grown.least.resize(this->Images.size());
+  for (std::size_t c = 0; c < this->Grown.least.size(); ++c)
   {
-    this->Grown[c].resize(this->Images[c].numberOfPixels());
+    this->Grown.least[c].resize(this->Images[c].numberOfPixels());
   }
   forEachPixelSize(
     atlas.surface(), this->Images, sizes, [&](std::size_t c, std::size_t i, double size) {
-      this->Grown[c][i] =
+      this->Grown.least[c][i] =
         static_cast<float>(densityOfEdges(size) * std::max(0.f, this->Images[c].areaDistortion[i]));
     });
 }
@@ -219,13 +242,14 @@ Status Sizing::fitScale()
 
 /// As fine as can be had while edges elsewhere get longer by no more than the growth: the smallest
 /// features, which would take the most points, are given up first, by bisection of the finest size.
+/// All or nothing where somebody wants more points in one place than in another.
 void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
 {
   const std::vector<FeatureSize> features = sizing.features(atlas, stop);
   const double scale = sizing.scale();
   double tooFine = 0;
   double coarse = Constants::LargestSize;
-  Sizing::Least best;
+  Sizing::Growth best;
   for (int step = 0; step < Constants::MostGrowthSteps && !isAsked(stop); ++step)
   {
     const double finest = step == 0 ? Constants::FinestSize : std::sqrt(tooFine * coarse);
@@ -238,15 +262,15 @@ void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
       sizing.fitScale().ok() && std::sqrt(scale / sizing.scale()) <= sizing.growth();
     if (isMet && sizing.hasGrown())
     {
-      best = sizing.takeLeast();
+      best = sizing.takeGrowth();
     }
-    if (isMet && step == 0)
+    if (step == 0 && (isMet || !sizing.isUniform()))
     {
       break;
     }
     (isMet ? coarse : tooFine) = finest;
   }
-  sizing.setLeast(std::move(best), scale);
+  sizing.setGrowth(std::move(best), scale);
 }
 }
 
