@@ -16,11 +16,12 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   ImagingCore ImagingGeneral ImagingHybrid
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML
+  ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   ChartsCore ViewsContext2D
   TestingCore TestingRendering
   jsoncpp utf8
-  OPTIONAL_COMPONENTS WrappingPythonCore Python PythonInterpreter)
+  OPTIONAL_COMPONENTS ParallelMPI WrappingPythonCore Python PythonInterpreter)
 # VTK calls OpenGL through glad from 9.4 on, through GLEW before (Rendering/Headless/StippleOpenGL.h).
 set(stipple_opengl_targets VTK::glew VTK::opengl)
 if (TARGET VTK::glad)

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshPatch.h"
+
+#include "Atlas.h"
+#include "DensityField.h"
+#include "FeatureGraph.h"
+#include "OptimizedMesh.h"
+#include "PolyDataConversion.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace stipple
+{
+namespace
+{
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+template <typename T>
+void writeVector(const std::vector<T>& values, Bytes& bytes)
+{
+  const auto size = static_cast<long long>(values.size());
+  const auto* head = reinterpret_cast<const char*>(&size);
+  bytes.insert(bytes.end(), head, head + sizeof size);
+  const auto* data = reinterpret_cast<const char*>(values.data());
+  bytes.insert(bytes.end(), data, data + values.size() * sizeof(T));
+}
+
+template <typename T>
+void readVector(const Bytes& bytes, std::size_t& at, std::vector<T>& values)
+{
+  long long size = 0;
+  std::memcpy(&size, bytes.data() + at, sizeof size);
+  at += sizeof size;
+  values.resize(static_cast<std::size_t>(size));
+  if (size > 0)
+  {
+    std::memcpy(static_cast<void*>(values.data()), bytes.data() + at, values.size() * sizeof(T));
+  }
+  at += values.size() * sizeof(T);
+}
+
+/// The surface of a patch, as an atlas of one chart without parameters: what walks on it needs
+/// none.
+Status makeAtlas(const TriangleSurface& surface, const std::set<std::array<int, 2>>& creases,
+  Atlas::Pointer& atlas)
+{
+  vtkSmartPointer<vtkPolyData> chart = toPolyData(surface.points, surface.triangles);
+  vtkNew<vtkDoubleArray> uv;
+  uv->SetName("UV");
+  uv->SetNumberOfComponents(2);
+  uv->SetNumberOfTuples(chart->GetNumberOfPoints());
+  uv->Fill(0.);
+  chart->GetPointData()->AddArray(uv);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("SurfacePointId");
+  for (vtkIdType p = 0; p < chart->GetNumberOfPoints(); ++p)
+  {
+    ids->InsertNextValue(p);
+  }
+  chart->GetPointData()->AddArray(ids);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("SourceCellId");
+  for (vtkIdType f = 0; f < chart->GetNumberOfCells(); ++f)
+  {
+    cells->InsertNextValue(f);
+  }
+  chart->GetCellData()->AddArray(cells);
+  vtkNew<vtkDoubleArray> extent;
+  extent->SetName("ChartExtent");
+  extent->SetNumberOfComponents(2);
+  extent->InsertNextTuple2(1., 1.);
+  chart->GetFieldData()->AddArray(extent);
+  vtkNew<vtkPartitionedDataSet> set;
+  set->SetPartition(0, chart);
+  vtkNew<vtkPartitionedDataSetCollection> charts;
+  charts->SetPartitionedDataSet(0, set);
+  FeatureGraph graph;
+  graph.isCorner.assign(surface.points.size(), 0);
+  for (const auto& [p, q] : creases)
+  {
+    Backbone backbone;
+    backbone.points = { p, q };
+    graph.backbones.push_back(backbone);
+  }
+  return Atlas::read(charts, toPolyData(graph, surface.points), atlas);
+}
+
+/// Parts of a mesh, or of a surface, as one: points by their ids.
+class Merged
+{
+public:
+  void add(const std::vector<long long>& ids) { this->Ids.insert(ids.begin(), ids.end()); }
+  void number()
+  {
+    for (const long long id : this->Ids)
+    {
+      this->NumberOf.emplace_hint(
+        this->NumberOf.end(), id, static_cast<int>(this->NumberOf.size()));
+    }
+  }
+  int operator[](long long id) const { return this->NumberOf.at(id); }
+  std::vector<long long> ids() const { return { this->Ids.begin(), this->Ids.end() }; }
+  std::size_t size() const { return this->Ids.size(); }
+
+private:
+  std::set<long long> Ids;
+  std::map<long long, int> NumberOf;
+};
+}
+
+void PatchPart::write(long long number, Bytes& bytes) const
+{
+  writeVector(std::vector<long long>{ number, this->block }, bytes);
+  writeVector(this->id, bytes);
+  writeVector(this->position, bytes);
+  writeVector(this->isMovable, bytes);
+  writeVector(this->movesLater, bytes);
+  writeVector(this->triangles, bytes);
+  writeVector(this->lines, bytes);
+  writeVector(this->surfaceId, bytes);
+  writeVector(this->surfacePosition, bytes);
+  writeVector(this->density, bytes);
+  writeVector(this->surfaceTriangles, bytes);
+  writeVector(this->source, bytes);
+  writeVector(this->creases, bytes);
+}
+
+void PatchPart::read(const Bytes& bytes, std::size_t& at, long long& number)
+{
+  std::vector<long long> head;
+  readVector(bytes, at, head);
+  number = head[0];
+  this->block = static_cast<int>(head[1]);
+  readVector(bytes, at, this->id);
+  readVector(bytes, at, this->position);
+  readVector(bytes, at, this->isMovable);
+  readVector(bytes, at, this->movesLater);
+  readVector(bytes, at, this->triangles);
+  readVector(bytes, at, this->lines);
+  readVector(bytes, at, this->surfaceId);
+  readVector(bytes, at, this->surfacePosition);
+  readVector(bytes, at, this->density);
+  readVector(bytes, at, this->surfaceTriangles);
+  readVector(bytes, at, this->source);
+  readVector(bytes, at, this->creases);
+}
+
+void HealedPatch::write(long long number, Bytes& bytes) const
+{
+  writeVector(std::vector<long long>{ number, this->patch }, bytes);
+  writeVector(this->id, bytes);
+  writeVector(this->position, bytes);
+  writeVector(this->isMovable, bytes);
+  writeVector(this->movesLater, bytes);
+  writeVector(this->place, bytes);
+  writeVector(this->triangles, bytes);
+  writeVector(this->trianglePlace, bytes);
+}
+
+void HealedPatch::read(const Bytes& bytes, std::size_t& at, long long& number)
+{
+  std::vector<long long> head;
+  readVector(bytes, at, head);
+  number = head[0];
+  this->patch = head[1];
+  readVector(bytes, at, this->id);
+  readVector(bytes, at, this->position);
+  readVector(bytes, at, this->isMovable);
+  readVector(bytes, at, this->movesLater);
+  readVector(bytes, at, this->place);
+  readVector(bytes, at, this->triangles);
+  readVector(bytes, at, this->trianglePlace);
+}
+
+Status optimizePatch(
+  const std::vector<PatchPart>& parts, const OptimizerOptions& options, HealedPatch& healed)
+{
+  Merged points;
+  Merged surfacePoints;
+  for (const PatchPart& part : parts)
+  {
+    points.add(part.id);
+    surfacePoints.add(part.surfaceId);
+  }
+  points.number();
+  surfacePoints.number();
+  healed.id = points.ids();
+  healed.position.assign(points.size(), Vec3::Zero());
+  healed.isMovable.assign(points.size(), 0);
+  healed.movesLater.assign(points.size(), 0);
+  std::vector<Triangle> triangles;
+  std::set<std::array<int, 2>> lines;
+  TriangleSurface surface;
+  surface.points.assign(surfacePoints.size(), Vec3::Zero());
+  std::vector<double> densities(surfacePoints.size(), 1.);
+  std::vector<std::array<int, 2>> source;
+  std::set<std::array<int, 2>> creases;
+  for (const PatchPart& part : parts)
+  {
+    for (std::size_t i = 0; i < part.id.size(); ++i)
+    {
+      const int p = points[part.id[i]];
+      healed.position[p] = part.position[i];
+      healed.isMovable[p] = healed.isMovable[p] != 0 || part.isMovable[i] != 0 ? 1 : 0;
+      healed.movesLater[p] = healed.movesLater[p] != 0 || part.movesLater[i] != 0 ? 1 : 0;
+    }
+    for (const auto& t : part.triangles)
+    {
+      triangles.push_back({ points[part.id[t[0]]], points[part.id[t[1]]], points[part.id[t[2]]] });
+    }
+    for (const auto& line : part.lines)
+    {
+      lines.insert({ { points[part.id[line[0]]], points[part.id[line[1]]] } });
+    }
+    for (std::size_t i = 0; i < part.surfaceId.size(); ++i)
+    {
+      const int p = surfacePoints[part.surfaceId[i]];
+      surface.points[p] = part.surfacePosition[i];
+      densities[p] = part.density[i];
+    }
+    for (const auto& t : part.surfaceTriangles)
+    {
+      surface.triangles.push_back({ surfacePoints[part.surfaceId[t[0]]],
+        surfacePoints[part.surfaceId[t[1]]], surfacePoints[part.surfaceId[t[2]]] });
+    }
+    source.insert(source.end(), part.source.begin(), part.source.end());
+    for (const auto& crease : part.creases)
+    {
+      const auto [p, q] = std::minmax(
+        { surfacePoints[part.surfaceId[crease[0]]], surfacePoints[part.surfaceId[crease[1]]] });
+      creases.insert({ { p, q } });
+    }
+  }
+  // At the rim, creases may have no triangle.
+  std::set<std::array<int, 2>> edges;
+  for (const Triangle& t : surface.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [p, q] = std::minmax({ t[k], t[(k + 1) % 3] });
+      edges.insert({ { p, q } });
+    }
+  }
+  for (auto crease = creases.begin(); crease != creases.end();)
+  {
+    crease = edges.count(*crease) > 0 ? std::next(crease) : creases.erase(crease);
+  }
+  Atlas::Pointer atlas;
+  if (Status status = makeAtlas(surface, creases, atlas); !status.ok())
+  {
+    return status;
+  }
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(toPolyData(surface.points, surface.triangles));
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  const auto faceNear = [&](const Vec3& x, Vec3& nearest) {
+    vtkIdType face = 0;
+    int sub = 0;
+    double squared = 0;
+    locator->FindClosestPoint(x.data(), nearest.data(), cell, face, sub, squared);
+    return face;
+  };
+  std::vector<SurfacePlace> places(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    Vec3 nearest;
+    const vtkIdType face = faceNear(healed.position[p], nearest);
+    const Triangle& t = surface.triangles[static_cast<std::size_t>(face)];
+    places[p] = { static_cast<int>(face),
+      clampedBarycentric(barycentricInSpace(
+        nearest, surface.points[t[0]], surface.points[t[1]], surface.points[t[2]])) };
+  }
+  DensityField density;
+  density.setAtPoints(std::move(densities));
+  OptimizedMesh mesh;
+  if (Status status = mesh.buildPart(
+        *atlas, density, places, healed.isMovable, triangles, { lines.begin(), lines.end() });
+      !status.ok())
+  {
+    return status;
+  }
+  if (Status status = optimizeMesh(mesh, options, {}); !status.ok())
+  {
+    return status;
+  }
+  for (const Vertex v : mesh.vertices())
+  {
+    const SurfacePlace& place = mesh.place(v);
+    if (healed.isMovable[v.index()] != 0)
+    {
+      healed.position[v.index()] = mesh.position(v);
+    }
+    const std::array<int, 2>& from = source[place.face];
+    healed.place.push_back(
+      { from[0], from[1], { { place.bary[0], place.bary[1], place.bary[2] } } });
+  }
+  for (const Triangle& t : mesh.triangles())
+  {
+    healed.triangles.push_back(t);
+    Vec3 nearest;
+    const vtkIdType face = faceNear(
+      (healed.position[t[0]] + healed.position[t[1]] + healed.position[t[2]]) / 3., nearest);
+    const std::array<int, 2>& from = source[static_cast<std::size_t>(face)];
+    healed.trianglePlace.push_back({ from[0], from[1], {} });
+  }
+  return Status::success();
+}
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a surface, each with all that remeshing it needs, on the rank that it is dealt to.
+#ifndef stipple_SurfaceBlocks_h
+#define stipple_SurfaceBlocks_h
+
+#include "Geometry.h"
+#include "RankMessages.h"
+#include "TriangleSurface.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <functional>
+
+class vtkPolyData;
+
+namespace stipple
+{
+/// Where a rank's part of the surface comes from: pieces, which are asked for in their order, and
+/// more than once. Pieces of all ranks, rank by rank, are the surface.
+struct SurfacePieces
+{
+  int count = 0;
+  std::function<Status(int, vtkSmartPointer<vtkPolyData>&)> read;
+};
+
+/// A block's triangles and, behind them, those of other blocks about it: all that touch its box.
+/// Points are in the order of their ids, triangles of each kind in that of theirs, so that nothing
+/// depends on who had them before.
+struct SurfaceBlock
+{
+  int number = 0;                    ///< of the block, from 0
+  vtkSmartPointer<vtkPolyData> data; ///< the triangles, with the arrays that all pieces have
+  int numberOfOwn = 0;               ///< triangles of the block itself
+  std::vector<long long> pointId;    ///< of the whole surface, by point
+  std::vector<long long> triangleId; ///< of the whole surface
+  std::vector<long long> cellId;     ///< the input's cell that a triangle is of, by triangle
+};
+
+/// What blocks a rank has, and what is known of the whole surface.
+struct SurfaceBlocks
+{
+  int count = 0;                   ///< of the whole surface; those without a triangle, too
+  std::vector<SurfaceBlock> own;   ///< ascending, without empty ones
+  long long numberOfTriangles = 0; ///< of the whole surface
+  double diagonal = 0;             ///< of its bounding box
+  /// Blocks are dealt in a row: the rank of one.
+  int rankOf(int block, int ranks) const
+  {
+    return static_cast<int>(static_cast<long long>(block) * ranks / std::max(1, this->count));
+  }
+};
+
+/// Cuts a surface into blocks of at most so many triangles (but for triangles whose centres have
+/// the same coordinate), and moves them to their ranks. Points at the same place are one, or where
+/// every piece has global ids, those of the same global id; a point's id is the least number that
+/// any copy of it has when the points of all pieces are counted in a row, or the global id.
+STIPPLEFILTERSPARALLEL_EXPORT Status makeBlocks(const SurfacePieces& pieces,
+  long long trianglesPerBlock, const RankMessages& ranks, SurfaceBlocks& blocks);
+}
+
+#endif
