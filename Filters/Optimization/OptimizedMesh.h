@@ -87,8 +87,8 @@ public:
   Status build(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
   /// A part of a mesh, on a surface that may go on beyond it: vertices are places on the surface,
-  /// of which only those with isMovable move; edges of fixedEdges, between others, are not
-  /// swapped. The atlas' backbones are walls to walks and nothing else.
+  /// of which only those with isMovable move; edges between others are not swapped, nor
+  /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones are walls to walks and nothing else.
   Status buildPart(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<SurfacePlace>& places, const std::vector<char>& isMovable,
     const std::vector<Triangle>& triangles, const std::vector<std::array<int, 2>>& fixedEdges);
@@ -123,7 +123,11 @@ public:
   /// Of an edge that is one.
   const Crease& crease(Edge e) const { return this->Creases[this->CreaseOf[e]]; }
   /// Two triangles, and no crease: all that an edge needs to be swapped but for the geometry.
-  bool isSwappable(Edge e) const { return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)); }
+  bool isSwappable(Edge e) const
+  {
+    return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)) &&
+      !(this->IsPart && this->isBetweenFixed(this->halfedge(e)));
+  }
   /// No second edge between two vertices comes of swapping it.
   bool keepsManifold(Edge e) const
   {
@@ -287,6 +291,10 @@ private:
   {
     const auto [a, b, c, d] = this->wingVertices(e);
     return this->Free[c] == Freedom::None && this->Free[d] == Freedom::None;
+  }
+  bool isBetweenFixed(Halfedge h) const
+  {
+    return this->Free[this->from(h)] == Freedom::None && this->Free[this->to(h)] == Freedom::None;
   }
   Status connect(const std::vector<Triangle>& triangles);
   Status markCreases(std::vector<Chain> chains);

@@ -7,6 +7,7 @@
 #include "MessageText.h"
 #include "PolyDataConversion.h"
 #include "RegionArrays.h"
+#include "SampleSet.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -105,8 +106,15 @@ public:
   /// The triangle that it was at first.
   int sourceOf(std::size_t triangle) const { return this->Source[triangle]; }
 
-  /// Contracts a point of the border into a neighbour on it. False if no mesh comes of it.
-  bool contract(int p, const std::vector<char>& isExtra)
+  enum class Outcome
+  {
+    Contracted,
+    Swapped,
+    Impossible
+  };
+  /// Contracts a point of the border into a neighbour on it. Where the edges do not allow it, one
+  /// is swapped, and it may be tried again: the point then has a triangle less.
+  Outcome contract(int p, const std::vector<char>& isExtra)
   {
     // Neighbours on the border, and triangles about p.
     std::map<int, int> outgoing;
@@ -157,7 +165,7 @@ public:
     }
     if (into < 0)
     {
-      return false;
+      return this->swapAbout(p, about) ? Outcome::Swapped : Outcome::Impossible;
     }
     std::vector<Triangle>& triangles = this->Mesh.triangles;
     std::vector<Triangle> left;
@@ -176,10 +184,40 @@ public:
     }
     triangles = std::move(left);
     this->Source = std::move(sourceOfLeft);
-    return true;
+    return Outcome::Contracted;
   }
 
 private:
+  /// Swaps an edge from p to the inside, so that p has one triangle less: the first that can be.
+  bool swapAbout(int p, const std::vector<int>& about)
+  {
+    std::vector<Triangle>& triangles = this->Mesh.triangles;
+    for (const int f : about)
+    {
+      for (const int g : about)
+      {
+        // f is (p, b, c), g is (p, c, d): they become (p, b, d) and (b, c, d).
+        Triangle first = triangles[f];
+        Triangle second = triangles[g];
+        std::rotate(first.begin(), std::find(first.begin(), first.end(), p), first.end());
+        std::rotate(second.begin(), std::find(second.begin(), second.end(), p), second.end());
+        const int b = first[1];
+        const int d = second[2];
+        if (first[2] != second[1] ||
+          std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+            return std::count(t.begin(), t.end(), b) > 0 && std::count(t.begin(), t.end(), d) > 0;
+          }))
+        {
+          continue;
+        }
+        triangles[f] = { p, b, d };
+        triangles[g] = { b, first[2], d };
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// Of the triangles about p the worst agreement of normals before and after, with as much of
   /// their shape; less than -1 if the edges do not allow it.
   double worstAfter(int p, int q, const std::vector<int>& about, const std::map<int, int>& outgoing,
@@ -207,7 +245,7 @@ private:
         }
       }
     }
-    if (common.size() != 1 || about.size() < 2)
+    if (common.size() != 1)
     {
       return -3;
     }
@@ -491,6 +529,173 @@ Status update(vtkGeometryRemesher* remesher)
       return Status::internal(sentence);
   }
 }
+
+/// The remesher's mesh without what the border has besides its samples; what was not one of these
+/// is counted.
+Status takeMesh(const SurfaceBlock& block, const BorderedSurface& surface,
+  vtkGeometryRemesher* remesher, BlockMesh& mesh, int& numberOfOthers)
+{
+  mesh = {};
+  vtkPolyData* output = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(0));
+  TriangleSurface given = fromPolyData(output);
+  const auto n = given.points.size();
+  std::vector<int> sample(n, -1);
+  std::set<int> met;
+  for (std::size_t p = 0; p < n; ++p)
+  {
+    const auto found = surface.sampleAt.find(placeOf(given.points[p].data()));
+    if (found != surface.sampleAt.end())
+    {
+      sample[p] = found->second;
+      met.insert(found->second);
+    }
+  }
+  if (met.size() != surface.sampleAt.size())
+  {
+    return Status::internal("The mesh of block " + std::to_string(block.number) + " lacks " +
+      std::to_string(surface.sampleAt.size() - met.size()) + " of the " +
+      std::to_string(surface.sampleAt.size()) + " points on its border.");
+  }
+
+  // Where seams end on the border, and where the sampler needed more to make a planar graph of it,
+  // this block has points that its neighbours do not have.
+  auto* graph = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
+  vtkDataArray* keep = graph->GetCellData()->GetArray("Keep");
+  std::set<Place> extraAt;
+  vtkIdType size;
+  const vtkIdType* ids;
+  std::set<int> fixedLines;
+  for (vtkIdType l = 0; l < graph->GetNumberOfLines(); ++l)
+  {
+    graph->GetLines()->GetCellAtId(l, size, ids);
+    if (keep->GetComponent(graph->GetNumberOfVerts() + l, 0) == static_cast<double>(Keep::Edges))
+    {
+      fixedLines.insert(static_cast<int>(l));
+      for (const vtkIdType end : { ids[0], ids[size - 1] })
+      {
+        const Place place = placeOf(graph->GetPoint(end));
+        if (surface.sampleAt.count(place) == 0)
+        {
+          extraAt.insert(place);
+        }
+      }
+    }
+  }
+  std::vector<char> isExtra(n, 0);
+  std::vector<int> extras;
+  vtkDataArray* kind = output->GetPointData()->GetArray("SampleKind");
+  vtkDataArray* backboneOf = output->GetPointData()->GetArray("BackboneId");
+  for (std::size_t p = 0; p < n; ++p)
+  {
+    const auto id = static_cast<vtkIdType>(p);
+    const bool isBetween =
+      kind->GetComponent(id, 0) == static_cast<double>(SampleKind::Backbone) &&
+      fixedLines.count(static_cast<int>(backboneOf->GetComponent(id, 0))) > 0;
+    if (isBetween || extraAt.count(placeOf(given.points[p].data())) > 0)
+    {
+      isExtra[p] = 1;
+      extras.push_back(static_cast<int>(p));
+    }
+  }
+  Contraction contraction(given);
+  for (bool goesOn = true; goesOn && !extras.empty();)
+  {
+    goesOn = false;
+    for (std::size_t i = 0; i < extras.size(); ++i)
+    {
+      auto outcome = Contraction::Outcome::Swapped;
+      while (outcome == Contraction::Outcome::Swapped)
+      {
+        outcome = contraction.contract(extras[i], isExtra);
+      }
+      if (outcome == Contraction::Outcome::Contracted)
+      {
+        isExtra[extras[i]] = 0;
+        sample[extras[i]] = -2; // gone
+        extras.erase(extras.begin() + static_cast<std::ptrdiff_t>(i));
+        goesOn = true;
+        break;
+      }
+    }
+  }
+  if (!extras.empty())
+  {
+    return Status::tooFewPoints("A block's border is too coarse for its mesh: use more points, or "
+                                "larger blocks.");
+  }
+
+  // What is left, in order: points of the border are several where the block only touches itself.
+  std::vector<int> newId(n, -1);
+  std::map<int, int> ofSample;
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  mesh.arrays = vtkSmartPointer<vtkPolyData>::New();
+  mesh.arrays->GetPointData()->CopyAllOn();
+  mesh.arrays->GetPointData()->CopyAllocate(output->GetPointData());
+  long long others = 0;
+  for (std::size_t p = 0; p < n; ++p)
+  {
+    if (sample[p] == -2)
+    {
+      continue;
+    }
+    if (sample[p] >= 0)
+    {
+      const auto [found, isNew] = ofSample.try_emplace(sample[p], static_cast<int>(mesh.id.size()));
+      newId[p] = found->second;
+      if (!isNew)
+      {
+        continue;
+      }
+    }
+    newId[p] = static_cast<int>(mesh.id.size());
+    mesh.id.push_back(sample[p] >= 0 ? sample[p] : -1 - others++); // numbered by the caller
+    mesh.position.push_back(given.points[p]);
+    mesh.place.emplace_back();
+    mesh.data.push_back(newId[p]);
+    mesh.arrays->GetPointData()->CopyData(
+      output->GetPointData(), static_cast<vtkIdType>(p), newId[p]);
+  }
+  mesh.arrays->GetCellData()->CopyAllOn();
+  mesh.arrays->GetCellData()->CopyAllocate(output->GetCellData());
+  for (std::size_t f = 0; f < given.triangles.size(); ++f)
+  {
+    const Triangle& t = given.triangles[f];
+    const int number = static_cast<int>(mesh.triangles.size());
+    mesh.triangles.push_back({ { newId[t[0]], newId[t[1]], newId[t[2]] } });
+    mesh.trianglePlace.emplace_back();
+    mesh.triangleData.push_back(number);
+    mesh.arrays->GetCellData()->CopyData(output->GetCellData(), contraction.sourceOf(f), number);
+  }
+  auto* lines = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1));
+  vtkDataArray* backbone = lines->GetCellData()->GetArray("BackboneId");
+  for (vtkIdType l = 0; l < lines->GetNumberOfLines(); ++l)
+  {
+    lines->GetLines()->GetCellAtId(l, size, ids);
+    if (fixedLines.count(static_cast<int>(backbone->GetComponent(l, 0))) > 0)
+    {
+      continue;
+    }
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      const std::array<int, 2> line = { { newId[ids[i - 1]], newId[ids[i]] } };
+      if (line[0] >= 0 && line[1] >= 0 && line[0] != line[1])
+      {
+        mesh.lines.push_back(line);
+      }
+    }
+  }
+  if (vtkDataArray* source = mesh.arrays->GetPointData()->GetArray("SourceCellId"))
+  {
+    for (vtkIdType p = 0; p < source->GetNumberOfTuples(); ++p)
+    {
+      const int t = surface.sourceTriangle[static_cast<std::size_t>(source->GetComponent(p, 0))];
+      source->SetComponent(p, 0, static_cast<double>(block.cellId[t]));
+    }
+  }
+  numberOfOthers = static_cast<int>(others);
+  return Status::success();
+}
 }
 
 Status outlineBlock(
@@ -603,154 +808,19 @@ Status remeshBlock(const SurfaceBlock& block, const BlockOutline& outline,
   makeBordered(block, outline, borders, surface);
   const BlockParameters parameters(remesher, surface, points, isWhole);
   remesher->SetInputData(surface.data);
-  if (Status status = update(remesher); !status.ok())
+  // Of those that are asked for some may be spent on the border: then as many more.
+  constexpr int Rounds = 8;
+  int others = 0;
+  for (int round = 0; round < Rounds && others != points; ++round)
   {
-    return status;
-  }
-  vtkPolyData* output = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(0));
-  TriangleSurface given = fromPolyData(output);
-  const auto n = given.points.size();
-  std::vector<int> sample(n, -1);
-  std::set<int> met;
-  for (std::size_t p = 0; p < n; ++p)
-  {
-    const auto found = surface.sampleAt.find(placeOf(given.points[p].data()));
-    if (found != surface.sampleAt.end())
+    remesher->SetNumberOfPoints(remesher->GetNumberOfPoints() + (round > 0 ? points - others : 0));
+    if (Status status = update(remesher); !status.ok())
     {
-      sample[p] = found->second;
-      met.insert(found->second);
+      return status;
     }
-  }
-  if (met.size() != surface.sampleAt.size())
-  {
-    return Status::internal("The mesh of block " + std::to_string(block.number) + " lacks " +
-      std::to_string(surface.sampleAt.size() - met.size()) + " of the " +
-      std::to_string(surface.sampleAt.size()) + " points on its border.");
-  }
-
-  // Where seams end on the border, this block has points that its neighbours do not have.
-  auto* graph = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
-  vtkDataArray* keep = graph->GetCellData()->GetArray("Keep");
-  std::set<Place> extraAt;
-  vtkIdType size;
-  const vtkIdType* ids;
-  std::set<int> fixedLines;
-  for (vtkIdType l = 0; l < graph->GetNumberOfLines(); ++l)
-  {
-    graph->GetLines()->GetCellAtId(l, size, ids);
-    if (keep->GetComponent(graph->GetNumberOfVerts() + l, 0) == static_cast<double>(Keep::Edges))
+    if (Status status = takeMesh(block, surface, remesher, mesh, others); !status.ok())
     {
-      fixedLines.insert(static_cast<int>(l));
-      for (const vtkIdType end : { ids[0], ids[size - 1] })
-      {
-        const Place place = placeOf(graph->GetPoint(end));
-        if (surface.sampleAt.count(place) == 0)
-        {
-          extraAt.insert(place);
-        }
-      }
-    }
-  }
-  std::vector<char> isExtra(n, 0);
-  std::vector<int> extras;
-  for (std::size_t p = 0; p < n; ++p)
-  {
-    if (extraAt.count(placeOf(given.points[p].data())) > 0)
-    {
-      isExtra[p] = 1;
-      extras.push_back(static_cast<int>(p));
-    }
-  }
-  Contraction contraction(given);
-  for (bool goesOn = true; goesOn && !extras.empty();)
-  {
-    goesOn = false;
-    for (std::size_t i = 0; i < extras.size(); ++i)
-    {
-      if (contraction.contract(extras[i], isExtra))
-      {
-        isExtra[extras[i]] = 0;
-        sample[extras[i]] = -2; // gone
-        extras.erase(extras.begin() + static_cast<std::ptrdiff_t>(i));
-        goesOn = true;
-        break;
-      }
-    }
-  }
-  if (!extras.empty())
-  {
-    return Status::tooFewPoints("A block's border is too coarse for its mesh: use more points, or "
-                                "larger blocks.",
-      points + static_cast<int>(extras.size()));
-  }
-
-  // What is left, in order: points of the border are several where the block only touches itself.
-  std::vector<int> newId(n, -1);
-  std::map<int, int> ofSample;
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  mesh.arrays = vtkSmartPointer<vtkPolyData>::New();
-  mesh.arrays->GetPointData()->CopyAllOn();
-  mesh.arrays->GetPointData()->CopyAllocate(output->GetPointData());
-  long long others = 0;
-  for (std::size_t p = 0; p < n; ++p)
-  {
-    if (sample[p] == -2)
-    {
-      continue;
-    }
-    if (sample[p] >= 0)
-    {
-      const auto [found, isNew] = ofSample.try_emplace(sample[p], static_cast<int>(mesh.id.size()));
-      newId[p] = found->second;
-      if (!isNew)
-      {
-        continue;
-      }
-    }
-    newId[p] = static_cast<int>(mesh.id.size());
-    mesh.id.push_back(sample[p] >= 0 ? sample[p] : -1 - others++); // numbered by the caller
-    mesh.position.push_back(given.points[p]);
-    mesh.place.emplace_back();
-    mesh.data.push_back(newId[p]);
-    mesh.arrays->GetPointData()->CopyData(
-      output->GetPointData(), static_cast<vtkIdType>(p), newId[p]);
-  }
-  mesh.arrays->GetCellData()->CopyAllOn();
-  mesh.arrays->GetCellData()->CopyAllocate(output->GetCellData());
-  for (std::size_t f = 0; f < given.triangles.size(); ++f)
-  {
-    const Triangle& t = given.triangles[f];
-    const int number = static_cast<int>(mesh.triangles.size());
-    mesh.triangles.push_back({ { newId[t[0]], newId[t[1]], newId[t[2]] } });
-    mesh.trianglePlace.emplace_back();
-    mesh.triangleData.push_back(number);
-    mesh.arrays->GetCellData()->CopyData(output->GetCellData(), contraction.sourceOf(f), number);
-  }
-  auto* lines = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1));
-  vtkDataArray* backbone = lines->GetCellData()->GetArray("BackboneId");
-  for (vtkIdType l = 0; l < lines->GetNumberOfLines(); ++l)
-  {
-    lines->GetLines()->GetCellAtId(l, size, ids);
-    if (fixedLines.count(static_cast<int>(backbone->GetComponent(l, 0))) > 0)
-    {
-      continue;
-    }
-    for (vtkIdType i = 1; i < size; ++i)
-    {
-      const std::array<int, 2> line = { { newId[ids[i - 1]], newId[ids[i]] } };
-      if (line[0] >= 0 && line[1] >= 0 && line[0] != line[1])
-      {
-        mesh.lines.push_back(line);
-      }
-    }
-  }
-  if (vtkDataArray* source = mesh.arrays->GetPointData()->GetArray("SourceCellId"))
-  {
-    for (vtkIdType p = 0; p < source->GetNumberOfTuples(); ++p)
-    {
-      const int t = surface.sourceTriangle[static_cast<std::size_t>(source->GetComponent(p, 0))];
-      source->SetComponent(p, 0, static_cast<double>(block.cellId[t]));
+      return status;
     }
   }
   if (others != points)

@@ -222,44 +222,82 @@ private:
   Status heal(const std::vector<int>& patches, const IsMovable& isMovable)
   {
     const auto size = static_cast<std::size_t>(this->Ranks.size());
-    std::vector<Bytes> messages(size);
-    for (std::size_t b = 0; b < this->Meshes.size(); ++b)
+    // What moves, by block and patch, and the triangles about each point.
+    const std::size_t n = this->Meshes.size();
+    std::vector<std::map<long long, std::set<int>>> moving(n);
+    std::vector<std::vector<std::vector<int>>> about(n);
+    std::vector<std::array<long long, 2>> ownRim; // patch, and a point beside one that moves
+    for (std::size_t b = 0; b < n; ++b)
     {
       const BlockMesh& mesh = this->Meshes[b];
-      // Points by patch.
-      std::map<std::size_t, std::vector<int>> moving;
-      for (std::size_t p = 0; p < mesh.id.size(); ++p)
-      {
-        const PointState& state = this->State.at(mesh.id[p]);
-        const std::size_t patch =
-          patches.size() == 1 || state.curve < 0 ? 0 : static_cast<std::size_t>(state.curve);
-        if (isMovable(mesh.id[p], patch))
-        {
-          moving[patch].push_back(static_cast<int>(p));
-        }
-      }
-      std::vector<std::vector<int>> about; // triangles, by point
-      about.resize(mesh.id.size());
+      about[b].resize(mesh.id.size());
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       {
         for (const int p : mesh.triangles[t])
         {
-          about[p].push_back(static_cast<int>(t));
+          about[b][p].push_back(static_cast<int>(t));
+        }
+      }
+      for (std::size_t p = 0; p < mesh.id.size(); ++p)
+      {
+        const PointState& state = this->State.at(mesh.id[p]);
+        const long long patch = patches.size() == 1 || state.curve < 0 ? 0 : state.curve;
+        if (!about[b][p].empty() && isMovable(mesh.id[p], static_cast<std::size_t>(patch)))
+        {
+          moving[b][patch].insert(static_cast<int>(p));
+        }
+      }
+      for (const auto& [patch, points] : moving[b])
+      {
+        std::set<int> rim;
+        for (const int p : points)
+        {
+          for (const int t : about[b][p])
+          {
+            rim.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+          }
+        }
+        for (const int p : rim)
+        {
+          if (points.count(p) == 0)
+          {
+            ownRim.push_back({ { patch, mesh.id[p] } });
+          }
+        }
+      }
+    }
+    // All triangles about these points, too, so that no edge comes twice.
+    std::multimap<long long, long long> patchOfRim;
+    for (const auto& [patch, id] : this->Ranks.gatherAll(ownRim))
+    {
+      patchOfRim.emplace(id, patch);
+    }
+    std::vector<Bytes> messages(size);
+    for (std::size_t b = 0; b < n; ++b)
+    {
+      const BlockMesh& mesh = this->Meshes[b];
+      std::map<long long, std::set<int>> triangles;
+      for (std::size_t p = 0; p < mesh.id.size(); ++p)
+      {
+        const auto [first, last] = patchOfRim.equal_range(mesh.id[p]);
+        for (auto rim = first; rim != last && !about[b][p].empty(); ++rim)
+        {
+          triangles[rim->second].insert(about[b][p].begin(), about[b][p].end());
+        }
+      }
+      for (const auto& [patch, points] : moving[b])
+      {
+        for (const int p : points)
+        {
+          triangles[patch].insert(about[b][p].begin(), about[b][p].end());
         }
       }
       const TriangleSurface surface =
-        moving.empty() ? TriangleSurface() : fromPolyData(this->Blocks.own[b].data);
-      for (auto& [patch, points] : moving)
+        triangles.empty() ? TriangleSurface() : fromPolyData(this->Blocks.own[b].data);
+      for (const auto& [patch, list] : triangles)
       {
-        points.erase(std::remove_if(points.begin(), points.end(),
-                       [&about = about](int p) { return about[p].empty(); }),
-          points.end()); // those that neighbours have taken over
-        if (points.empty())
-        {
-          continue;
-        }
-        this->makePart(b, surface, points, about)
-          .write(static_cast<long long>(patch), messages[patches[patch]]);
+        this->makePart(b, surface, moving[b][patch], list)
+          .write(patch, messages[patches[static_cast<std::size_t>(patch)]]);
       }
     }
     std::map<long long, std::vector<PatchPart>> parts;
@@ -325,22 +363,17 @@ private:
     return Status::success();
   }
 
-  /// What a block has of a patch: the triangles about points that move, and the surface there.
-  PatchPart makePart(std::size_t b, const TriangleSurface& surface, const std::vector<int>& points,
-    const std::vector<std::vector<int>>& about) const
+  /// What a block has of a patch: triangles about points that move and their neighbours, and the
+  /// surface there.
+  PatchPart makePart(std::size_t b, const TriangleSurface& surface, const std::set<int>& moving,
+    const std::set<int>& triangles) const
   {
     const BlockMesh& mesh = this->Meshes[b];
     const SurfaceBlock& block = this->Blocks.own[b];
     const BlockOutline& outline = this->Outlines[b];
     PatchPart part;
     part.block = block.number;
-    std::set<int> triangles;
-    for (const int p : points)
-    {
-      triangles.insert(about[p].begin(), about[p].end());
-    }
     std::map<int, int> newId;
-    const std::set<int> moving(points.begin(), points.end());
     double length = 0;
     for (const int t : triangles)
     {

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace stipple
@@ -121,6 +122,56 @@ private:
   std::set<long long> Ids;
   std::map<long long, int> NumberOf;
 };
+
+/// Makes copies of points where triangles meet in a point only, as they may at the rim of a patch.
+/// Returns what each copy is of.
+std::vector<int> splitFans(std::vector<Triangle>& triangles, int numberOfPoints)
+{
+  const HalfedgeTwins twin = halfedgeTwins(triangles);
+  // Corners, by their halfedges, in one fan are one set.
+  std::vector<int> parent(twin.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](int i) {
+    while (parent[i] != i)
+    {
+      parent[i] = parent[parent[i]];
+      i = parent[i];
+    }
+    return i;
+  };
+  for (const Halfedge h : twin.ids())
+  {
+    if (twin[h].valid())
+    {
+      const int a = find(h.index());
+      const int b = find(nextHalfedge(twin[h]).index());
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<int> fanOf(static_cast<std::size_t>(numberOfPoints), -1);
+  std::map<int, int> copyOf; // by fan
+  std::vector<int> copies;
+  std::vector<Triangle> result = triangles;
+  for (const Halfedge h : twin.ids())
+  {
+    const int p = triangles[faceOf(h).index()][cornerOf(h)];
+    const int fan = find(h.index());
+    fanOf[p] = fanOf[p] < 0 ? fan : fanOf[p];
+    if (fanOf[p] == fan)
+    {
+      continue;
+    }
+    const auto [found, isNew] =
+      copyOf.try_emplace(fan, numberOfPoints + static_cast<int>(copies.size()));
+    if (isNew)
+    {
+      copies.push_back(p);
+    }
+    result[faceOf(h).index()][cornerOf(h)] = found->second;
+  }
+  triangles = std::move(result);
+  return copies;
+}
 }
 
 void PatchPart::write(long long number, Bytes& bytes) const
@@ -246,19 +297,16 @@ Status optimizePatch(
       creases.insert({ { p, q } });
     }
   }
-  // At the rim, creases may have no triangle.
-  std::set<std::array<int, 2>> edges;
-  for (const Triangle& t : surface.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto [p, q] = std::minmax({ t[k], t[(k + 1) % 3] });
-      edges.insert({ { p, q } });
-    }
-  }
+  // At the rim, creases may have no triangle, or none that is joined to the others at their ends.
+  surface.connect();
+  const ElementArray<Vertex, Halfedge> outgoing = surface.vertexHalfedges();
   for (auto crease = creases.begin(); crease != creases.end();)
   {
-    crease = edges.count(*crease) > 0 ? std::next(crease) : creases.erase(crease);
+    const Vertex p((*crease)[0]);
+    const Vertex q((*crease)[1]);
+    const bool isEdge = findHalfedge(surface, outgoing, p, q).valid() ||
+      findHalfedge(surface, outgoing, q, p).valid();
+    crease = isEdge ? std::next(crease) : creases.erase(crease);
   }
   Atlas::Pointer atlas;
   if (Status status = makeAtlas(surface, creases, atlas); !status.ok())
@@ -286,11 +334,24 @@ Status optimizePatch(
       clampedBarycentric(barycentricInSpace(
         nearest, surface.points[t[0]], surface.points[t[1]], surface.points[t[2]])) };
   }
+  // A line between copies is an edge on the rim, and stays anyway.
+  std::vector<char> isMovable = healed.isMovable;
+  const std::vector<int> copies = splitFans(triangles, static_cast<int>(points.size()));
+  for (const int p : copies)
+  {
+    if (isMovable[p] != 0)
+    {
+      return Status::internal("The mesh of blocks touches itself in point " +
+        std::to_string(healed.id[p]) + ", on a border.");
+    }
+    places.push_back(places[p]);
+    isMovable.push_back(0);
+  }
   DensityField density;
   density.setAtPoints(std::move(densities));
   OptimizedMesh mesh;
   if (Status status = mesh.buildPart(
-        *atlas, density, places, healed.isMovable, triangles, { lines.begin(), lines.end() });
+        *atlas, density, places, isMovable, triangles, { lines.begin(), lines.end() });
       !status.ok())
   {
     return status;
@@ -301,6 +362,10 @@ Status optimizePatch(
   }
   for (const Vertex v : mesh.vertices())
   {
+    if (v.index() >= static_cast<int>(points.size()))
+    {
+      break;
+    }
     const SurfacePlace& place = mesh.place(v);
     if (healed.isMovable[v.index()] != 0)
     {
@@ -310,8 +375,16 @@ Status optimizePatch(
     healed.place.push_back(
       { from[0], from[1], { { place.bary[0], place.bary[1], place.bary[2] } } });
   }
-  for (const Triangle& t : mesh.triangles())
+  for (Triangle t : mesh.triangles())
   {
+    for (int& p : t)
+    {
+      p = p < static_cast<int>(points.size()) ? p : copies[p - points.size()];
+    }
+    if (healed.isMovable[t[0]] + healed.isMovable[t[1]] + healed.isMovable[t[2]] == 0)
+    {
+      continue; // it stays
+    }
     healed.triangles.push_back(t);
     Vec3 nearest;
     const vtkIdType face = faceNear(

@@ -50,7 +50,9 @@ struct HealedPatch
   void read(const Bytes& bytes, std::size_t& at, long long& number);
 };
 
-/// Puts the parts of a patch together and optimises what is movable in it.
+/// Puts the parts of a patch together and optimises what is movable in it. Parts have all triangles
+/// about points that are movable and about their neighbours; only those that have a movable point
+/// are in the result.
 [[nodiscard]] STIPPLEFILTERSPARALLEL_EXPORT Status optimizePatch(
   const std::vector<PatchPart>& parts, const OptimizerOptions& options, HealedPatch& healed);
 }
