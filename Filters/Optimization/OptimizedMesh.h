@@ -88,7 +88,8 @@ public:
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
   /// A part of a mesh, on a surface that may go on beyond it: vertices are places on the surface,
   /// of which only those with isMovable move; edges between others are not swapped, nor
-  /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones are walls to walks and nothing else.
+  /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones
+  /// are walls to walks and nothing else.
   Status buildPart(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<SurfacePlace>& places, const std::vector<char>& isMovable,
     const std::vector<Triangle>& triangles, const std::vector<std::array<int, 2>>& fixedEdges);

@@ -588,8 +588,7 @@ Status takeMesh(const SurfaceBlock& block, const BorderedSurface& surface,
   for (std::size_t p = 0; p < n; ++p)
   {
     const auto id = static_cast<vtkIdType>(p);
-    const bool isBetween =
-      kind->GetComponent(id, 0) == static_cast<double>(SampleKind::Backbone) &&
+    const bool isBetween = kind->GetComponent(id, 0) == static_cast<double>(SampleKind::Backbone) &&
       fixedLines.count(static_cast<int>(backboneOf->GetComponent(id, 0))) > 0;
     if (isBetween || extraAt.count(placeOf(given.points[p].data())) > 0)
     {
@@ -797,6 +796,91 @@ Status outlineBlock(
     }
   }
   return Status::success();
+}
+
+std::vector<std::array<long long, 2>> findSlivers(
+  const SurfaceBlock& block, const BlockOutline& outline, double edgeLength, bool isDown)
+{
+  /// Boxes of blocks reach three edges beyond: their triangles are known to neighbours.
+  const double longest = 2.5 * edgeLength;
+  const double leastArea = 2. * std::sqrt(3.) / 4. * edgeLength * edgeLength;
+  const double leastWidth = edgeLength / 3.;
+  TriangleSurface surface = fromPolyData(block.data);
+  surface.connect();
+  std::set<std::array<int, 2>> creases;
+  for (const auto& [p, q] : outline.creases)
+  {
+    creases.insert({ { std::min(p, q), std::max(p, q) } });
+  }
+  const auto isCrease = [&](Halfedge h) {
+    const int p = surface.tail(h).index();
+    const int q = surface.head(h).index();
+    return creases.count({ { std::min(p, q), std::max(p, q) } }) > 0;
+  };
+  std::vector<std::array<long long, 2>> result;
+  std::vector<char> isDone(static_cast<std::size_t>(block.numberOfOwn), 0);
+  for (int f = 0; f < block.numberOfOwn; ++f)
+  {
+    if (isDone[f] != 0)
+    {
+      continue;
+    }
+    std::vector<int> part(1, f);
+    isDone[f] = 1;
+    double area = 0;
+    double around = 0;
+    Vec3 least = surface.point(f, 0);
+    Vec3 most = least;
+    std::map<int, std::array<double, 2>> shared; // by block: lengths of edges, no creases first
+    for (std::size_t i = 0; i < part.size(); ++i)
+    {
+      area += surface.faceArea(part[i]);
+      for (const Halfedge h : halfedgesOf(Face(part[i])))
+      {
+        const Vec3& x = surface.point(surface.tail(h));
+        least = least.cwiseMin(x);
+        most = most.cwiseMax(x);
+        const Halfedge g = surface.twin[h];
+        const int other = g.valid() ? faceOf(g).index() : -1;
+        if (other >= 0 && other < block.numberOfOwn && !isCrease(h))
+        {
+          if (isDone[other] == 0)
+          {
+            isDone[other] = 1;
+            part.push_back(other);
+          }
+          continue;
+        }
+        around += surface.edgeLength(h);
+        if (other >= block.numberOfOwn)
+        {
+          shared[block.owner[other]][isCrease(h) ? 1 : 0] += surface.edgeLength(h);
+        }
+      }
+    }
+    const bool isSmall = area < leastArea || 2. * area < leastWidth * 0.5 * around;
+    if (!isSmall || (most - least).norm() > longest ||
+      static_cast<int>(part.size()) == block.numberOfOwn)
+    {
+      continue;
+    }
+    int to = -1;
+    for (const auto& [neighbour, length] : shared)
+    {
+      if ((!isDown || neighbour < block.number) && (to < 0 || length > shared[to]))
+      {
+        to = neighbour;
+      }
+    }
+    for (const int t : part)
+    {
+      if (to >= 0)
+      {
+        result.push_back({ { block.triangleId[t], to } });
+      }
+    }
+  }
+  return result;
 }
 
 Status remeshBlock(const SurfaceBlock& block, const BlockOutline& outline,

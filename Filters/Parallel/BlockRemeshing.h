@@ -50,6 +50,13 @@ struct BlockMesh
 STIPPLEFILTERSPARALLEL_EXPORT Status outlineBlock(
   const SurfaceBlock& block, vtkGeometryRemesher* remesher, double diagonal, BlockOutline& outline);
 
+/// Parts of a block that creases and the block's border cut off, and that are smaller than two of
+/// the mesh's triangles of this edge length, or narrower than a third of it: where a border runs to
+/// and fro over a crease. Each is to go to the neighbour that it shares most of its border with,
+/// creases aside if it can be; to one of a smaller number if isDown.
+STIPPLEFILTERSPARALLEL_EXPORT std::vector<std::array<long long, 2>> findSlivers(
+  const SurfaceBlock& block, const BlockOutline& outline, double edgeLength, bool isDown);
+
 /// Runs the remesher on a block's own triangles, so that its mesh has the borders' samples, an edge
 /// from each to the next, and `points` others, whose ids are -1, -2, ... in their order. Parameters
 /// that the block needs of the remesher are put back afterwards. Where the block is the whole

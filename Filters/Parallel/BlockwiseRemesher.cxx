@@ -39,7 +39,8 @@ public:
 
   Status run(const SurfacePieces& pieces, vtkPartitionedDataSet* output)
   {
-    Status status = makeBlocks(pieces, this->Options.trianglesPerBlock, this->Ranks, this->Blocks);
+    Status status = makeBlocks(
+      pieces, this->Options.trianglesPerBlock, this->Options.points, this->Ranks, this->Blocks);
     this->Result.blocks = this->Blocks.count;
     this->lap(0);
     if (!status.ok() || this->Blocks.numberOfTriangles == 0)
@@ -88,8 +89,10 @@ private:
     return options;
   }
 
-  Status makeBorders()
+  /// Features, densities and borders of this rank's blocks.
+  Status outline()
   {
+    this->Outlines.clear();
     Status status = Status::success();
     for (const SurfaceBlock& block : this->Blocks.own)
     {
@@ -100,9 +103,40 @@ private:
         break;
       }
     }
-    if (Status all = this->Ranks.agree(status); !all.ok())
+    return this->Ranks.agree(status);
+  }
+
+  Status makeBorders()
+  {
+    this->Points =
+      this->Options.points > 0 ? this->Options.points : this->Blocks.numberOfTriangles / 2;
+    if (this->Points > std::numeric_limits<int>::max())
     {
-      return all;
+      return Status::error("A mesh has at most 2147483647 points: ask for less.");
+    }
+    Status status = this->outline();
+    const double length = edgeLengthOf(this->Blocks.area, static_cast<double>(this->Points));
+    // First downwards: else neighbours may exchange what they have.
+    for (int round = 0; round < 2 && status.ok() && this->Blocks.count > 1; ++round)
+    {
+      std::vector<std::array<long long, 2>> own;
+      for (std::size_t b = 0; b < this->Blocks.own.size(); ++b)
+      {
+        const auto slivers =
+          findSlivers(this->Blocks.own[b], this->Outlines[b], length, round == 0);
+        own.insert(own.end(), slivers.begin(), slivers.end());
+      }
+      std::map<long long, int> newOwner;
+      for (const auto& [triangle, block] : this->Ranks.gatherAll(own))
+      {
+        newOwner[triangle] = static_cast<int>(block);
+      }
+      moveTriangles(newOwner, this->Blocks);
+      status = this->outline();
+    }
+    if (!status.ok())
+    {
+      return status;
     }
     struct Wanted
     {
@@ -128,12 +162,6 @@ private:
     if (!(total > 0) || !std::isfinite(total))
     {
       return Status::error("The surface has no area, or no importance anywhere.");
-    }
-    this->Points =
-      this->Options.points > 0 ? this->Options.points : this->Blocks.numberOfTriangles / 2;
-    if (this->Points > std::numeric_limits<int>::max())
-    {
-      return Status::error("A mesh has at most 2147483647 points: ask for less.");
     }
     const double scale = static_cast<double>(this->Points) / total;
     if (this->Blocks.count > 1)

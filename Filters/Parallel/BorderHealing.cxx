@@ -108,9 +108,10 @@ public:
     std::vector<int> patches(this->Borders.curves.size());
     for (std::size_t c = 0; c < patches.size(); ++c)
     {
-      patches[c] = this->Blocks.rankOf(this->Borders.curves[c].blocks[0], this->Ranks.size()); // who
-                                                                                               // does
-                                                                                               // it
+      patches[c] =
+        this->Blocks.rankOf(this->Borders.curves[c].blocks[0], this->Ranks.size()); // who
+                                                                                    // does
+                                                                                    // it
     }
     if (Status status = this->heal(patches,
           [&](long long id, std::size_t patch) {

@@ -191,7 +191,7 @@ public:
   {
   }
 
-  Status run(long long trianglesPerBlock)
+  Status run(long long trianglesPerBlock, long long points)
   {
     if (Status status = this->Ranks.agree(this->look()); !status.ok())
     {
@@ -203,9 +203,11 @@ public:
     this->Blocks.numberOfTriangles = total[0];
     this->Blocks.count =
       static_cast<int>(std::max(1LL, (total[0] + trianglesPerBlock - 1) / trianglesPerBlock));
+    const double reach =
+      3. * edgeLengthOf(this->Blocks.area, static_cast<double>(points > 0 ? points : total[0] / 2));
     this->BlockOf = cutIntoBlocks(this->Centres, this->Blocks.count, this->Ranks);
     this->Centres = {};
-    if (Status status = this->Ranks.agree(this->measureBoxes()); !status.ok())
+    if (Status status = this->Ranks.agree(this->measureBoxes(reach)); !status.ok())
     {
       return status;
     }
@@ -251,8 +253,11 @@ private:
       this->Begin.push_back({ static_cast<long long>(this->Points.size()) -
           static_cast<long long>(piece.surface.points.size()),
         this->NumberOfCells, static_cast<long long>(this->Centres.size()) });
+      double areaOfPiece = 0;
       for (const Triangle& t : piece.surface.triangles)
       {
+        areaOfPiece += triangleArea(
+          piece.surface.points[t[0]], piece.surface.points[t[1]], piece.surface.points[t[2]]);
         Vec3 sum = Vec3::Zero();
         for (const int corner : t)
         {
@@ -263,6 +268,7 @@ private:
         this->Centres.push_back({ { static_cast<float>(sum.x()), static_cast<float>(sum.y()),
           static_cast<float>(sum.z()) } });
       }
+      this->Areas.push_back(areaOfPiece);
       this->NumberOfCells += piece.data->GetNumberOfCells();
     }
     this->OfAll.assign(box.begin(), box.end());
@@ -272,6 +278,10 @@ private:
   void number()
   {
     this->Ranks.minimum(this->OfAll);
+    for (const double area : this->Ranks.gatherAll(this->Areas)) // piece by piece, on any ranks
+    {
+      this->Blocks.area += area;
+    }
     Vec3 sides;
     for (int k = 0; k < 3; ++k)
     {
@@ -309,7 +319,7 @@ private:
     this->Points = {};
   }
 
-  Status measureBoxes()
+  Status measureBoxes(double reach)
   {
     std::vector<double> boxes(
       6 * static_cast<std::size_t>(this->Blocks.count), std::numeric_limits<double>::infinity());
@@ -335,7 +345,8 @@ private:
     for (int b = 0; b < this->Blocks.count; ++b)
     {
       Box box;
-      std::copy_n(boxes.begin() + 6 * b, 6, box.begin());
+      std::transform(boxes.begin() + 6 * b, boxes.begin() + 6 * b + 6, box.begin(),
+        [&](double side) { return side - reach; });
       this->Boxes.push_back(box);
     }
     return status;
@@ -548,6 +559,7 @@ private:
       block.data->GetCellData()->CopyData(all->GetCellData(), t, id);
       block.cellId.push_back(cellIds[t]);
       block.triangleId.push_back(triangleIds[t]);
+      block.owner.push_back(static_cast<int>(owner[t]));
       block.numberOfOwn += owner[t] == block.number ? 1 : 0;
     }
     block.data->SetPoints(points);
@@ -564,6 +576,7 @@ private:
   /// Of each piece the first point, of this rank, and the first cell and triangle, of all.
   std::vector<std::array<long long, 3>> Begin;
   std::vector<double> OfAll;
+  std::vector<double> Areas; // of pieces
   std::vector<Box> Boxes;
   long long NumberOfCells = 0;
   long long FirstPoint = 0;
@@ -572,10 +585,61 @@ private:
 };
 }
 
-Status makeBlocks(const SurfacePieces& pieces, long long trianglesPerBlock,
+Status makeBlocks(const SurfacePieces& pieces, long long trianglesPerBlock, long long points,
   const RankMessages& ranks, SurfaceBlocks& blocks)
 {
   blocks = {};
-  return BlockMaker(pieces, ranks, blocks).run(trianglesPerBlock);
+  return BlockMaker(pieces, ranks, blocks).run(trianglesPerBlock, points);
+}
+
+void moveTriangles(const std::map<long long, int>& newOwner, SurfaceBlocks& blocks)
+{
+  for (SurfaceBlock& block : blocks.own)
+  {
+    bool isChanged = false;
+    for (std::size_t t = 0; t < block.owner.size(); ++t)
+    {
+      const auto found = newOwner.find(block.triangleId[t]);
+      if (found != newOwner.end() && block.owner[t] != found->second)
+      {
+        block.owner[t] = found->second;
+        isChanged = true;
+      }
+    }
+    if (!isChanged)
+    {
+      continue;
+    }
+    std::vector<vtkIdType> order(block.owner.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](vtkIdType t) {
+      return std::pair(block.owner[t] == block.number ? 0 : 1, block.triangleId[t]);
+    };
+    std::sort(
+      order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) { return key(a) < key(b); });
+    SurfaceBlock sorted;
+    sorted.number = block.number;
+    sorted.pointId = block.pointId;
+    sorted.data = vtkSmartPointer<vtkPolyData>::New();
+    sorted.data->SetPoints(block.data->GetPoints());
+    sorted.data->GetPointData()->ShallowCopy(block.data->GetPointData());
+    sorted.data->GetCellData()->CopyAllOn();
+    sorted.data->GetCellData()->CopyAllocate(block.data->GetCellData());
+    vtkNew<vtkCellArray> cells;
+    vtkIdType size;
+    const vtkIdType* corners;
+    for (const vtkIdType t : order)
+    {
+      block.data->GetPolys()->GetCellAtId(t, size, corners);
+      const vtkIdType id = cells->InsertNextCell(size, corners);
+      sorted.data->GetCellData()->CopyData(block.data->GetCellData(), t, id);
+      sorted.cellId.push_back(block.cellId[t]);
+      sorted.triangleId.push_back(block.triangleId[t]);
+      sorted.owner.push_back(block.owner[t]);
+      sorted.numberOfOwn += block.owner[t] == block.number ? 1 : 0;
+    }
+    sorted.data->SetPolys(cells);
+    block = std::move(sorted);
+  }
 }
 }

@@ -11,7 +11,9 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <map>
 
 class vtkPolyData;
 
@@ -25,7 +27,8 @@ struct SurfacePieces
   std::function<Status(int, vtkSmartPointer<vtkPolyData>&)> read;
 };
 
-/// A block's triangles and, behind them, those of other blocks about it: all that touch its box.
+/// A block's triangles and, behind them, those of other blocks about it: all that touch its box,
+/// made larger by some edges of the mesh to be.
 /// Points are in the order of their ids, triangles of each kind in that of theirs, so that nothing
 /// depends on who had them before.
 struct SurfaceBlock
@@ -35,6 +38,7 @@ struct SurfaceBlock
   int numberOfOwn = 0;               ///< triangles of the block itself
   std::vector<long long> pointId;    ///< of the whole surface, by point
   std::vector<long long> triangleId; ///< of the whole surface
+  std::vector<int> owner;            ///< the block that a triangle is of
   std::vector<long long> cellId;     ///< the input's cell that a triangle is of, by triangle
 };
 
@@ -44,6 +48,7 @@ struct SurfaceBlocks
   int count = 0;                   ///< of the whole surface; those without a triangle, too
   std::vector<SurfaceBlock> own;   ///< ascending, without empty ones
   long long numberOfTriangles = 0; ///< of the whole surface
+  double area = 0;                 ///< of the whole surface
   double diagonal = 0;             ///< of its bounding box
   /// Blocks are dealt in a row: the rank of one.
   int rankOf(int block, int ranks) const
@@ -56,8 +61,21 @@ struct SurfaceBlocks
 /// the same coordinate), and moves them to their ranks. Points at the same place are one, or where
 /// every piece has global ids, those of the same global id; a point's id is the least number that
 /// any copy of it has when the points of all pieces are counted in a row, or the global id.
-STIPPLEFILTERSPARALLEL_EXPORT Status makeBlocks(const SurfacePieces& pieces,
-  long long trianglesPerBlock, const RankMessages& ranks, SurfaceBlocks& blocks);
+/// Boxes are made larger by three edges of equilateral triangles that `points` points make of the
+/// surface.
+[[nodiscard]] STIPPLEFILTERSPARALLEL_EXPORT Status makeBlocks(const SurfacePieces& pieces,
+  long long trianglesPerBlock, long long points, const RankMessages& ranks, SurfaceBlocks& blocks);
+
+/// Gives triangles, by their ids, to other blocks, which must know them.
+STIPPLEFILTERSPARALLEL_EXPORT void moveTriangles(
+  const std::map<long long, int>& newOwner, SurfaceBlocks& blocks);
+
+/// The length of edges of equilateral triangles that so many points make of an area:
+/// sqrt(2 area / (sqrt(3) points)), as a closed surface has two triangles a point.
+inline double edgeLengthOf(double area, double points)
+{
+  return points > 0 ? std::sqrt(2. * area / (std::sqrt(3.) * points)) : 0.;
+}
 }
 
 #endif
