@@ -15,7 +15,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
   ImagingCore ImagingGeneral ImagingHybrid
   InteractionStyle InteractionWidgets
-  IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML
+  IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML IOXMLParser
   ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   ChartsCore ViewsContext2D

@@ -59,6 +59,22 @@ std::size_t hashOf(const std::array<double, 3>& x)
 /// For every point of this rank the least number of all copies at its place.
 std::vector<long long> weld(const std::vector<Copy>& points, const RankMessages& ranks)
 {
+  if (ranks.size() == 1)
+  {
+    std::vector<vtkIdType> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](vtkIdType a, vtkIdType b) {
+      return points[a].x < points[b].x ||
+        (points[a].x == points[b].x && points[a].id < points[b].id);
+    });
+    std::vector<long long> result(points.size());
+    for (std::size_t first = 0, i = 0; i < order.size(); ++i)
+    {
+      first = points[order[i]].x == points[order[first]].x ? first : i;
+      result[order[i]] = points[order[first]].id;
+    }
+    return result;
+  }
   // Each place has a rank that looks after it.
   std::vector<std::vector<Copy>> toRank(static_cast<std::size_t>(ranks.size()));
   std::vector<int> rankOf(points.size());

@@ -6,6 +6,7 @@
 #include "FilterExecution.h"
 
 #include "vtkCommand.h"
+#include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,6 +28,7 @@ vtkPGeometryRemesher::vtkPGeometryRemesher()
   : Remesher(vtkGeometryRemesher::New())
 {
   this->SetNumberOfOutputPorts(2);
+  this->Remesher->GetMapRenderer()->SetBackendToCPU();
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
