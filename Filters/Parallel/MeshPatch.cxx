@@ -7,6 +7,7 @@
 #include "FeatureGraph.h"
 #include "OptimizedMesh.h"
 #include "PolyDataConversion.h"
+#include "TriangleDistance.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -121,6 +122,66 @@ public:
 private:
   std::set<long long> Ids;
   std::map<long long, int> NumberOf;
+};
+
+/// Finds the face of a surface that is nearest to a point, of several the first: VTK's locator
+/// answers with any of them, as its threads happen to sort.
+class FaceLocator
+{
+public:
+  explicit FaceLocator(const TriangleSurface& surface)
+    : Surface(surface)
+    , About(surface.points.size())
+  {
+    this->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
+    this->Locator->BuildLocator();
+    for (int f = 0; f < surface.numberOfFaces(); ++f)
+    {
+      for (const int p : surface.triangles[f])
+      {
+        this->About[p].push_back(f);
+      }
+    }
+  }
+
+  SurfacePlace find(const Vec3& x) const
+  {
+    Vec3 nearest;
+    vtkIdType face = 0;
+    int sub = 0;
+    double least = 0;
+    this->Locator->FindClosestPoint(x.data(), nearest.data(), this->Cell, face, sub, least);
+    // All that are as near have a point in common with the one that was found.
+    int first = static_cast<int>(face);
+    least = this->distance(x, first);
+    for (const int p : this->Surface.triangles[static_cast<std::size_t>(face)])
+    {
+      for (const int f : this->About[p])
+      {
+        const double there = this->distance(x, f);
+        if (there < least || (there == least && f < first))
+        {
+          least = there;
+          first = f;
+        }
+      }
+    }
+    const Face found(first);
+    return { first,
+      clampedBarycentric(barycentricInSpace(x, this->Surface.point(found, 0),
+        this->Surface.point(found, 1), this->Surface.point(found, 2))) };
+  }
+
+private:
+  double distance(const Vec3& x, int f) const
+  {
+    return squaredDistanceToTriangle(
+      x, this->Surface.point(f, 0), this->Surface.point(f, 1), this->Surface.point(f, 2));
+  }
+  const TriangleSurface& Surface;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<std::vector<int>> About; // faces, by point
 };
 
 /// Makes copies of points where triangles meet in a point only, as they may at the rim of a patch.
@@ -313,26 +374,11 @@ Status optimizePatch(
   {
     return status;
   }
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(toPolyData(surface.points, surface.triangles));
-  locator->BuildLocator();
-  vtkNew<vtkGenericCell> cell;
-  const auto faceNear = [&](const Vec3& x, Vec3& nearest) {
-    vtkIdType face = 0;
-    int sub = 0;
-    double squared = 0;
-    locator->FindClosestPoint(x.data(), nearest.data(), cell, face, sub, squared);
-    return face;
-  };
-  std::vector<SurfacePlace> places(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
+  const FaceLocator locator(surface);
+  std::vector<SurfacePlace> places;
+  for (const Vec3& x : healed.position)
   {
-    Vec3 nearest;
-    const vtkIdType face = faceNear(healed.position[p], nearest);
-    const Triangle& t = surface.triangles[static_cast<std::size_t>(face)];
-    places[p] = { static_cast<int>(face),
-      clampedBarycentric(barycentricInSpace(
-        nearest, surface.points[t[0]], surface.points[t[1]], surface.points[t[2]])) };
+    places.push_back(locator.find(x));
   }
   // A line between copies is an edge on the rim, and stays anyway.
   std::vector<char> isMovable = healed.isMovable;
@@ -386,10 +432,9 @@ Status optimizePatch(
       continue; // it stays
     }
     healed.triangles.push_back(t);
-    Vec3 nearest;
-    const vtkIdType face = faceNear(
-      (healed.position[t[0]] + healed.position[t[1]] + healed.position[t[2]]) / 3., nearest);
-    const std::array<int, 2>& from = source[static_cast<std::size_t>(face)];
+    const SurfacePlace middle = locator.find(
+      (healed.position[t[0]] + healed.position[t[1]] + healed.position[t[2]]) / 3.);
+    const std::array<int, 2>& from = source[static_cast<std::size_t>(middle.face)];
     healed.trianglePlace.push_back({ from[0], from[1], {} });
   }
   return Status::success();
