@@ -186,7 +186,8 @@ Option programOption(Option::Group group, Option::Kind kind, const char* name, c
 }
 
 Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage)
+  const std::vector<Option>& table, const std::string& usage,
+  const std::vector<std::string>& inputEndings)
 {
   Arguments result;
   const auto complainIf = [&result](bool wrong, const std::string& sentence) {
@@ -256,7 +257,7 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
         std::find(endings.begin(), endings.end(), fileExtension(file)) == endings.end(),
       called + " '" + file + "' must end in " + listed(endings, ", "));
   };
-  checkEnding("model", "the input", meshFileExtensions());
+  checkEnding("model", "the input", inputEndings.empty() ? meshFileExtensions() : inputEndings);
   for (const Option& option : table)
   {
     checkEnding(

@@ -39,9 +39,11 @@ struct Arguments
 };
 
 /// Reads a command line with these options; -o FILE and -oFILE are --output, and -h is --help;
-/// what follows -- is the input. It needs a model or a session.
+/// what follows -- is the input. It needs a model or a session. The input may end as meshes do, or
+/// as told.
 [[nodiscard]] Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage);
+  const std::vector<Option>& table, const std::string& usage,
+  const std::vector<std::string>& inputEndings = {});
 
 /// Of some words, the one that was probably meant; empty if none is near.
 [[nodiscard]] std::string nearestWord(

@@ -3,6 +3,7 @@
 #include "ParallelCommandLine.h"
 
 #include "BlockFiles.h"
+#include "BlockwiseRemesher.h"
 #include "MeshFile.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ constexpr const char* Shared[] = { "points", "importance", "importance_array", "
   "feature_angle", "minimum_feature_length", "region_array", "connectivity", "smoothing",
   "iterations", "threads" };
 
-std::vector<std::string> outputEndings()
+/// Of what is read and written.
+std::vector<std::string> fileEndings()
 {
   std::vector<std::string> endings = meshFileExtensions();
   endings.insert(endings.end(), pieceFileExtensions().begin(), pieceFileExtensions().end());
@@ -30,7 +32,7 @@ std::vector<Option> options()
 {
   std::vector<Option> result;
   result.push_back(programOption(Group::Files, Kind::File, "output", "FILE",
-    "the mesh to write: .pvtp and .vtpd in pieces, the others in one", outputEndings()));
+    "the mesh to write: .pvtp and .vtpd in pieces, the others in one", fileEndings()));
   for (const char* name : Shared)
   {
     if (const Option* option = findOption(name))
@@ -39,6 +41,12 @@ std::vector<Option> options()
       if (option->name == "importance")
       {
         result.back().choices = { "uniform", "array" };
+        result.back().help = "what attracts samples: nothing, or an array";
+      }
+      if (option->name == "points")
+      {
+        result.back().high = 2147483647.;
+        result.back().automatic = "half as many as the input has triangles";
       }
     }
   }
@@ -46,7 +54,7 @@ std::vector<Option> options()
     "the most triangles of the input that a block has");
   triangles.low = 100;
   triangles.high = 2e9;
-  triangles.initial = 300000.;
+  triangles.initial = static_cast<double>(BlockwiseOptions().trianglesPerBlock);
   result.push_back(triangles);
   result.push_back(
     programOption(Group::General, Kind::Flag, "verbose", "", "blocks and seconds, on stderr"));
@@ -59,8 +67,8 @@ std::vector<Option> options()
 
 Arguments parseParallelCommandLine(const std::vector<std::string>& arguments)
 {
-  Arguments line =
-    parseArguments(arguments, options(), "mpiexec -n R stipple-mpi INPUT -o OUTPUT [options]");
+  Arguments line = parseArguments(
+    arguments, options(), "mpiexec -n R stipple-mpi INPUT -o OUTPUT [options]", fileEndings());
   if (!line.asked.empty() || !line.problem.empty())
   {
     return line;

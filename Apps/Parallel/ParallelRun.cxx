@@ -44,7 +44,10 @@ Status remesh(const OptionValues& o, const RankMessages& ranks, vtkPartitionedDa
   remesher->GetMapRenderer()->SetBackendToCPU();
   BlockwiseOptions options;
   options.points = o.integer("points");
-  options.trianglesPerBlock = static_cast<long long>(o.number("triangles_per_block"));
+  if (o.has("triangles_per_block"))
+  {
+    options.trianglesPerBlock = static_cast<long long>(o.number("triangles_per_block"));
+  }
   return remeshBlockwise(shareOfPieces(pieces, ranks), options, remesher, ranks, {}, mesh, result);
 }
 }

@@ -97,7 +97,9 @@ private:
     for (const SurfaceBlock& block : this->Blocks.own)
     {
       this->Outlines.emplace_back();
-      status = outlineBlock(block, this->Remesher, this->Blocks.diagonal, this->Outlines.back());
+      status = guarded([&] {
+        return outlineBlock(block, this->Remesher, this->Blocks.diagonal, this->Outlines.back());
+      });
       if (!status.ok())
       {
         break;
@@ -234,8 +236,10 @@ private:
           status = Status::aborted();
           break;
         }
-        status = remeshBlock(this->Blocks.own[b], this->Outlines[b], this->Borders, share[block],
-          this->Blocks.count == 1, this->Remesher, this->Meshes[b]);
+        status = guarded([&] {
+          return remeshBlock(this->Blocks.own[b], this->Outlines[b], this->Borders, share[block],
+            this->Blocks.count == 1, this->Remesher, this->Meshes[b]);
+        });
         if (status.code() == StatusCode::TooFewPoints)
         {
           sentence = status.message();

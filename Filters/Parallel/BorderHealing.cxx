@@ -320,7 +320,7 @@ private:
         [](const PatchPart& a, const PatchPart& b) { return a.block < b.block; });
       HealedPatch healed;
       healed.patch = patch;
-      status = optimizePatch(list, this->Options, healed);
+      status = guarded([&, &list = list] { return optimizePatch(list, this->Options, healed); });
       if (!status.ok())
       {
         break;

@@ -432,8 +432,8 @@ Status optimizePatch(
       continue; // it stays
     }
     healed.triangles.push_back(t);
-    const SurfacePlace middle = locator.find(
-      (healed.position[t[0]] + healed.position[t[1]] + healed.position[t[2]]) / 3.);
+    const SurfacePlace middle =
+      locator.find((healed.position[t[0]] + healed.position[t[1]] + healed.position[t[2]]) / 3.);
     const std::array<int, 2>& from = source[static_cast<std::size_t>(middle.face)];
     healed.trianglePlace.push_back({ from[0], from[1], {} });
   }

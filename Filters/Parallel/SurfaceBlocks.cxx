@@ -209,7 +209,7 @@ public:
 
   Status run(long long trianglesPerBlock, long long points)
   {
-    if (Status status = this->Ranks.agree(this->look()); !status.ok())
+    if (Status status = this->Ranks.agree(guarded([this] { return this->look(); })); !status.ok())
     {
       return status;
     }
