@@ -56,6 +56,13 @@ std::vector<Option> options()
   triangles.high = 2e9;
   triangles.initial = static_cast<double>(BlockwiseOptions().trianglesPerBlock);
   result.push_back(triangles);
+  Option memory = programOption(Group::General, Kind::Integer, "memory_limit", "MB",
+    "about what a rank may use: blocks are in files beside the output when nobody works on them, "
+    "and have fewer triangles if need be");
+  memory.low = 200;
+  memory.high = 1e9;
+  memory.automatic = "no limit, and no such files";
+  result.push_back(memory);
   result.push_back(
     programOption(Group::General, Kind::Flag, "verbose", "", "blocks and seconds, on stderr"));
   result.push_back(programOption(Group::General, Kind::Flag, "version", "", "the version"));

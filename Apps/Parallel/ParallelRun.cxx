@@ -14,9 +14,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
-#include <new>
+#include <filesystem>
 #include <thread>
+
+#include <unistd.h>
 
 namespace stipple
 {
@@ -30,6 +31,44 @@ void startThreads(const OptionValues& o, const RankMessages& ranks)
     static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, ranks.size());
   vtkSMPTools::Initialize(asked > 0 ? asked : std::max(1, share));
 }
+
+/// Memory, in MB, of a rank without a surface, and of the blocks that remain for as long as one is
+/// remeshed; in bytes, what remeshing takes for each triangle of a block. Measured: see
+/// Documentation/Scaling.md.
+constexpr double BaseMemory = 120;
+constexpr double BytesPerTriangle = 2600;
+
+/// A folder for blocks, as long as this lives.
+class BlockFolder
+{
+public:
+  ~BlockFolder()
+  {
+    std::error_code code;
+    if (!this->Name.empty())
+    {
+      std::filesystem::remove_all(this->Name, code);
+    }
+  }
+  BlockFolder() = default;
+  BlockFolder(const BlockFolder&) = delete;
+  BlockFolder& operator=(const BlockFolder&) = delete;
+  Status make(const std::string& output)
+  {
+    const std::string name = output + ".blocks." + std::to_string(getpid());
+    std::error_code code;
+    if (!std::filesystem::create_directory(name, code))
+    {
+      return Status::error("cannot make the folder '" + name + "'");
+    }
+    this->Name = name;
+    return Status::success();
+  }
+  const std::string& name() const { return this->Name; }
+
+private:
+  std::string Name;
+};
 
 Status remesh(const OptionValues& o, const RankMessages& ranks, vtkPartitionedDataSet* mesh,
   BlockwiseResult& result)
@@ -47,6 +86,18 @@ Status remesh(const OptionValues& o, const RankMessages& ranks, vtkPartitionedDa
   if (o.has("triangles_per_block"))
   {
     options.trianglesPerBlock = static_cast<long long>(o.number("triangles_per_block"));
+  }
+  BlockFolder folder;
+  if (o.has("memory_limit") && o.number("memory_limit") > 0)
+  {
+    const double room = std::max(20., o.number("memory_limit") - BaseMemory);
+    options.trianglesPerBlock = std::clamp(
+      static_cast<long long>(1e6 * room / BytesPerTriangle), 1000LL, options.trianglesPerBlock);
+    if (Status status = ranks.agree(folder.make(o.text("output"))); !status.ok())
+    {
+      return status;
+    }
+    options.folder = folder.name();
   }
   return remeshBlockwise(shareOfPieces(pieces, ranks), options, remesher, ranks, {}, mesh, result);
 }

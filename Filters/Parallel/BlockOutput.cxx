@@ -41,39 +41,59 @@ vtkSmartPointer<vtkPolyData> answer(
   vtkNew<vtkIdTypeArray> source;
   source->SetName("SourceCellId");
   vtkNew<vtkIdList> corners;
-  bool isFirst = true;
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(questions.size()); ++i)
+  const auto n = static_cast<vtkIdType>(questions.size());
+  points->SetNumberOfPoints(n);
+  source->SetNumberOfTuples(n);
+  for (vtkIdType i = 0; i < n; ++i)
   {
-    const Question& q = questions[static_cast<std::size_t>(i)];
-    const auto block = std::find_if(blocks.own.begin(), blocks.own.end(),
-      [&](const SurfaceBlock& b) { return b.number == q.place.block; });
+    points->SetPoint(i, 0., 0., 0.);
+    cells->InsertNextCell(1, &i);
+  }
+  bool isFirst = true;
+  for (const SurfaceBlock& own : blocks.own)
+  {
+    std::vector<vtkIdType> ofBlock;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      if (questions[static_cast<std::size_t>(i)].place.block == own.number)
+      {
+        ofBlock.push_back(i);
+      }
+    }
+    if (ofBlock.empty())
+    {
+      continue;
+    }
+    const BlockInMemory block(own);
     vtkPointData* from = block->data->GetPointData();
     if (isFirst)
     {
       result->GetPointData()->CopyAllOn();
-      result->GetPointData()->InterpolateAllocate(from);
+      result->GetPointData()->InterpolateAllocate(from, n);
       result->GetCellData()->CopyAllOn();
-      result->GetCellData()->CopyAllocate(block->data->GetCellData());
+      result->GetCellData()->CopyAllocate(block->data->GetCellData(), n);
       isFirst = false;
     }
-    block->data->GetPolys()->GetCellAtId(q.place.triangle, corners);
-    // Integers are the nearest corner's: that of the largest weight.
-    std::array<double, 3> bary = q.place.bary;
-    result->GetPointData()->InterpolatePoint(from, i, corners, bary.data());
-    const auto largest = std::max_element(bary.begin(), bary.end()) - bary.begin();
-    for (int a = 0; a < result->GetPointData()->GetNumberOfArrays(); ++a)
+    for (const vtkIdType i : ofBlock)
     {
-      vtkAbstractArray* array = result->GetPointData()->GetAbstractArray(a);
-      vtkAbstractArray* given = from->GetAbstractArray(array->GetName());
-      if (given && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE)
+      const BlockPlace& place = questions[static_cast<std::size_t>(i)].place;
+      block->data->GetPolys()->GetCellAtId(place.triangle, corners);
+      std::array<double, 3> bary = place.bary;
+      result->GetPointData()->InterpolatePoint(from, i, corners, bary.data());
+      // Integers are the nearest corner's: that of the largest weight.
+      const auto largest = std::max_element(bary.begin(), bary.end()) - bary.begin();
+      for (int a = 0; a < result->GetPointData()->GetNumberOfArrays(); ++a)
       {
-        array->SetTuple(i, corners->GetId(largest), given);
+        vtkAbstractArray* array = result->GetPointData()->GetAbstractArray(a);
+        vtkAbstractArray* given = from->GetAbstractArray(array->GetName());
+        if (given && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE)
+        {
+          array->SetTuple(i, corners->GetId(largest), given);
+        }
       }
+      result->GetCellData()->CopyData(block->data->GetCellData(), place.triangle, i);
+      source->SetValue(i, block->cellId[static_cast<std::size_t>(place.triangle)]);
     }
-    result->GetCellData()->CopyData(block->data->GetCellData(), q.place.triangle, i);
-    source->InsertNextValue(block->cellId[static_cast<std::size_t>(q.place.triangle)]);
-    points->InsertNextPoint(0., 0., 0.);
-    cells->InsertNextCell(1, &i);
   }
   result->SetPoints(points);
   result->SetVerts(cells);
@@ -195,7 +215,8 @@ Status writeBlocks(const SurfaceBlocks& blocks, std::vector<BlockMesh>& meshes,
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
     const BlockMesh& mesh = meshes[b];
-    vtkPolyData* surface = blocks.own[b].data;
+    const BlockInMemory block(blocks.own[b]);
+    vtkPolyData* surface = block->data;
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();

@@ -39,8 +39,8 @@ public:
 
   Status run(const SurfacePieces& pieces, vtkPartitionedDataSet* output)
   {
-    Status status = makeBlocks(
-      pieces, this->Options.trianglesPerBlock, this->Options.points, this->Ranks, this->Blocks);
+    Status status = makeBlocks(pieces, this->Options.trianglesPerBlock, this->Options.points,
+      this->Options.folder, this->Ranks, this->Blocks);
     this->Result.blocks = this->Blocks.count;
     this->lap(0);
     if (!status.ok() || this->Blocks.numberOfTriangles == 0)
@@ -98,7 +98,8 @@ private:
     {
       this->Outlines.emplace_back();
       status = guarded([&] {
-        return outlineBlock(block, this->Remesher, this->Blocks.diagonal, this->Outlines.back());
+        return outlineBlock(
+          *BlockInMemory(block), this->Remesher, this->Blocks.diagonal, this->Outlines.back());
       });
       if (!status.ok())
       {
@@ -125,7 +126,7 @@ private:
       for (std::size_t b = 0; b < this->Blocks.own.size(); ++b)
       {
         const auto slivers =
-          findSlivers(this->Blocks.own[b], this->Outlines[b], length, round == 0);
+          findSlivers(*BlockInMemory(this->Blocks.own[b]), this->Outlines[b], length, round == 0);
         own.insert(own.end(), slivers.begin(), slivers.end());
       }
       std::map<long long, int> newOwner;
@@ -237,8 +238,8 @@ private:
           break;
         }
         status = guarded([&] {
-          return remeshBlock(this->Blocks.own[b], this->Outlines[b], this->Borders, share[block],
-            this->Blocks.count == 1, this->Remesher, this->Meshes[b]);
+          return remeshBlock(*BlockInMemory(this->Blocks.own[b]), this->Outlines[b], this->Borders,
+            share[block], this->Blocks.count == 1, this->Remesher, this->Meshes[b]);
         });
         if (status.code() == StatusCode::TooFewPoints)
         {

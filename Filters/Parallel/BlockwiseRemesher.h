@@ -17,7 +17,8 @@ struct BlockwiseOptions
 {
   long long points = 0;                 ///< of the whole mesh; 0: half as many as triangles
   long long trianglesPerBlock = 300000; ///< at most
-  int healingRings = 6;                 ///< edges to each side of borders
+  std::string folder;   ///< of files for blocks that nobody works on; empty: they are in memory
+  int healingRings = 6; ///< edges to each side of borders
 };
 
 struct BlockwiseResult

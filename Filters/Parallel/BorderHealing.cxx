@@ -19,6 +19,8 @@ namespace
 {
 /// How far the surface goes on about what moves, in edges of the mesh: steps end well within.
 constexpr double SurfaceReach = 2.;
+/// By each rank, where blocks are in files.
+constexpr long long PatchesAtATime = 4;
 
 /// Cells of a grid in which there is something.
 class PointGrid
@@ -98,6 +100,7 @@ public:
     , Rings(rings)
     , Ranks(ranks)
     , Meshes(meshes)
+    , SavesMemory(blocks.isInFiles)
   {
   }
 
@@ -222,7 +225,6 @@ private:
   template <typename IsMovable>
   Status heal(const std::vector<int>& patches, const IsMovable& isMovable)
   {
-    const auto size = static_cast<std::size_t>(this->Ranks.size());
     // What moves, by block and patch, and the triangles about each point.
     const std::size_t n = this->Meshes.size();
     std::vector<std::map<long long, std::set<int>>> moving(n);
@@ -273,6 +275,42 @@ private:
     {
       patchOfRim.emplace(id, patch);
     }
+    // Some patches at a time, if memory is short: all are made of the mesh as it is, and taken over
+    // at the end.
+    const long long number = static_cast<long long>(patches.size());
+    const long long atATime = this->SavesMemory ? PatchesAtATime * this->Ranks.size() : number;
+    Status status = Status::success();
+    for (long long first = 0; first < number && status.ok(); first += atATime)
+    {
+      status = this->healSome(
+        patches, first, std::min(number, first + atATime), moving, about, patchOfRim);
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+    for (std::size_t b = 0; b < this->Meshes.size(); ++b)
+    {
+      std::vector<HealedPatch>& list = this->Healed[this->Blocks.own[b].number];
+      std::sort(list.begin(), list.end(),
+        [](const HealedPatch& a, const HealedPatch& c) { return a.patch < c.patch; });
+      for (const HealedPatch& healed : list)
+      {
+        this->take(healed, b);
+      }
+      list.clear();
+    }
+    return Status::success();
+  }
+
+  /// Those patches from first to before last.
+  Status healSome(const std::vector<int>& patches, long long first, long long last,
+    std::vector<std::map<long long, std::set<int>>>& moving,
+    const std::vector<std::vector<std::vector<int>>>& about,
+    const std::multimap<long long, long long>& patchOfRim)
+  {
+    const auto size = static_cast<std::size_t>(this->Ranks.size());
+    const std::size_t n = this->Meshes.size();
     std::vector<Bytes> messages(size);
     for (std::size_t b = 0; b < n; ++b)
     {
@@ -280,24 +318,36 @@ private:
       std::map<long long, std::set<int>> triangles;
       for (std::size_t p = 0; p < mesh.id.size(); ++p)
       {
-        const auto [first, last] = patchOfRim.equal_range(mesh.id[p]);
-        for (auto rim = first; rim != last && !about[b][p].empty(); ++rim)
+        const auto [begin, end] = patchOfRim.equal_range(mesh.id[p]);
+        for (auto rim = begin; rim != end && !about[b][p].empty(); ++rim)
         {
+          if (rim->second < first || rim->second >= last)
+          {
+            continue;
+          }
           triangles[rim->second].insert(about[b][p].begin(), about[b][p].end());
         }
       }
       for (const auto& [patch, points] : moving[b])
       {
+        if (patch < first || patch >= last)
+        {
+          continue;
+        }
         for (const int p : points)
         {
           triangles[patch].insert(about[b][p].begin(), about[b][p].end());
         }
       }
-      const TriangleSurface surface =
-        triangles.empty() ? TriangleSurface() : fromPolyData(this->Blocks.own[b].data);
+      if (triangles.empty())
+      {
+        continue;
+      }
+      const BlockInMemory block(this->Blocks.own[b]);
+      const TriangleSurface surface = fromPolyData(block->data);
       for (const auto& [patch, list] : triangles)
       {
-        this->makePart(b, surface, moving[b][patch], list)
+        this->makePart(b, *block, surface, moving[b][patch], list)
           .write(patch, messages[patches[static_cast<std::size_t>(patch)]]);
       }
     }
@@ -350,27 +400,15 @@ private:
         this->Healed[static_cast<int>(block)].push_back(std::move(healed));
       }
     }
-    for (std::size_t b = 0; b < this->Meshes.size(); ++b)
-    {
-      std::vector<HealedPatch>& list = this->Healed[this->Blocks.own[b].number];
-      std::sort(list.begin(), list.end(),
-        [](const HealedPatch& a, const HealedPatch& c) { return a.patch < c.patch; });
-      for (const HealedPatch& healed : list)
-      {
-        this->take(healed, b);
-      }
-      list.clear();
-    }
     return Status::success();
   }
 
   /// What a block has of a patch: triangles about points that move and their neighbours, and the
   /// surface there.
-  PatchPart makePart(std::size_t b, const TriangleSurface& surface, const std::set<int>& moving,
-    const std::set<int>& triangles) const
+  PatchPart makePart(std::size_t b, const SurfaceBlock& block, const TriangleSurface& surface,
+    const std::set<int>& moving, const std::set<int>& triangles) const
   {
     const BlockMesh& mesh = this->Meshes[b];
-    const SurfaceBlock& block = this->Blocks.own[b];
     const BlockOutline& outline = this->Outlines[b];
     PatchPart part;
     part.block = block.number;
@@ -523,6 +561,7 @@ private:
   int Rings;
   const RankMessages& Ranks;
   std::vector<BlockMesh>& Meshes;
+  bool SavesMemory;
   std::map<long long, PointState> State;          // by id
   std::map<int, std::vector<HealedPatch>> Healed; // by block
 };

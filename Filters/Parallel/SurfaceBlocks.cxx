@@ -21,9 +21,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace stipple
@@ -189,6 +192,49 @@ std::vector<long long> takeIds(vtkDataSetAttributes* data, const char* name)
   return ids;
 }
 
+Bytes pack(vtkPolyData* data)
+{
+  vtkNew<vtkCharArray> packed;
+  vtkCommunicator::MarshalDataObject(data, packed);
+  return { packed->GetPointer(0), packed->GetPointer(0) + packed->GetNumberOfValues() };
+}
+
+vtkSmartPointer<vtkPolyData> unpack(const Bytes& bytes)
+{
+  vtkNew<vtkCharArray> packed;
+  packed->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+  std::copy(bytes.begin(), bytes.end(), packed->GetPointer(0));
+  return vtkPolyData::SafeDownCast(vtkCommunicator::UnMarshalDataObject(packed).GetPointer());
+}
+
+void writeBytes(std::ofstream& file, const Bytes& bytes)
+{
+  const auto size = static_cast<long long>(bytes.size());
+  file.write(reinterpret_cast<const char*>(&size), sizeof size);
+  file.write(bytes.data(), static_cast<std::streamsize>(size));
+}
+
+Bytes readBytes(std::ifstream& file)
+{
+  long long size = 0;
+  file.read(reinterpret_cast<char*>(&size), sizeof size);
+  Bytes bytes(static_cast<std::size_t>(file ? size : 0));
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file)
+  {
+    throw std::runtime_error("a block's file cannot be read");
+  }
+  return bytes;
+}
+
+template <typename T>
+std::vector<T> readValues(std::ifstream& file)
+{
+  std::vector<T> values;
+  RankMessages::append(readBytes(file), values);
+  return values;
+}
+
 /// A piece's triangles, numbered within the surface.
 struct ReadPiece
 {
@@ -200,8 +246,10 @@ struct ReadPiece
 class BlockMaker
 {
 public:
-  BlockMaker(const SurfacePieces& pieces, const RankMessages& ranks, SurfaceBlocks& blocks)
+  BlockMaker(const SurfacePieces& pieces, const std::string& folder, const RankMessages& ranks,
+    SurfaceBlocks& blocks)
     : Pieces(pieces)
+    , Folder(folder)
     , Ranks(ranks)
     , Blocks(blocks)
   {
@@ -217,6 +265,7 @@ public:
     std::vector<long long> total(1, static_cast<long long>(this->Centres.size()));
     this->Ranks.sum(total);
     this->Blocks.numberOfTriangles = total[0];
+    this->Blocks.isInFiles = !this->Folder.empty();
     this->Blocks.count =
       static_cast<int>(std::max(1LL, (total[0] + trianglesPerBlock - 1) / trianglesPerBlock));
     const double reach =
@@ -227,7 +276,7 @@ public:
     {
       return status;
     }
-    return this->Ranks.agree(this->move());
+    return this->Ranks.agree(guarded([this] { return this->move(); }));
   }
 
 private:
@@ -465,18 +514,26 @@ private:
         }
         const vtkSmartPointer<vtkPolyData> part = this->part(piece, p, triangles[b]);
         const int rank = this->Blocks.rankOf(b, this->Ranks.size());
-        if (rank == this->Ranks.rank())
+        if (rank == this->Ranks.rank() && this->Folder.empty())
         {
           here[b].push_back(part);
           continue;
         }
-        vtkNew<vtkCharArray> packed;
-        vtkCommunicator::MarshalDataObject(part, packed);
-        const std::array<long long, 2> head = { { b, packed->GetNumberOfValues() } };
+        const Bytes packed = pack(part);
+        if (rank == this->Ranks.rank())
+        {
+          status = this->keepPart(b, packed);
+          if (!status.ok())
+          {
+            break;
+          }
+          continue;
+        }
+        const std::array<long long, 2> head = { { b, static_cast<long long>(packed.size()) } };
         Bytes& message = messages[rank];
         const auto* bytes = reinterpret_cast<const char*>(head.data());
         message.insert(message.end(), bytes, bytes + sizeof head);
-        message.insert(message.end(), packed->GetPointer(0), packed->GetPointer(0) + head[1]);
+        message.insert(message.end(), packed.begin(), packed.end());
       }
     }
     if (Status all = this->Ranks.agree(status); !all.ok())
@@ -491,26 +548,63 @@ private:
         std::array<long long, 2> head;
         std::memcpy(head.data(), received[r].data() + at, sizeof head);
         at += sizeof head;
-        vtkNew<vtkCharArray> packed;
-        packed->SetNumberOfValues(head[1]);
-        std::copy_n(received[r].data() + at, head[1], packed->GetPointer(0));
+        const auto begin = received[r].begin() + static_cast<std::ptrdiff_t>(at);
+        const Bytes packed(begin, begin + static_cast<std::ptrdiff_t>(head[1]));
         at += static_cast<std::size_t>(head[1]);
-        here[head[0]].push_back(
-          vtkPolyData::SafeDownCast(vtkCommunicator::UnMarshalDataObject(packed).GetPointer()));
+        if (this->Folder.empty())
+        {
+          here[head[0]].push_back(unpack(packed));
+        }
+        else if (status.ok())
+        {
+          status = this->keepPart(static_cast<int>(head[0]), packed);
+        }
       }
     }
     for (int b = 0; b < this->Blocks.count; ++b)
     {
       SurfaceBlock block;
       block.number = b;
+      if (!this->Folder.empty() && status.ok())
+      {
+        block.file = this->fileOf(b) + ".block";
+        this->takeParts(b, here[b]);
+      }
       this->assemble(here[b], block);
       here[b].clear();
       if (block.numberOfOwn > 0)
       {
+        park(block);
         this->Blocks.own.push_back(std::move(block));
       }
     }
-    return Status::success();
+    return status;
+  }
+
+  std::string fileOf(int block) const
+  {
+    return this->Folder + "/" + std::to_string(this->Ranks.rank()) + "-" + std::to_string(block);
+  }
+
+  Status keepPart(int block, const Bytes& packed) const
+  {
+    std::ofstream file(this->fileOf(block) + ".parts", std::ios::binary | std::ios::app);
+    writeBytes(file, packed);
+    file.close();
+    return file ? Status::success()
+                : Status::error("cannot write '" + this->fileOf(block) + ".parts'");
+  }
+
+  void takeParts(int block, std::vector<vtkSmartPointer<vtkPolyData>>& parts) const
+  {
+    const std::string name = this->fileOf(block) + ".parts";
+    std::ifstream file(name, std::ios::binary);
+    while (file.peek() != std::ifstream::traits_type::eof())
+    {
+      parts.push_back(unpack(readBytes(file)));
+    }
+    file.close();
+    std::remove(name.c_str());
   }
 
   /// Puts the parts of a block together, in the order of their ids.
@@ -583,6 +677,7 @@ private:
   }
 
   const SurfacePieces& Pieces;
+  const std::string& Folder; // of files, or empty
   const RankMessages& Ranks;
   SurfaceBlocks& Blocks;
   std::vector<Copy> Points;
@@ -602,16 +697,66 @@ private:
 }
 
 Status makeBlocks(const SurfacePieces& pieces, long long trianglesPerBlock, long long points,
-  const RankMessages& ranks, SurfaceBlocks& blocks)
+  const std::string& folder, const RankMessages& ranks, SurfaceBlocks& blocks)
 {
   blocks = {};
-  return BlockMaker(pieces, ranks, blocks).run(trianglesPerBlock, points);
+  return BlockMaker(pieces, folder, ranks, blocks).run(trianglesPerBlock, points);
 }
+
+void park(SurfaceBlock& block)
+{
+  if (block.file.empty())
+  {
+    return;
+  }
+  std::ofstream file(block.file, std::ios::binary);
+  writeBytes(file, pack(block.data));
+  writeBytes(file, RankMessages::bytesOf(block.pointId));
+  writeBytes(file, RankMessages::bytesOf(block.triangleId));
+  writeBytes(file, RankMessages::bytesOf(block.owner));
+  writeBytes(file, RankMessages::bytesOf(block.cellId));
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error("cannot write '" + block.file + "'");
+  }
+  SurfaceBlock left;
+  left.number = block.number;
+  left.numberOfOwn = block.numberOfOwn;
+  left.file = block.file;
+  block = std::move(left);
+}
+
+BlockInMemory::BlockInMemory(const SurfaceBlock& block)
+  : Block(&block)
+{
+  if (block.file.empty())
+  {
+    return;
+  }
+  this->Read = std::make_unique<SurfaceBlock>();
+  this->Block = this->Read.get();
+  this->Read->number = block.number;
+  this->Read->numberOfOwn = block.numberOfOwn;
+  std::ifstream file(block.file, std::ios::binary);
+  this->Read->data = unpack(readBytes(file));
+  this->Read->pointId = readValues<long long>(file);
+  this->Read->triangleId = readValues<long long>(file);
+  this->Read->owner = readValues<int>(file);
+  this->Read->cellId = readValues<long long>(file);
+}
+
+BlockInMemory::~BlockInMemory() = default;
 
 void moveTriangles(const std::map<long long, int>& newOwner, SurfaceBlocks& blocks)
 {
-  for (SurfaceBlock& block : blocks.own)
+  for (SurfaceBlock& kept : blocks.own)
   {
+    if (newOwner.empty())
+    {
+      return;
+    }
+    SurfaceBlock block = *BlockInMemory(kept);
     bool isChanged = false;
     for (std::size_t t = 0; t < block.owner.size(); ++t)
     {
@@ -655,7 +800,9 @@ void moveTriangles(const std::map<long long, int>& newOwner, SurfaceBlocks& bloc
       sorted.numberOfOwn += block.owner[t] == block.number ? 1 : 0;
     }
     sorted.data->SetPolys(cells);
-    block = std::move(sorted);
+    sorted.file = kept.file;
+    kept = std::move(sorted);
+    park(kept);
   }
 }
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 
 class vtkPolyData;
 
@@ -35,12 +36,33 @@ struct SurfaceBlock
 {
   int number = 0;                    ///< of the block, from 0
   vtkSmartPointer<vtkPolyData> data; ///< the triangles, with the arrays that all pieces have
-  int numberOfOwn = 0;               ///< triangles of the block itself
+  std::string file;    ///< where it is when nobody works on it; empty: in memory all the time
+  int numberOfOwn = 0; ///< triangles of the block itself
   std::vector<long long> pointId;    ///< of the whole surface, by point
   std::vector<long long> triangleId; ///< of the whole surface
   std::vector<int> owner;            ///< the block that a triangle is of
   std::vector<long long> cellId;     ///< the input's cell that a triangle is of, by triangle
 };
+
+/// A block in memory for as long as this lives, if it is kept in a file else. What changed is
+/// written only if that is asked for.
+class STIPPLEFILTERSPARALLEL_EXPORT BlockInMemory
+{
+public:
+  explicit BlockInMemory(const SurfaceBlock& block);
+  ~BlockInMemory();
+  BlockInMemory(const BlockInMemory&) = delete;
+  BlockInMemory& operator=(const BlockInMemory&) = delete;
+  const SurfaceBlock* operator->() const { return this->Block; }
+  const SurfaceBlock& operator*() const { return *this->Block; }
+
+private:
+  const SurfaceBlock* Block;
+  std::unique_ptr<SurfaceBlock> Read;
+};
+
+/// Puts a block into its file, if it has one, and keeps its numbers alone.
+STIPPLEFILTERSPARALLEL_EXPORT void park(SurfaceBlock& block);
 
 /// What blocks a rank has, and what is known of the whole surface.
 struct SurfaceBlocks
@@ -48,6 +70,7 @@ struct SurfaceBlocks
   int count = 0;                   ///< of the whole surface; those without a triangle, too
   std::vector<SurfaceBlock> own;   ///< ascending, without empty ones
   long long numberOfTriangles = 0; ///< of the whole surface
+  bool isInFiles = false;          ///< nobody works on more than one at a time
   double area = 0;                 ///< of the whole surface
   double diagonal = 0;             ///< of its bounding box
   /// Blocks are dealt in a row: the rank of one.
@@ -61,10 +84,13 @@ struct SurfaceBlocks
 /// the same coordinate), and moves them to their ranks. Points at the same place are one, or where
 /// every piece has global ids, those of the same global id; a point's id is the least number that
 /// any copy of it has when the points of all pieces are counted in a row, or the global id.
-/// Boxes are made larger by three edges of equilateral triangles that `points` points make of the
-/// surface.
+/// With a folder blocks are kept in files there, named after the rank, and of the surface there is
+/// in memory what is proportional to the number of its points and triangles (some 30 bytes a
+/// triangle) and a piece or a block at a time. Boxes are made larger by three edges of equilateral
+/// triangles that `points` points make of the surface.
 [[nodiscard]] STIPPLEFILTERSPARALLEL_EXPORT Status makeBlocks(const SurfacePieces& pieces,
-  long long trianglesPerBlock, long long points, const RankMessages& ranks, SurfaceBlocks& blocks);
+  long long trianglesPerBlock, long long points, const std::string& folder,
+  const RankMessages& ranks, SurfaceBlocks& blocks);
 
 /// Gives triangles, by their ids, to other blocks, which must know them.
 STIPPLEFILTERSPARALLEL_EXPORT void moveTriangles(
