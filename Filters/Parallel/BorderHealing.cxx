@@ -107,31 +107,91 @@ public:
   Status run()
   {
     this->findNear();
-    // Curve by curve.
-    std::vector<int> patches(this->Borders.curves.size());
-    for (std::size_t c = 0; c < patches.size(); ++c)
+    // Curve by curve, each by the rank of its first block.
+    std::vector<int> patches;
+    for (const BorderCurve& curve : this->Borders.curves)
     {
-      patches[c] =
-        this->Blocks.rankOf(this->Borders.curves[c].blocks[0], this->Ranks.size()); // who
-                                                                                    // does
-                                                                                    // it
+      patches.push_back(this->Blocks.rankOf(curve.blocks[0], this->Ranks.size()));
     }
     if (Status status = this->heal(patches,
-          [&](long long id, std::size_t patch) {
-            const PointState& state = this->State.at(id);
-            return state.curve == static_cast<int>(patch) && state.isInside && !state.isHeld;
+          [](const PointState& state, long long) {
+            return state.isInside && !state.isHeld ? state.curve : -1;
           });
         !status.ok())
     {
       return status;
     }
-    return this->heal({ 0 }, [&](long long id, std::size_t) {
-      const PointState& state = this->State.at(id);
-      return state.curve == -2 && state.isInside && !state.isHeld;
+    // What is near several, in parts that are not connected.
+    const std::map<long long, int> partOf = this->partsNearSeveral();
+    int number = 0;
+    for (const auto& [id, part] : partOf)
+    {
+      number = std::max(number, part + 1);
+    }
+    patches.clear();
+    for (int part = 0; part < number; ++part)
+    {
+      patches.push_back(part % this->Ranks.size());
+    }
+    return this->heal(patches, [&](const PointState& state, long long id) {
+      return isNearSeveral(state) ? partOf.at(id) : -1;
     });
   }
 
 private:
+  static bool isNearSeveral(const PointState& state)
+  {
+    return state.curve == -2 && state.isInside && !state.isHeld;
+  }
+
+  /// Points that move and are near two curves or more, by connected parts of these, which are
+  /// numbered by their least ids.
+  std::map<long long, int> partsNearSeveral() const
+  {
+    std::vector<std::array<long long, 2>> own; // edges, and points as edges to themselves
+    for (const BlockMesh& mesh : this->Meshes)
+    {
+      for (const auto& t : mesh.triangles)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const long long p = mesh.id[t[k]];
+          const long long q = mesh.id[t[(k + 1) % 3]];
+          if (isNearSeveral(this->State.at(p)))
+          {
+            own.push_back({ { p, p < q && isNearSeveral(this->State.at(q)) ? q : p } });
+          }
+        }
+      }
+    }
+    makeUnique(own);
+    std::map<long long, long long> parent;
+    const auto find = [&](long long p) {
+      while (parent.at(p) != p)
+      {
+        p = parent[p] = parent.at(parent.at(p));
+      }
+      return p;
+    };
+    // An edge that is met from its larger end only is one triangle's, at a boundary.
+    for (const auto& [p, q] : this->Ranks.gatherAll(own))
+    {
+      parent.try_emplace(p, p);
+      parent.try_emplace(q, q);
+      const long long a = find(p);
+      const long long b = find(q);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+    std::map<long long, int> numberOf;
+    std::map<long long, int> result;
+    for (const auto& [p, above] : parent)
+    {
+      const long long root = find(p);
+      result[p] = numberOf.try_emplace(root, static_cast<int>(numberOf.size())).first->second;
+    }
+    return result;
+  }
+
   /// Which curves each point is near, by steps along edges within its block.
   void findNear()
   {
@@ -221,9 +281,10 @@ private:
     }
   }
 
-  /// One color: patch i is optimised by rank patches[i].
-  template <typename IsMovable>
-  Status heal(const std::vector<int>& patches, const IsMovable& isMovable)
+  /// One color: patch i is optimised by rank patches[i]; patchOf() tells the patch that a point
+  /// moves in, or a negative number.
+  template <typename PatchOf>
+  Status heal(const std::vector<int>& patches, const PatchOf& patchOf)
   {
     // What moves, by block and patch, and the triangles about each point.
     const std::size_t n = this->Meshes.size();
@@ -243,9 +304,8 @@ private:
       }
       for (std::size_t p = 0; p < mesh.id.size(); ++p)
       {
-        const PointState& state = this->State.at(mesh.id[p]);
-        const long long patch = patches.size() == 1 || state.curve < 0 ? 0 : state.curve;
-        if (!about[b][p].empty() && isMovable(mesh.id[p], static_cast<std::size_t>(patch)))
+        const long long patch = patchOf(this->State.at(mesh.id[p]), mesh.id[p]);
+        if (!about[b][p].empty() && patch >= 0)
         {
           moving[b][patch].insert(static_cast<int>(p));
         }

@@ -12,7 +12,7 @@ namespace stipple
 {
 /// Optimises the mesh about the borders, `rings` (2 or more) edges to each side, on the surface of
 /// all blocks about. What moves about one curve alone is done curve by curve, each by the rank of
-/// its first block; then what is near two or more, by the first rank. Points that are held (on
+/// its first block; then what is near two or more, in connected parts. Points that are held (on
 /// creases and boundaries) stay. Afterwards a block's mesh has points of its neighbours', and lacks
 /// some of its own. All ranks call it; so do those without blocks.
 [[nodiscard]] STIPPLEFILTERSPARALLEL_EXPORT Status healBorders(const SurfaceBlocks& blocks,
