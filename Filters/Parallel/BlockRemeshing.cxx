@@ -791,7 +791,7 @@ Status outlineBlock(
       }
       edge.block = block.number;
       edge.isCrease = surface.isFeature(h) ? 1 : 0;
-      edge.hasFeature = hasFeature[surface.tail(h).index()];
+      edge.hasFeature = hasFeature[surface.tail(h).index()] != 0 ? 1 : 0;
       outline.openEdges.push_back(edge);
     }
   }

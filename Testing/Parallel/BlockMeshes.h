@@ -119,7 +119,8 @@ inline BorderFigures measureBorders(const stipple::TriangleSurface& mesh, vtkPol
   locator->BuildLocator();
   const auto isNear = [&](const Vec3& x) {
     double squared = 0;
-    return locator->FindClosestPointWithinRadius(mean, x.data(), squared) >= 0;
+    return along->GetNumberOfPoints() > 0 &&
+      locator->FindClosestPointWithinRadius(mean, x.data(), squared) >= 0;
   };
   BorderFigures f;
   double counts[4] = {};
