@@ -61,6 +61,7 @@ std::vector<Option> options()
     "and have fewer triangles if need be");
   memory.low = 200;
   memory.high = 1e9;
+  memory.initial = 0.;
   memory.automatic = "no limit, and no such files";
   result.push_back(memory);
   result.push_back(

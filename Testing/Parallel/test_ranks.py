@@ -130,6 +130,12 @@ class Ranks(unittest.TestCase):
             outputs.append((self.folder / f"mesh{ranks}.ply").read_bytes())
         self.assertEqual(outputs[0], outputs[1])
         self.assertEqual(outputs[0], outputs[2])
+        status, said, _ = run(
+            2, self.folder / "torus.pvtp", "-o", self.folder / "files.ply", *options, "--memory-limit", 500
+        )
+        self.assertEqual((status, said), (0, []))
+        self.assertEqual((self.folder / "files.ply").read_bytes(), outputs[0])
+        self.assertEqual([path.name for path in self.folder.iterdir() if ".blocks." in path.name], [])
         points, triangles = read_ply(self.folder / "mesh1.ply")
         self.assertEqual(len(points), 1500)
         edges = {}
