@@ -4,7 +4,7 @@
 #ifndef stipple_BlockRemeshing_h
 #define stipple_BlockRemeshing_h
 
-#include "BlockBorders.h"
+#include "BlockOutline.h"
 #include "SurfaceBlocks.h"
 
 #include <utility>
@@ -13,16 +13,6 @@ class vtkGeometryRemesher;
 
 namespace stipple
 {
-/// What a block tells before it is remeshed.
-struct BlockOutline
-{
-  std::vector<OpenEdge> openEdges;
-  /// Sharp edges of own triangles, and those between regions, as the block's points.
-  std::vector<std::array<int, 2>> creases;
-  std::vector<double> density; ///< wanted, up to one factor, by point; empty if the same everywhere
-  double wanted = 0;           ///< the density's integral over the block
-};
-
 /// Where on the surface a point of the mesh lies.
 struct BlockPlace
 {
@@ -45,17 +35,6 @@ struct BlockMesh
   std::vector<int> data;               ///< own point of `arrays`, or -1 where place says more
   vtkSmartPointer<vtkPolyData> arrays; ///< the remesher's, with its arrays
 };
-
-/// Looks for features (in a surface with this diagonal), regions and densities of a block.
-STIPPLEFILTERSPARALLEL_EXPORT Status outlineBlock(
-  const SurfaceBlock& block, vtkGeometryRemesher* remesher, double diagonal, BlockOutline& outline);
-
-/// Parts of a block that creases and the block's border cut off, and that are smaller than two of
-/// the mesh's triangles of this edge length, or narrower than a third of it: where a border runs to
-/// and fro over a crease. Each is to go to the neighbour that it shares most of its border with,
-/// creases aside if it can be; to one of a smaller number if isDown.
-STIPPLEFILTERSPARALLEL_EXPORT std::vector<std::array<long long, 2>> findSlivers(
-  const SurfaceBlock& block, const BlockOutline& outline, double edgeLength, bool isDown);
 
 /// Runs the remesher on a block's own triangles, so that its mesh has the borders' samples, an edge
 /// from each to the next, and `points` others, whose ids are -1, -2, ... in their order. Parameters

@@ -3,6 +3,7 @@
 #include "BlockwiseRemesher.h"
 
 #include "BlockOutput.h"
+#include "BlockStorage.h"
 #include "BorderHealing.h"
 
 #include "vtkGeometryRemesher.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderHealing.h"
 
+#include "BlockStorage.h"
 #include "MeshPatch.h"
 #include "PolyDataConversion.h"
 

@@ -3,6 +3,7 @@
 #include "SurfaceBlocks.h"
 
 #include "BlockCuts.h"
+#include "BlockStorage.h"
 #include "PolyDataConversion.h"
 
 #include "vtkAppendPolyData.h"
@@ -190,49 +191,6 @@ std::vector<long long> takeIds(vtkDataSetAttributes* data, const char* name)
   }
   data->RemoveArray(name);
   return ids;
-}
-
-Bytes pack(vtkPolyData* data)
-{
-  vtkNew<vtkCharArray> packed;
-  vtkCommunicator::MarshalDataObject(data, packed);
-  return { packed->GetPointer(0), packed->GetPointer(0) + packed->GetNumberOfValues() };
-}
-
-vtkSmartPointer<vtkPolyData> unpack(const Bytes& bytes)
-{
-  vtkNew<vtkCharArray> packed;
-  packed->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
-  std::copy(bytes.begin(), bytes.end(), packed->GetPointer(0));
-  return vtkPolyData::SafeDownCast(vtkCommunicator::UnMarshalDataObject(packed).GetPointer());
-}
-
-void writeBytes(std::ofstream& file, const Bytes& bytes)
-{
-  const auto size = static_cast<long long>(bytes.size());
-  file.write(reinterpret_cast<const char*>(&size), sizeof size);
-  file.write(bytes.data(), static_cast<std::streamsize>(size));
-}
-
-Bytes readBytes(std::ifstream& file)
-{
-  long long size = 0;
-  file.read(reinterpret_cast<char*>(&size), sizeof size);
-  Bytes bytes(static_cast<std::size_t>(file ? size : 0));
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file)
-  {
-    throw std::runtime_error("a block's file cannot be read");
-  }
-  return bytes;
-}
-
-template <typename T>
-std::vector<T> readValues(std::ifstream& file)
-{
-  std::vector<T> values;
-  RankMessages::append(readBytes(file), values);
-  return values;
 }
 
 /// A piece's triangles, numbered within the surface.
@@ -702,51 +660,6 @@ Status makeBlocks(const SurfacePieces& pieces, long long trianglesPerBlock, long
   blocks = {};
   return BlockMaker(pieces, folder, ranks, blocks).run(trianglesPerBlock, points);
 }
-
-void park(SurfaceBlock& block)
-{
-  if (block.file.empty())
-  {
-    return;
-  }
-  std::ofstream file(block.file, std::ios::binary);
-  writeBytes(file, pack(block.data));
-  writeBytes(file, RankMessages::bytesOf(block.pointId));
-  writeBytes(file, RankMessages::bytesOf(block.triangleId));
-  writeBytes(file, RankMessages::bytesOf(block.owner));
-  writeBytes(file, RankMessages::bytesOf(block.cellId));
-  file.close();
-  if (!file)
-  {
-    throw std::runtime_error("cannot write '" + block.file + "'");
-  }
-  SurfaceBlock left;
-  left.number = block.number;
-  left.numberOfOwn = block.numberOfOwn;
-  left.file = block.file;
-  block = std::move(left);
-}
-
-BlockInMemory::BlockInMemory(const SurfaceBlock& block)
-  : Block(&block)
-{
-  if (block.file.empty())
-  {
-    return;
-  }
-  this->Read = std::make_unique<SurfaceBlock>();
-  this->Block = this->Read.get();
-  this->Read->number = block.number;
-  this->Read->numberOfOwn = block.numberOfOwn;
-  std::ifstream file(block.file, std::ios::binary);
-  this->Read->data = unpack(readBytes(file));
-  this->Read->pointId = readValues<long long>(file);
-  this->Read->triangleId = readValues<long long>(file);
-  this->Read->owner = readValues<int>(file);
-  this->Read->cellId = readValues<long long>(file);
-}
-
-BlockInMemory::~BlockInMemory() = default;
 
 void moveTriangles(const std::map<long long, int>& newOwner, SurfaceBlocks& blocks)
 {

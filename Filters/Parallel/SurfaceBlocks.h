@@ -14,7 +14,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <memory>
 
 class vtkPolyData;
 
@@ -43,26 +42,6 @@ struct SurfaceBlock
   std::vector<int> owner;            ///< the block that a triangle is of
   std::vector<long long> cellId;     ///< the input's cell that a triangle is of, by triangle
 };
-
-/// A block in memory for as long as this lives, if it is kept in a file else. What changed is
-/// written only if that is asked for.
-class STIPPLEFILTERSPARALLEL_EXPORT BlockInMemory
-{
-public:
-  explicit BlockInMemory(const SurfaceBlock& block);
-  ~BlockInMemory();
-  BlockInMemory(const BlockInMemory&) = delete;
-  BlockInMemory& operator=(const BlockInMemory&) = delete;
-  const SurfaceBlock* operator->() const { return this->Block; }
-  const SurfaceBlock& operator*() const { return *this->Block; }
-
-private:
-  const SurfaceBlock* Block;
-  std::unique_ptr<SurfaceBlock> Read;
-};
-
-/// Puts a block into its file, if it has one, and keeps its numbers alone.
-STIPPLEFILTERSPARALLEL_EXPORT void park(SurfaceBlock& block);
 
 /// What blocks a rank has, and what is known of the whole surface.
 struct SurfaceBlocks

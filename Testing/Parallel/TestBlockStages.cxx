@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The stages of remeshing block by block, one after the other, on one rank.
+#include "BlockOutline.h"
 #include "BlockOutput.h"
 #include "BlockRemeshing.h"
+#include "BlockStorage.h"
 #include "BorderHealing.h"
 #include "MeshPatch.h"
 #include "PolyDataConversion.h"
