@@ -26,14 +26,55 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <new>
+
+#include <unistd.h>
 
 namespace stipple
 {
 namespace
 {
+/// A file of a name of its own, gone with this.
+class TemporaryFile
+{
+public:
+  TemporaryFile() = default;
+  ~TemporaryFile()
+  {
+    if (!this->Name.empty())
+    {
+      std::remove(this->Name.c_str());
+    }
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  /// Whether it could be written.
+  [[nodiscard]] bool write(const std::string& content)
+  {
+    std::error_code error;
+    std::string name = (std::filesystem::temp_directory_path(error) / "stipple-XXXXXX").string();
+    const int file = error ? -1 : mkstemp(&name[0]);
+    if (file < 0)
+    {
+      return false;
+    }
+    close(file);
+    this->Name = name;
+    std::ofstream stream(name, std::ios::binary);
+    return static_cast<bool>(stream << content << std::flush);
+  }
+  /// Empty unless written.
+  const std::string& name() const { return this->Name; }
+
+private:
+  std::string Name;
+};
+
 Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mesh)
 {
   ErrorCollector errors(reader);
@@ -64,6 +105,65 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence, 200)));
 }
 
+/// OBJ's cells without comments, and without slashes that nothing follows ("7/" and "7//" name a
+/// point alone): VTK's reader takes these for errors, or crashes on them.
+std::string plainObj(const std::string& content)
+{
+  std::string result;
+  result.reserve(content.size());
+  bool isCell = false;
+  for (std::size_t begin = 0; begin < content.size();)
+  {
+    const std::size_t end = std::min(content.find('\n', begin), content.size());
+    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 ||
+      (isCell && begin >= 2 && content[begin - 2] == '\\'); // goes on
+    const auto at = [&content](
+                      std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto last =
+      static_cast<std::size_t>(std::find(at(begin), at(end), '#') - content.begin()); // a comment
+                                                                                      // follows
+    for (std::size_t i = begin; isCell && i < last; ++i)
+    {
+      const std::size_t next = content[i] == '/' ? content.find_first_not_of('/', i) : i;
+      if (next > i &&
+        (next >= last || std::isspace(static_cast<unsigned char>(content[next])) != 0))
+      {
+        i = next - 1;
+      }
+      else
+      {
+        result += content[i];
+      }
+    }
+    if (!isCell)
+    {
+      result.append(content, begin, end - begin);
+    }
+    result.append(content, end, 1);
+    begin = end + 1;
+  }
+  return result;
+}
+
+Status readObj(const std::string& file, vtkPolyData* mesh)
+{
+  const std::string content = contentOf(file);
+  const std::string plain = plainObj(content);
+  TemporaryFile copy;
+  if (plain.size() != content.size() && !copy.write(plain))
+  {
+    return Status::error("cannot read '" + file + "': no temporary file can be written");
+  }
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(copy.name().empty() ? file.c_str() : copy.name().c_str());
+  Status status = readByVTK(reader, file, mesh);
+  if (status.ok())
+  {
+    addObjRegions(file, mesh);
+  }
+  return status;
+}
+
 Status readByExtension(const std::string& file, vtkPolyData* mesh)
 {
   const std::string extension = fileExtension(file);
@@ -77,14 +177,7 @@ Status readByExtension(const std::string& file, vtkPolyData* mesh)
   }
   if (extension == ".obj")
   {
-    vtkNew<vtkOBJReader> reader;
-    reader->SetFileName(file.c_str());
-    Status status = readByVTK(reader, file, mesh);
-    if (status.ok())
-    {
-      addObjRegions(file, mesh);
-    }
-    return status;
+    return readObj(file, mesh);
   }
   if (extension == ".stl")
   {

@@ -75,6 +75,21 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale)
   property->SetLineWidth(static_cast<float>(pixels > 8. ? scale : 0.5 * scale));
 }
 
+void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
+{
+  constexpr double Shortest = 2.;
+  if (pixels < Shortest)
+  {
+    property->EdgeVisibilityOff();
+    return;
+  }
+  const double strength = std::clamp((pixels - Shortest) / 6., 0.1, 0.85);
+  property->EdgeVisibilityOn();
+  property->SetEdgeColor(Clay[0] + strength * (Edge[0] - Clay[0]),
+    Clay[1] + strength * (Edge[1] - Clay[1]), Clay[2] + strength * (Edge[2] - Clay[2]));
+  property->SetLineWidth(static_cast<float>(scale * std::clamp((pixels - 4.) / 14., 0.15, 1.)));
+}
+
 vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -115,6 +130,13 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines, const Color& color, doub
   return actor;
 }
 
+vtkSmartPointer<vtkActor> wireActor(vtkPolyData* surface)
+{
+  vtkSmartPointer<vtkActor> actor = lineActor(surface, Edge, 1);
+  actor->GetProperty()->SetRepresentationToWireframe();
+  return actor;
+}
+
 double meanEdge(vtkPolyData* mesh)
 {
   const TriangleSurface surface = fromPolyData(mesh);
@@ -131,11 +153,29 @@ void addLights(vtkRenderer* renderer)
   lights->AddLightsToRenderer(renderer);
 }
 
+void addInspectionLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.57);
+  lights->SetKeyLightWarmth(0.53);
+  lights->SetKeyToHeadRatio(1.0);
+  lights->AddLightsToRenderer(renderer);
+}
+
 void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin)
 {
-  Vec3 from(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
-  from.normalize();
-  const Vec3 right = Vec3::UnitY().cross(from).normalized();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(ViewFrom[0], ViewFrom[1], ViewFrom[2]);
+  camera->SetViewUp(0, 1, 0);
+  fitCamera(renderer, surface, aspect, margin);
+}
+
+void fitCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Vec3 from = -Vec3(camera->GetDirectionOfProjection());
+  const Vec3 right = Vec3(camera->GetViewUp()).cross(from).normalized();
   const Vec3 up = from.cross(right);
   const TriangleSurface triangles = fromPolyData(surface);
   Eigen::Matrix3d axes;
@@ -166,7 +206,6 @@ void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, doubl
   }
   const Vec3 focus = axes * center;
   const Vec3 position = focus + (distance > 0 ? distance : 1.) * from;
-  vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(focus.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(up.data());

@@ -45,6 +45,10 @@ void setSurfaceLook(vtkProperty* property);
 /// `scale` pixels, or half of that for short edges.
 void setEdgeLook(vtkProperty* property, double pixels, double scale);
 
+/// The same for a window that is looked at closely: dark, and so thin that what lies between short
+/// edges stays light.
+void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale);
+
 /// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
 
@@ -52,15 +56,24 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale);
 [[nodiscard]] vtkSmartPointer<vtkActor> lineActor(
   vtkPolyData* lines, const Color& color, double width);
 
+/// The edges of a surface's triangles and nothing else, unlit.
+[[nodiscard]] vtkSmartPointer<vtkActor> wireActor(vtkPolyData* surface);
+
 /// The edge length of equilateral triangles as large as the mesh's mean triangle.
 [[nodiscard]] double meanEdge(vtkPolyData* mesh);
 
 /// Soft light from above the viewer's shoulder.
 void addLights(vtkRenderer* renderer);
 
+/// The same with more of it from the viewer: what faces the floor stays light enough for lines.
+void addInspectionLights(vtkRenderer* renderer);
+
 /// Looks from ViewFrom, closer than ResetCamera(): the surface just fits a window of this aspect
 /// (width over height) with a margin, a fraction of the height.
 void aimCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin);
+
+/// As aimCamera(), from where the camera looks now.
+void fitCamera(vtkRenderer* renderer, vtkPolyData* surface, double aspect, double margin);
 }
 
 #endif

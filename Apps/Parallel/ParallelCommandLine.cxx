@@ -75,8 +75,8 @@ std::vector<Option> options()
 
 Arguments parseParallelCommandLine(const std::vector<std::string>& arguments)
 {
-  Arguments line = parseArguments(
-    arguments, options(), "mpiexec -n R stipple-mpi INPUT -o OUTPUT [options]", fileEndings());
+  Arguments line = parseArguments(arguments, options(),
+    "mpiexec -n R stipple-mpi INPUT -o OUTPUT [options]", { false, fileEndings() });
   if (!line.asked.empty() || !line.problem.empty())
   {
     return line;

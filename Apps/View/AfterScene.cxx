@@ -6,14 +6,22 @@
 #include "SurfaceShading.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace stipple
 {
+namespace
+{
+constexpr Color MarkMagenta = { { 0.85, 0.05, 0.75 } };
+}
+
 AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
 {
   vtkNew<vtkPolyData> none;
@@ -26,20 +34,31 @@ AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
   addPlainLight(this->Mesh);
   this->Mesh->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Mesh);
+  this->Wires = wireActor(none);
+  renderer->AddActor(this->Wires);
   for (int type = 0; type < 3; ++type)
   {
     this->Lines[type] =
       lineActor(none, type == 0 ? FeatureRed : (type == 1 ? BoundaryBlue : Ink), 1);
     renderer->AddActor(this->Lines[type]);
   }
+  this->Mark = lineActor(none, MarkMagenta, 1);
+  renderer->AddActor(this->Mark);
 }
 
 AfterScene::~AfterScene() = default;
 
-void AfterScene::setMesh(vtkPolyData* mesh, vtkPolyData* lines)
+void AfterScene::setMesh(vtkPolyData* mesh, vtkPolyData* lines, const MeshColors& colors)
 {
-  static_cast<vtkPolyDataMapper*>(this->Mesh->GetMapper())->SetInputData(bareSurface(mesh));
+  this->Surface = bareSurface(mesh);
+  this->Colors = &colors;
+  this->setMarked(-1);
+  for (vtkActor* actor : { this->Mesh.Get(), this->Wires.Get() })
+  {
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(this->Surface);
+  }
   this->MeshEdge = meanEdge(mesh);
+  this->paintTriangles();
   for (int type = 0; type < 3; ++type)
   {
     static_cast<vtkPolyDataMapper*>(this->Lines[type]->GetMapper())
@@ -48,9 +67,62 @@ void AfterScene::setMesh(vtkPolyData* mesh, vtkPolyData* lines)
   this->showRightActors();
 }
 
+void AfterScene::paintTriangles()
+{
+  auto* mapper = static_cast<vtkPolyDataMapper*>(this->Mesh->GetMapper());
+  mapper->ScalarVisibilityOff();
+  if (!this->Colors)
+  {
+    return;
+  }
+  const std::vector<float>& values = valuesOf(*this->Colors, this->View.coloring);
+  if (values.empty())
+  {
+    return;
+  }
+  const ColorScale scale = scaleOf(*this->Colors, this->View.coloring);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    colors->SetTypedTuple(static_cast<vtkIdType>(i), scale.pixelOf(values[i]).data());
+  }
+  this->Surface->GetCellData()->SetScalars(colors);
+  mapper->SetScalarModeToUseCellData();
+  mapper->SetColorModeToDirectScalars();
+  mapper->ScalarVisibilityOn();
+}
+
+void AfterScene::setMarked(int cell)
+{
+  this->Marked = cell;
+  vtkNew<vtkPolyData> outline;
+  if (cell >= 0 && this->Surface)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    this->Surface->GetPolys()->GetCellAtId(cell, size, ids);
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(size, ids);
+    lines->UpdateCellCount(static_cast<int>(size) + 1);
+    lines->InsertCellPoint(ids[0]);
+    outline->SetPoints(this->Surface->GetPoints());
+    outline->SetLines(lines);
+  }
+  static_cast<vtkPolyDataMapper*>(this->Mark->GetMapper())->SetInputData(outline);
+  this->Mark->SetVisibility(outline->GetNumberOfLines() > 0);
+}
+
 void AfterScene::setView(const ViewState& view, float lineWidth)
 {
+  const bool colored = view.coloring != this->View.coloring;
   this->View = view;
+  if (colored)
+  {
+    this->paintTriangles();
+  }
   this->LineWidth = lineWidth;
   this->showRightActors();
 }
@@ -70,6 +142,10 @@ void AfterScene::showRightActors()
     this->Lines[type]->SetVisibility(on && lines && lines->GetNumberOfLines() > 0);
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
-  setEdgeLook(this->Mesh->GetProperty(), this->MeshEdge * this->Zoom, this->LineWidth);
+  this->Mark->GetProperty()->SetLineWidth(4 * this->LineWidth);
+  this->Mesh->SetVisibility(!this->View.wireframe);
+  this->Wires->SetVisibility(this->View.wireframe);
+  this->Wires->GetProperty()->SetLineWidth(this->LineWidth);
+  setInspectionEdgeLook(this->Mesh->GetProperty(), this->MeshEdge * this->Zoom, this->LineWidth);
 }
 }

@@ -4,6 +4,7 @@
 #ifndef stipple_AfterScene_h
 #define stipple_AfterScene_h
 
+#include "MeshColors.h"
 #include "ViewState.h"
 
 #include "vtkSmartPointer.h"
@@ -23,20 +24,30 @@ public:
   AfterScene(const AfterScene&) = delete;
   AfterScene& operator=(const AfterScene&) = delete;
 
-  void setMesh(vtkPolyData* mesh, vtkPolyData* lines);
+  /// `colors`, a number a cell, is not kept alive.
+  void setMesh(vtkPolyData* mesh, vtkPolyData* lines, const MeshColors& colors);
+  /// A cell that stands out; -1: none.
+  void setMarked(int cell);
+  int marked() const { return this->Marked; }
   void setView(const ViewState& view, float lineWidth);
   /// Pixels per unit of length.
   void setZoom(double pixelsPerLength);
 
 private:
   void showRightActors();
+  void paintTriangles();
 
   ViewState View;
   float LineWidth = 1;
   double Zoom = 0;
   double MeshEdge = 0;
+  const MeshColors* Colors = nullptr;
+  vtkSmartPointer<vtkPolyData> Surface;
+  int Marked = -1;
   vtkSmartPointer<vtkActor> Mesh;
+  vtkSmartPointer<vtkActor> Wires;    ///< the mesh's edges alone
   vtkSmartPointer<vtkActor> Lines[3]; ///< sharp, boundary, seam
+  vtkSmartPointer<vtkActor> Mark;     ///< the outline of the marked cell
 };
 }
 

@@ -3,6 +3,7 @@
 #include "BeforeScene.h"
 
 #include "AtlasSurface.h"
+#include "ColorBar.h"
 #include "SceneActors.h"
 #include "SurfaceShading.h"
 
@@ -28,7 +29,6 @@ namespace stipple
 {
 namespace
 {
-using Pixel = std::array<unsigned char, 3>;
 constexpr Pixel SurfacePixel = { { 222, 229, 238 } };
 constexpr Color TagOrange = { { 0.93, 0.50, 0.05 } };
 
@@ -62,22 +62,6 @@ vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
   return surface;
 }
 
-/// From white over blue to dark red, by the share of the highest density.
-Pixel densityPixel(double share)
-{
-  static const double stops[5][3] = { { 245, 247, 250 }, { 158, 202, 225 }, { 66, 146, 198 },
-    { 8, 69, 148 }, { 103, 0, 61 } };
-  const double place = std::clamp(share, 0., 1.) * 4;
-  const int stop = std::min(3, static_cast<int>(place));
-  const double t = place - stop;
-  Pixel pixel;
-  for (int k = 0; k < 3; ++k)
-  {
-    pixel[k] = static_cast<unsigned char>((1 - t) * stops[stop][k] + t * stops[stop + 1][k]);
-  }
-  return pixel;
-}
-
 double densityOf(vtkFloatArray* control, vtkFloatArray* area, vtkIdType i)
 {
   const double a = area->GetValue(i);
@@ -99,6 +83,8 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   addPlainLight(this->Surface);
   this->Surface->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Surface);
+  this->Wires = wireActor(bareSurface(input));
+  renderer->AddActor(this->Wires);
   for (int type = 0; type < 3; ++type)
   {
     vtkNew<vtkPolyData> none;
@@ -131,6 +117,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     this->Renderer->RemoveActor(actor);
   }
   this->Charts.clear();
+  this->Vertices.reset();
   this->Sampling = nullptr;
   this->Halftones = nullptr;
   this->Controls = nullptr;
@@ -178,10 +165,20 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
 void BeforeScene::setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
   vtkPartitionedDataSetCollection* controls)
 {
+  this->Vertices.reset();
   this->Sampling = samples;
   this->Halftones = halftones;
   this->Controls = controls;
   this->paintTextures();
+}
+
+void BeforeScene::setVertices(std::shared_ptr<const MeshDots> vertices)
+{
+  if (vertices != this->Vertices)
+  {
+    this->Vertices = std::move(vertices);
+    this->paintTextures();
+  }
 }
 
 void BeforeScene::paintTextures()
@@ -192,22 +189,34 @@ void BeforeScene::paintTextures()
   }
   if (this->View.display == Display::Samples)
   {
-    this->Samples.setSamples(this->Sampling, this->Halftones);
+    if (this->Vertices)
+    {
+      this->Samples.setVertices(*this->Vertices, this->Halftones);
+    }
+    else
+    {
+      this->Samples.setSamples(this->Sampling, this->Halftones);
+    }
     return;
   }
   const bool density = this->View.display == Display::Density;
-  double most = 0;
+  // The mean density is all control over all area: what is beside the charts' faces has none.
+  double control = 0;
+  double area = 0;
   std::vector<std::pair<vtkFloatArray*, vtkFloatArray*>> maps(this->Charts.size());
   for (std::size_t c = 0; density && c < this->Charts.size(); ++c)
   {
-    vtkPointData* data = imageOf(this->Controls, c)->GetPointData();
-    maps[c] = { vtkFloatArray::SafeDownCast(data->GetArray("Control")),
-      vtkFloatArray::SafeDownCast(data->GetArray("AreaDistortion")) };
-    for (vtkIdType i = 0; maps[c].first && i < maps[c].first->GetNumberOfValues(); i += 7)
+    vtkImageData* image = imageOf(this->Controls, c);
+    const double pixel = image->GetSpacing()[0] * image->GetSpacing()[1];
+    maps[c] = { vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control")),
+      vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("AreaDistortion")) };
+    for (vtkIdType i = 0; maps[c].first && i < maps[c].first->GetNumberOfValues(); ++i)
     {
-      most = std::max(most, densityOf(maps[c].first, maps[c].second, i));
+      control += pixel * maps[c].first->GetValue(i);
+      area += pixel * std::max(0.F, maps[c].second->GetValue(i));
     }
   }
+  const double mean = control > 0 && area > 0 ? control / area : 1;
   for (std::size_t c = 0; c < this->Charts.size(); ++c)
   {
     vtkImageData* texture = this->Charts[c].texture;
@@ -219,7 +228,7 @@ void BeforeScene::paintTextures()
     for (vtkIdType i = 0; i < texture->GetNumberOfPoints(); ++i)
     {
       pixels[i] = density
-        ? densityPixel(densityOf(maps[c].first, maps[c].second, i) / (most > 0 ? most : 1))
+        ? divergingColor(densityShare(densityOf(maps[c].first, maps[c].second, i) / mean))
         : chartColor(static_cast<int>(c));
     }
     texture->Modified();
@@ -240,8 +249,11 @@ void BeforeScene::setView(const ViewState& view, float lineWidth)
 
 void BeforeScene::showRightActors()
 {
-  const bool charts = this->View.display != Display::Input && !this->Charts.empty();
-  this->Surface->SetVisibility(!charts);
+  const bool wires = this->View.wireframe;
+  const bool charts = !wires && this->View.display != Display::Input && !this->Charts.empty();
+  this->Surface->SetVisibility(!charts && !wires);
+  this->Wires->SetVisibility(wires);
+  this->Wires->GetProperty()->SetLineWidth(this->LineWidth);
   const bool samples = this->View.display == Display::Samples;
   for (const Chart& chart : this->Charts)
   {
@@ -260,10 +272,10 @@ void BeforeScene::showRightActors()
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
   this->Edges->GetProperty()->SetLineWidth(4 * this->LineWidth);
-  this->Brush->GetProperty()->SetLineWidth(2 * this->LineWidth);
+  this->Brush->GetProperty()->SetLineWidth(2.5F * this->LineWidth);
   this->Points->GetProperty()->SetPointSize(11 * this->LineWidth);
   const bool edges = this->View.display == Display::Input;
-  setEdgeLook(
+  setInspectionEdgeLook(
     this->Surface->GetProperty(), edges ? this->InputEdge * this->Zoom : 0, this->LineWidth);
 }
 
@@ -273,8 +285,17 @@ void BeforeScene::setZoom(double pixelsPerLength)
   this->showRightActors();
 }
 
-void BeforeScene::setMarks(const Session& session)
+bool BeforeScene::setMarks(const Session& session)
 {
+  std::vector<double> marks = session.list("constraints");
+  marks.push_back(-1); // no point's id
+  const std::vector<double>& edges = session.list("feature_edges");
+  marks.insert(marks.end(), edges.begin(), edges.end());
+  if (marks == this->Marks)
+  {
+    return false;
+  }
+  this->Marks = std::move(marks);
   vtkNew<vtkPoints> positions;
   vtkNew<vtkCellArray> vertices;
   for (const auto& p : session.rows<3>("constraints"))
@@ -293,11 +314,12 @@ void BeforeScene::setMarks(const Session& session)
     const vtkIdType ids[2] = { static_cast<vtkIdType>(edge[0]), static_cast<vtkIdType>(edge[1]) };
     lines->InsertNextCell(2, ids);
   }
-  vtkNew<vtkPolyData> edges;
-  edges->SetPoints(this->Input->GetPoints());
-  edges->SetLines(lines);
-  static_cast<vtkPolyDataMapper*>(this->Edges->GetMapper())->SetInputData(edges);
+  vtkNew<vtkPolyData> tagged;
+  tagged->SetPoints(this->Input->GetPoints());
+  tagged->SetLines(lines);
+  static_cast<vtkPolyDataMapper*>(this->Edges->GetMapper())->SetInputData(tagged);
   this->Edges->SetVisibility(lines->GetNumberOfCells() > 0);
+  return true;
 }
 
 void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radius)
@@ -328,5 +350,24 @@ void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radi
   }
   static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circle);
   this->Brush->SetVisibility(radius > 0);
+}
+
+vtkActor* BeforeScene::points()
+{
+  return this->Points;
+}
+
+void BeforeScene::setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges)
+{
+  vtkNew<vtkPolyData> under;
+  vtkNew<vtkCellArray> lines;
+  for (const auto& edge : edges)
+  {
+    lines->InsertNextCell(2, edge.data());
+  }
+  under->SetPoints(this->Input->GetPoints());
+  under->SetLines(lines);
+  static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(under);
+  this->Brush->SetVisibility(!edges.empty());
 }
 }

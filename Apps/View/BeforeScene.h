@@ -10,6 +10,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 class vtkActor;
@@ -33,11 +35,17 @@ public:
   /// New samples: both outputs of the sampler, and the control images.
   void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
     vtkPartitionedDataSetCollection* controls);
+  /// The dots of a mesh that is there, instead of samples; until the next preview.
+  void setVertices(std::shared_ptr<const MeshDots> vertices);
   void setView(const ViewState& view, float lineWidth);
-  /// Constraints, tagged edges.
-  void setMarks(const Session& session);
+  /// Constraints, tagged edges. Whether they are others than before.
+  bool setMarks(const Session& session);
   /// The brush's outline on the surface; no radius: none.
   void setBrush(const Vec3& position, const Vec3& normal, double radius);
+  /// Edges of the input that a click would tag, in the brush's place.
+  void setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges);
+  /// The picked points, to be shown in another view as well.
+  vtkActor* points();
   /// Edges are drawn as far as they can be told apart; pixels per unit of length.
   void setZoom(double pixelsPerLength);
 
@@ -61,13 +69,16 @@ private:
   std::vector<Chart> Charts;
   SampleTextures Samples;
   vtkSmartPointer<vtkPolyData> Sampling;
+  std::shared_ptr<const MeshDots> Vertices; ///< null: the samples are shown
   vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
   vtkSmartPointer<vtkActor> Surface;
+  vtkSmartPointer<vtkActor> Wires;              ///< the input's edges alone
   std::vector<vtkSmartPointer<vtkActor>> Lines; ///< sharp, boundary, seam
   vtkSmartPointer<vtkActor> Points;             ///< constraints
   vtkSmartPointer<vtkActor> Edges;              ///< tagged
   vtkSmartPointer<vtkActor> Brush;
+  std::vector<double> Marks; ///< that are shown, as the session has them
 };
 }
 

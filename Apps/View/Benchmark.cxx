@@ -14,6 +14,7 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <thread>
 
 namespace stipple
 {
@@ -57,6 +58,21 @@ private:
   std::vector<double> Processor;
 };
 
+/// From a changed session to the picture of its samples.
+Frame timePreview(Viewer& viewer)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock();
+  while (!viewer.previewIsCurrent())
+  {
+    viewer.tick();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  viewer.window().window()->WaitForCompletion();
+  return { std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+    static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC };
+}
+
 /// A turn of the loop, its picture included.
 Frame timeFrame(Viewer& viewer)
 {
@@ -75,15 +91,31 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   viewer.edit([](Session& s) { s.set("importance", "total"); }, true);
   viewer.settle();
 
-  Times preview;
-  Times sampling;
+  Times preview[2];
+  Times sampling[2];
+  for (const int smooth : { 0, 1 })
+  {
+    viewer.edit([smooth](Session& s) { s.set("gradation", smooth); }, true);
+    viewer.settle();
+    for (int i = 0; i < PreviewFrames; ++i)
+    {
+      const double gamma = 0.1 + 1.4 * i / PreviewFrames;
+      viewer.edit([gamma](Session& s) { s.set("gamma", gamma); }, false);
+      preview[smooth].add(timePreview(viewer));
+      sampling[smooth].add({ viewer.previewSeconds(), 0 });
+    }
+  }
+
+  // The slider of the gradation itself moves: frames, not previews.
+  Times gradation;
   for (int i = 0; i < PreviewFrames; ++i)
   {
-    const double gamma = 0.1 + 1.4 * i / PreviewFrames;
-    viewer.edit([gamma](Session& s) { s.set("gamma", gamma); }, false);
-    preview.add(timeFrame(viewer));
-    sampling.add({ viewer.previewSeconds(), 0 });
+    viewer.edit([i](Session& s) { s.set("gradation", 0.05 * i); }, false);
+    gradation.add(timeFrame(viewer));
+    std::this_thread::sleep_for(std::chrono::milliseconds(15));
   }
+  viewer.edit([](Session& s) { s.set("gradation", 0); }, true);
+  viewer.settle();
 
   // The slider rests: the mesh is computed while the camera turns.
   Times camera;
@@ -110,8 +142,11 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   std::ofstream stream(files.aside(file));
   stream << "{\n  \"window\": [" << size[0] << ", " << size[1]
          << "],\n  \"points\": " << wanted.integer("points")
-         << ",\n  \"preview_ms\": " << preview.json()
-         << ",\n  \"preview_sampling_ms\": " << sampling.json()
+         << ",\n  \"preview_ms\": " << preview[0].json()
+         << ",\n  \"preview_sampling_ms\": " << sampling[0].json()
+         << ",\n  \"preview_with_gradation_ms\": " << preview[1].json()
+         << ",\n  \"preview_with_gradation_sampling_ms\": " << sampling[1].json()
+         << ",\n  \"frame_while_gradation_moves_ms\": " << gradation.json()
          << ",\n  \"camera_while_meshing_ms\": " << camera.json()
          << ",\n  \"camera_ms\": " << idle.json() << "\n}\n";
   stream.close();

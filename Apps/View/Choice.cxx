@@ -11,8 +11,22 @@ Choice::Choice(Kind kind, std::vector<std::string> words, int columns, Chosen ch
 {
   for (std::string& word : words)
   {
-    this->Cells.push_back({ std::move(word) });
+    this->Cells.push_back({ std::move(word), "" });
   }
+}
+
+void Choice::setHints(const std::vector<std::string>& hints)
+{
+  for (std::size_t i = 0; i < hints.size() && i < this->Cells.size(); ++i)
+  {
+    this->Cells[i].hint = hints[i];
+  }
+}
+
+std::string Choice::hint(const Pointer& pointer) const
+{
+  const int word = this->wordAt(pointer, false);
+  return word >= 0 ? this->Cells[static_cast<std::size_t>(word)].hint : "";
 }
 
 int Choice::rows() const
@@ -39,11 +53,12 @@ Rect Choice::cellBox(int word) const
     height - gap };
 }
 
-int Choice::wordAt(const Pointer& pointer) const
+int Choice::wordAt(const Pointer& pointer, bool enabled) const
 {
   for (std::size_t i = 0; i < this->Cells.size(); ++i)
   {
-    if (this->Cells[i].enabled && this->cellBox(static_cast<int>(i)).has(pointer.x, pointer.y))
+    if ((this->Cells[i].enabled || !enabled) &&
+      this->cellBox(static_cast<int>(i)).has(pointer.x, pointer.y))
     {
       return static_cast<int>(i);
     }

@@ -28,6 +28,8 @@ public:
   void setWord(int word, const std::string& text) { this->Cells[word].text = text; }
   void setOn(int word, bool on) { this->Cells[word].on = on; }
   void setEnabled(int word, bool enabled) { this->Cells[word].enabled = enabled; }
+  /// A hint a word, in their order.
+  void setHints(const std::vector<std::string>& hints);
   void choose(int word); ///< One: this and no other
   int rows() const;
 
@@ -35,16 +37,18 @@ public:
   bool press(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   bool hover(bool over, const Pointer& pointer) override;
+  std::string hint(const Pointer& pointer) const override;
 
 private:
   struct Cell
   {
     std::string text;
+    std::string hint;
     bool on = false;
     bool enabled = true;
   };
   Rect cellBox(int word) const;
-  int wordAt(const Pointer& pointer) const; ///< -1: none
+  int wordAt(const Pointer& pointer, bool enabled = true) const; ///< -1: none
 
   Kind Manner;
   std::vector<Cell> Cells;

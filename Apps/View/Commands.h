@@ -31,6 +31,9 @@ public:
   virtual void saveMesh() = 0;
   virtual void savePicture() = 0;
   virtual void saveSession() = 0;
+  virtual void openFile() = 0;
+  virtual void saveMeshAs() = 0;
+  virtual void saveFigures() = 0;
 };
 }
 

@@ -58,7 +58,11 @@ public:
     return changed && this->isHandled();
   }
 
-  /// Whether keys go to it once it was pressed; blur() when something else was.
+  /// What it is for, where the pointer is over it: a sentence, or nothing.
+  virtual std::string hint(const Pointer&) const { return this->Hint; }
+  void setHint(const std::string& hint) { this->Hint = hint; }
+
+  /// Whether keys go to it, after it was pressed; blur() when something else was.
   virtual bool wantsKeys() const { return false; }
   virtual bool key(const KeyStroke&) { return false; }
   virtual void blur() {}
@@ -66,6 +70,7 @@ public:
 protected:
   virtual bool isHandled() const { return true; }
   Rect Box;
+  std::string Hint;
   bool Hovered = false;
 };
 }

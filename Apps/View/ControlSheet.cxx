@@ -3,6 +3,7 @@
 #include "ControlSheet.h"
 
 #include "AtlasSurface.h"
+#include "ColorBar.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -23,8 +24,8 @@ namespace stipple
 {
 namespace
 {
-using Pixel = std::array<unsigned char, 3>;
-constexpr int Gap = 6; // pixels between charts
+constexpr int Gap = 6;       // pixels between charts
+constexpr int LeastSide = 8; // pixels; nothing is shown in a smaller box
 constexpr int NumberOfShades = 1024;
 constexpr Pixel Rim = { { 150, 158, 170 } };
 
@@ -111,7 +112,8 @@ void ControlSheet::setCharts(vtkPartitionedDataSetCollection* charts)
     this->Lengths.push_back(std::sqrt(areaOf(chart) / (extent[0] * extent[1])));
   }
   this->Controls = nullptr;
-  this->Tiles.clear();
+  this->First.clear();
+  this->place();
 }
 
 void ControlSheet::setControls(vtkPartitionedDataSetCollection* controls)
@@ -124,10 +126,52 @@ void ControlSheet::setBox(const Rect& box)
 {
   if (box.w != this->Box.w || box.h != this->Box.h)
   {
-    this->Tiles.clear();
-    this->Old = true;
+    Control::setBox(box);
+    this->place();
   }
   Control::setBox(box);
+}
+
+void ControlSheet::place()
+{
+  this->Old = true;
+  const int width = static_cast<int>(this->Box.w);
+  const int height = static_cast<int>(this->Box.h);
+  if (!this->Charts || width < LeastSide || height < LeastSide)
+  {
+    this->Tiles.clear();
+    return;
+  }
+  if (this->First.empty())
+  {
+    this->arrange();
+    this->First = this->Tiles;
+    this->FirstWidth = width;
+    this->FirstHeight = height;
+  }
+  const double factor = std::min(
+    static_cast<double>(width) / this->FirstWidth, static_cast<double>(height) / this->FirstHeight);
+  this->Tiles = this->First;
+  for (Tile& tile : this->Tiles)
+  {
+    const int top = static_cast<int>(std::lround(factor * (this->FirstHeight - tile.y - tile.h)));
+    tile.x = static_cast<int>(std::lround(factor * tile.x));
+    tile.w = std::max(1, static_cast<int>(factor * tile.w));
+    tile.h = std::max(1, static_cast<int>(factor * tile.h));
+    tile.y = height - top - tile.h;
+  }
+}
+
+std::vector<Rect> ControlSheet::tiles() const
+{
+  std::vector<Rect> result(this->Tiles.size());
+  for (const Tile& tile : this->Tiles)
+  {
+    result[static_cast<std::size_t>(tile.chart)] = { this->Box.x + static_cast<float>(tile.x),
+      this->Box.y + static_cast<float>(tile.y), static_cast<float>(tile.w),
+      static_cast<float>(tile.h) };
+  }
+  return result;
 }
 
 /// Each tile, the highest first, as high up as it fits below those before it; false if the picture
@@ -228,15 +272,11 @@ void ControlSheet::draw()
 
 void ControlSheet::paint(Canvas& canvas)
 {
-  if (!this->Controls || this->Box.w < 8 || this->Box.h < 8)
+  if (!this->Controls || this->Tiles.empty())
   {
     canvas.text(
       this->Box.x, this->Box.top() - 12 * canvas.scale(), "no charts yet", { 12, shades::Quiet });
     return;
-  }
-  if (this->Tiles.empty())
-  {
-    this->arrange();
   }
   if (this->Old)
   {

@@ -27,6 +27,9 @@ public:
   explicit ControlSheet(Touch touch);
 
   void setCharts(vtkPartitionedDataSetCollection* charts);
+  /// Where each chart is shown, by chart, in window pixels. Charts keep their places relative to
+  /// each other when the box becomes another.
+  [[nodiscard]] std::vector<Rect> tiles() const;
   /// The charts' images with `Control` and `FaceIndex`.
   void setControls(vtkPartitionedDataSetCollection* controls);
   void setBox(const Rect& box) override;
@@ -48,6 +51,7 @@ private:
     int w = 0;
     int h = 0;
   };
+  void place();
   void arrange();
   bool arrange(double scale, int width, int height);
   void draw();
@@ -57,7 +61,10 @@ private:
   vtkSmartPointer<vtkPartitionedDataSetCollection> Charts;
   vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
   std::vector<double> Lengths; ///< by chart: square root of its surface's area over its rectangle's
-  std::vector<Tile> Tiles;
+  std::vector<Tile> First;     ///< as arranged for the box that was there first
+  int FirstWidth = 0;
+  int FirstHeight = 0;
+  std::vector<Tile> Tiles; ///< those, as large as they fit the box of now
   vtkSmartPointer<vtkImageData> Picture;
   bool Old = true; ///< the picture
   Vec3 Last = Vec3::Zero();

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
+#include "Layout.h"
+
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
 #include <cstdlib>
 
 #if defined(__linux__)
@@ -12,6 +17,20 @@
 
 namespace stipple
 {
+namespace
+{
+#if defined(__linux__)
+/// It stays open: an X server without a screen starts anew when its last client leaves, and would
+/// refuse the window's connection meanwhile.
+Display* openDisplay()
+{
+  static Display* display = nullptr;
+  display = display ? display : XOpenDisplay(nullptr);
+  return display;
+}
+#endif
+}
+
 Status checkDisplay()
 {
 #if defined(__linux__)
@@ -22,10 +41,7 @@ Status checkDisplay()
       "there is no display to open a window on (DISPLAY is not set); the program "
       "stipple needs none");
   }
-  // It stays open: an X server without a screen starts anew when its last client leaves, and would
-  // refuse the window's connection meanwhile.
-  static Display* display = nullptr;
-  display = display ? display : XOpenDisplay(nullptr);
+  Display* display = openDisplay();
   if (!display)
   {
     return Status::error(
@@ -41,5 +57,44 @@ Status checkDisplay()
   }
 #endif
   return Status::success();
+}
+
+std::array<int, 2> defaultWindowSize()
+{
+  std::array<int, 2> size = { { 1280, 800 } };
+#if defined(__linux__)
+  // A title bar and a desktop's panel.
+  constexpr int Bars = 72;
+  if (Display* display = openDisplay())
+  {
+    const int screen = DefaultScreen(display);
+    size[0] = std::clamp(DisplayWidth(display, screen), LeastWidth, size[0]);
+    size[1] = std::clamp(DisplayHeight(display, screen) - Bars, LeastHeight, size[1]);
+  }
+#endif
+  return size;
+}
+
+void setLeastSize(vtkRenderWindow* window, int width, int height)
+{
+#if defined(__linux__)
+  auto* display = static_cast<Display*>(window->GetGenericDisplayId());
+  const auto id = reinterpret_cast<Window>(window->GetGenericWindowId());
+  if (!display || !id)
+  {
+    return;
+  }
+  XSizeHints hints = {};
+  long supplied = 0;
+  XGetWMNormalHints(display, id, &hints, &supplied);
+  hints.flags |= PMinSize;
+  hints.min_width = width;
+  hints.min_height = height;
+  XSetWMNormalHints(display, id, &hints);
+#else
+  (void)window;
+  (void)width;
+  (void)height;
+#endif
 }
 }

@@ -5,10 +5,21 @@
 
 #include "Progress.h"
 
+#include <array>
+
+class vtkRenderWindow;
+
 namespace stipple
 {
 /// Whether a window can be opened here; VTK itself would end the program without saying more.
 [[nodiscard]] Status checkDisplay();
+
+/// A window's size in pixels that fits the screen with a title bar and a task bar beside it: 1280 x
+/// 800 or less, never less than LeastWidth x LeastHeight. Needs a display.
+[[nodiscard]] std::array<int, 2> defaultWindowSize();
+
+/// Window managers let the user make an open window no smaller than this, in pixels.
+void setLeastSize(vtkRenderWindow* window, int width, int height);
 }
 
 #endif

@@ -11,6 +11,9 @@ namespace stipple
 {
 namespace
 {
+/// Degrees; triangles with less are of no use to most who compute on a mesh.
+constexpr double AlarmingAngle = 5;
+
 std::string printed(const char* format, double value)
 {
   char text[48];
@@ -76,7 +79,10 @@ void FiguresView::paint(Canvas& canvas)
   for (const auto& row : rows)
   {
     canvas.text(this->Box.x, y, row.first, { 12, this->Stale ? shades::Faint : shades::Quiet });
-    canvas.text(this->Box.x + column - 8 * s, y, row.second, { 12, words, Align::Right, true });
+    const bool alarms =
+      !this->Stale && row.first == std::string("angle, least") && q.minimumAngle < AlarmingAngle;
+    canvas.text(this->Box.x + column - 8 * s, y, row.second,
+      { 12, alarms ? shades::Alarm : words, Align::Right, true });
     y -= step;
   }
   const Shade bars = this->Stale ? shades::Line : shades::Accent;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpText.h"
 
+#include <algorithm>
+
 namespace stipple
 {
 const std::vector<std::pair<std::string, std::string>>& keyHelp()
@@ -9,16 +11,24 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
   static const std::vector<std::pair<std::string, std::string>> lines = { { "Camera", "" },
     { "left button", "turn, both views together" }, { "middle button, Shift", "move" },
     { "right button, wheel", "zoom" }, { "r", "fit the model into the view" },
-    { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface" }, { "Edit", "" },
-    { "n", "type the number of points; Return takes it" },
+    { "f", "fly to what is under the pointer" }, { "w, s", "wireframe, surface, in both views" },
+    { "Edit", "" }, { "n", "type the number of points; Return takes it" },
+    { "on a slider", "click its number to type it; right button: default" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
+    { "[ ], Ctrl with the brush", "smaller, larger; erases" },
+    { "y", "the brush mirrors in x, in y, in z, not" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
     { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
     { "Show", "" }, { "d", "next of samples, input, charts, density" },
-    { "l, m", "feature lines, seams" }, { "Files", "" }, { "Ctrl+S", "save the mesh" },
-    { "Ctrl+P", "save a picture of the window" }, { "Ctrl+J", "save the session" },
-    { "q, e", "quit" }, { "h", "this page" } };
+    { "l, m", "feature lines, seams" },
+    { "c", "mesh colored by smallest angle, quality, deviation, not" },
+    { "g", "go to the worst triangle, then to the next" }, { "Files", "" },
+    { "Ctrl+O", "open a surface or a session" },
+    { "Ctrl+S, Ctrl+Shift+S", "save the mesh; under a name" },
+    { "Ctrl+P, Ctrl+E", "save a picture of the window; figures of both views" },
+    { "Ctrl+J", "save the session" },
+    { "q, e, Ctrl+Q", "quit; asks first if paint or picks are not saved" }, { "h", "this page" } };
   return lines;
 }
 
@@ -26,9 +36,10 @@ void paintHelp(Canvas& canvas, const Rect& window)
 {
   const float s = canvas.scale();
   const auto& lines = keyHelp();
-  const float step = 21 * s;
+  const auto rows = static_cast<float>(lines.size() + 1);
+  const float step = std::min(21 * s, (window.h - 60 * s) / rows);
   const float width = 620 * s;
-  const float height = step * static_cast<float>(lines.size() + 1) + 44 * s;
+  const float height = step * rows + 44 * s;
   const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
     width, height };
   canvas.fill(window, { 30, 36, 46, 110 });

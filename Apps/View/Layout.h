@@ -8,6 +8,12 @@
 
 namespace stipple
 {
+/// The least size of the window, in pixels, in which everything has its place.
+constexpr int LeastWidth = 640;
+constexpr int LeastHeight = 480;
+
+/// Whatever does not fit is an empty rectangle: first the strip, then the panel. The status line
+/// and the views are always there.
 struct Layout
 {
   float scale = 1; ///< of letters, lines and controls

@@ -3,6 +3,8 @@
 #include "MeshWorker.h"
 
 #include "Messages.h"
+#include "PolyDataConversion.h"
+#include "SurfaceDeviation.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"
@@ -180,12 +182,36 @@ void MeshWorker::perform(const Session& session)
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
   result->figures = measureFigures(result->mesh);
+  if (!this->inspect(*result))
+  {
+    return;
+  }
   result->seconds = vtkTimerLog::GetUniversalTime() - begin;
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->StopAsked == GoOn)
   {
     this->Mesh = std::move(result);
   }
+}
+
+/// What is shown of a mesh besides itself; false if it was stopped.
+bool MeshWorker::inspect(MeshResult& result)
+{
+  if (!this->NearestInput)
+  {
+    this->Input = fromPolyData(vtkPolyData::SafeDownCast(this->Remesher->GetInput()));
+    this->NearestInput = std::make_unique<NearestTriangle>(this->Input);
+  }
+  result.colors = measureColors(result.mesh, *this->NearestInput, this->Input.boundingBoxDiagonal(),
+    [this] { return this->StopAsked != GoOn; });
+  Atlas::Pointer atlas;
+  auto* charts = vtkPartitionedDataSetCollection::SafeDownCast(
+    this->Remesher->GetAtlas()->GetOutputDataObject(0));
+  if (this->StopAsked == GoOn && Atlas::read(charts, nullptr, atlas).ok())
+  {
+    result.dots = std::make_shared<MeshDots>(placeOnCharts(result.mesh, *atlas));
+  }
+  return this->StopAsked == GoOn;
 }
 
 void MeshWorker::publishAtlas()
@@ -202,7 +228,9 @@ void MeshWorker::publishAtlas()
   auto result = std::make_unique<AtlasResult>();
   result->charts = copyOf<vtkPartitionedDataSetCollection>(charts);
   result->graph = copyOf<vtkPolyData>(this->Remesher->GetAtlas()->GetOutputDataObject(1));
-  result->maps = copyOf<vtkPartitionedDataSetCollection>(maps);
+  result->sampling.charts = copyOf<vtkPartitionedDataSetCollection>(charts);
+  result->sampling.graph = copyOf<vtkPolyData>(result->graph);
+  result->sampling.maps = copyOf<vtkPartitionedDataSetCollection>(maps);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Atlas = std::move(result);
 }

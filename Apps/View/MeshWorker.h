@@ -5,6 +5,8 @@
 #ifndef stipple_MeshWorker_h
 #define stipple_MeshWorker_h
 
+#include "MeshColors.h"
+#include "MeshDots.h"
 #include "MeshFigures.h"
 #include "Session.h"
 
@@ -26,11 +28,19 @@ class vtkPolyData;
 namespace stipple
 {
 /// What the preview works on: does not depend on where samples are wanted.
-struct AtlasResult
+struct SamplingInput
 {
   vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
   vtkSmartPointer<vtkPolyData> graph;
   vtkSmartPointer<vtkPartitionedDataSetCollection> maps;
+};
+
+struct AtlasResult
+{
+  // To be shown:
+  vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
+  vtkSmartPointer<vtkPolyData> graph;
+  SamplingInput sampling; ///< for another thread: shares nothing with the others
 };
 
 struct MeshResult
@@ -39,6 +49,8 @@ struct MeshResult
   vtkSmartPointer<vtkPolyData> mesh;
   vtkSmartPointer<vtkPolyData> lines;
   MeshFigures figures;
+  MeshColors colors;
+  std::shared_ptr<const MeshDots> dots; ///< on the charts that were handed over last
   double seconds = 0;
 };
 
@@ -62,6 +74,8 @@ public:
   [[nodiscard]] bool busy() const { return this->Busy; }
   /// Nothing runs, and all that was done has been taken: not the same, as work may end at any time.
   [[nodiscard]] bool idle();
+  /// What runs has no maps yet.
+  [[nodiscard]] bool makesCharts() const { return this->Busy && !this->MapsDone; }
   [[nodiscard]] double progress() const { return this->Fraction; }
 
   /// What is done since it was asked last; null if nothing.
@@ -81,10 +95,12 @@ private:
   void work();
   void perform(const Session& session);
   void publishAtlas();
+  bool inspect(MeshResult& result);
 
   vtkSmartPointer<vtkGeometryRemesher> Remesher; ///< the thread's
+  TriangleSurface Input;                         ///< the thread's
+  std::unique_ptr<NearestTriangle> NearestInput; ///< the thread's; made when first needed
   unsigned long PublishedTime = 0;               ///< the thread's
-  bool MapsDone = false;                         ///< the thread's, of what runs
   Session Current;                               ///< written under the mutex
   std::mutex Mutex;
   std::condition_variable Wake;
@@ -95,6 +111,7 @@ private:
   bool Quit = false;
   std::atomic<int> StopAsked{ GoOn };
   std::atomic<bool> Busy{ false };
+  std::atomic<bool> MapsDone{ false }; ///< of what runs
   std::atomic<double> Fraction{ 0. };
   std::thread Thread; ///< last: begins when the rest is there
 };

@@ -19,11 +19,10 @@ public:
 
   void setValue(int value) { this->Value = value; }
   void focus();
-  bool hasFocus() const { return this->Focused; }
 
   void paint(Canvas& canvas) override;
   bool press(const Pointer& pointer) override;
-  bool wantsKeys() const override { return true; }
+  bool wantsKeys() const override { return this->Focused; }
   bool key(const KeyStroke& stroke) override;
   void blur() override;
 

@@ -12,6 +12,12 @@ namespace stipple
 {
 namespace
 {
+constexpr const char* SliderHint = "Click its number to type; right button: default.";
+// Pixels at scale 1.
+constexpr float HeaderHeight = 54; ///< above the first row
+constexpr float HeadRule = 38;     ///< of the line below the name
+constexpr float BottomPad = 8;
+constexpr float ScrollStep = 60;     ///< a notch of the wheel
 constexpr int ArrayWord = 7;         // of the importances
 constexpr double SliderPoints = 5e4; // most that the slider gives; more can be typed
 
@@ -50,6 +56,7 @@ Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arr
   this->addPointer(commands);
   this->addShow(commands);
   this->addCommands(commands);
+  this->addMesh(commands);
 }
 
 void Panel::heading(const std::string& text)
@@ -121,6 +128,27 @@ void Panel::addSampling(Commands& commands, bool hasImage)
     format("%.3f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("minimum_density", value); }, rests);
     });
+  const Session defaults;
+  this->Gamma->setDefault(defaults.number("gamma"));
+  this->Gradation->setDefault(defaults.number("gradation"));
+  this->Floor->setDefault(defaults.number("minimum_density"));
+  this->Number->setHint("Exactly so many points has the mesh. Click or n, digits, Return.");
+  this->PointsSlider->setHint("Exactly so many points has the mesh.");
+  this->Importance->setHints(
+    { "The same density everywhere.", "More samples where the mean curvature is large.",
+      "More samples where the Gaussian curvature is large.",
+      "More samples where the smaller principal curvature is large.",
+      "More samples where the larger principal curvature is large.",
+      "More samples where the surface bends: both principal curvatures, squared and added.",
+      "The density that approximates the surface best (L2): fewest points for an error.",
+      hasImage ? "The density is that of the picture."
+               : "The density is that of an array of the file; one more click, the next array." });
+  this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
+    std::string(SliderHint));
+  this->Gradation->setHint(
+    "How smoothly sizes change: a Gaussian's width, % of the diagonal. " + std::string(SliderHint));
+  this->Floor->setHint(
+    "What is not important has so much of the highest density. " + std::string(SliderHint));
   this->row({ this->Number }, 27, 2);
   this->row({ this->PointsSlider }, 20, 12);
   this->heading("Importance");
@@ -145,6 +173,13 @@ void Panel::addFeatures(Commands& commands)
     "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("charts", std::trunc(value)); }, rests);
     });
+  const Session defaults;
+  this->Angle->setDefault(defaults.number("feature_angle"));
+  this->Charts->setDefault(defaults.number("charts"));
+  this->Angle->setHint(
+    "Edges bent more than this are features (red), kept in the mesh. " + std::string(SliderHint));
+  this->Charts->setHint(
+    "The surface is cut into so many pieces at least. " + std::string(SliderHint));
   this->heading("Features and charts");
   this->row({ this->Angle }, 34);
   this->row({ this->Charts }, 34, 14);
@@ -156,10 +191,11 @@ void Panel::addPointer(Commands& commands)
     std::vector<std::string>{ "camera", "brush", "point", "edge" }, 4, [&commands](int word) {
       commands.changeView([word](ViewState& v) { v.tool = static_cast<Tool>(word); });
     });
-  this->Radius = this->make<Slider>("Brush", Slider::Range{ 1, 30, 2, false, 0.5 },
-    format("%.1f %%"), [&commands](double value, bool) {
-      commands.changeView([value](ViewState& v) { v.brushRadius = value; });
-    });
+  this->Radius =
+    this->make<Slider>("Brush", Slider::Range{ LeastBrush, LargestBrush, 2, false, 0.5 },
+      format("%.1f %%"), [&commands](double value, bool) {
+        commands.changeView([value](ViewState& v) { v.brushRadius = value; });
+      });
   this->Strength = this->make<Slider>(
     "Paint", Slider::Range{ -1, 3, 1, false, 0.1 },
     [](double value) {
@@ -171,6 +207,15 @@ void Panel::addPointer(Commands& commands)
   this->Clearing = this->make<Choice>(Choice::Kind::Commands,
     std::vector<std::string>{ "clear paint", "clear points", "clear edges" }, 3,
     [&commands](int word) { commands.clear(static_cast<Commands::Clear>(word)); });
+  const ViewState defaults;
+  this->Radius->setDefault(defaults.brushRadius);
+  this->Strength->setDefault(defaults.brushStrength);
+  this->Tools->setHints({ "v: turn, move, zoom.", "b: paint density on either model or the map.",
+    "k: pick points that must be vertices.", "x: tag edges as features." });
+  this->Radius->setHint(
+    "The brush's radius, % of the diagonal; [ and ]. " + std::string(SliderHint));
+  this->Strength->setHint(
+    "What a dab adds; below 0 the share that it takes away (-1 to 3). " + std::string(SliderHint));
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);
   this->row({ this->Radius, this->Strength }, 34, 6);
@@ -190,6 +235,11 @@ void Panel::addShow(Commands& commands)
         on = !on;
       });
     });
+  this->Displays->setHints(
+    { "d: samples; once the mesh is there, its vertices.", "d: the surface with its edges.",
+      "d: the pieces that it is cut into.", "d: how many samples are wanted where." });
+  this->Overlays->setHints(
+    { "l: features red, boundaries blue.", "m: where the surface is cut, dark." });
   this->heading("Show");
   this->row({ this->Displays }, 27);
   this->row({ this->Overlays }, 27, 18);
@@ -211,16 +261,91 @@ void Panel::addCommands(Commands& commands)
       word == 0 ? commands.saveMesh()
                 : (word == 1 ? commands.savePicture() : commands.saveSession());
     });
+  this->Undoing->setHints({ "Ctrl+Z", "Ctrl+Y", "h: all keys." });
+  saving->setHints({ "Ctrl+S: the mesh, in its file.", "Ctrl+P: a picture of the window.",
+    "Ctrl+J: everything that makes this mesh again." });
   this->row({ this->Undoing }, 27);
   this->row({ saving }, 27);
+  this->Coloring = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
+      commands.changeView([word](ViewState& v) { v.coloring = static_cast<MeshColoring>(word); });
+    });
+  this->Coloring->setHints(
+    { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
+      "c: triangles by quality, 1 where they are equilateral.",
+      "c: triangles by their distance from the input." });
+  auto* files = this->make<Choice>(Choice::Kind::Commands,
+    std::vector<std::string>{ "open", "save as", "figures" }, 3, [&commands](int word) {
+      word == 0 ? commands.openFile()
+                : (word == 1 ? commands.saveMeshAs() : commands.saveFigures());
+    });
+  files->setHints({ "Ctrl+O: another surface, or a session; or drop one.",
+    "Ctrl+Shift+S: the mesh, under a name.",
+    "Ctrl+E: both views alone, 2000 pixels high, transparent." });
+  this->row({ this->Coloring }, 25);
+  this->row({ files }, 25, 14);
+}
+
+Choice* Panel::optionChoice(Commands& commands, const char* option, std::vector<std::string> words)
+{
+  const int columns = static_cast<int>(words.size());
+  return this->make<Choice>(
+    Choice::Kind::One, std::move(words), columns, [&commands, option](int word) {
+      commands.edit(
+        [option, word](Session& s) { s.set(option, findOption(option)->choices[word]); }, true);
+    });
+}
+
+void Panel::addMesh(Commands& commands)
+{
+  this->Preset = this->optionChoice(commands, "preset", { "uniform", "adaptive", "rib" });
+  this->Preset->setHints(
+    { "Triangles that are alike, whatever the importance.", "Triangles that follow the importance.",
+      "They follow the importance, with two neighbours on each side of features." });
+  this->Pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
+  this->Pattern->setHints(
+    { "A mesh of triangles.", "Quads, regular in every chart; they are not optimised.",
+      "Triangles split 1 to 4; the number of points is the base mesh's." });
+  this->heading("Mesh");
+  this->row({ this->Preset }, 27);
+  this->row({ this->Pattern }, 27);
 }
 
 void Panel::setBox(const Rect& box, float scale)
 {
   this->Box = box;
+  this->Scale = scale;
+  float height = 0;
+  for (const Row& row : this->Rows)
+  {
+    height += (row.height + row.space) * scale;
+  }
+  this->Hidden = std::max(0.F, height - (box.h - (HeaderHeight + BottomPad) * scale));
+  this->place();
+}
+
+bool Panel::scroll(int notches)
+{
+  const float before = this->Scrolled;
+  this->Scrolled -= static_cast<float>(notches) * ScrollStep * this->Scale;
+  this->place();
+  return this->Scrolled != before;
+}
+
+bool Panel::isSeen(const Rect& box) const
+{
+  // A half seen control would lie over the panel's head.
+  return box.top() <= this->Box.top() - HeadRule * this->Scale && box.y >= this->Box.y;
+}
+
+void Panel::place()
+{
+  const Rect& box = this->Box;
+  const float scale = this->Scale;
+  this->Scrolled = std::clamp(this->Scrolled, 0.F, this->Hidden);
   this->Headings.clear();
   const Rect inner = { box.x + 14 * scale, box.y, box.w - 28 * scale, box.h };
-  float y = box.top() - 54 * scale;
+  float y = box.top() - HeaderHeight * scale + this->Scrolled;
   for (const Row& row : this->Rows)
   {
     y -= row.height * scale;
@@ -279,6 +404,14 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   this->Undoing->setEnabled(0, canUndo);
   this->Undoing->setEnabled(1, canRedo);
   this->Undoing->setOn(2, v.help);
+  this->Coloring->choose(static_cast<int>(v.coloring));
+  for (const auto& [choice, option] :
+    { std::pair(this->Preset, "preset"), std::pair(this->Pattern, "pattern") })
+  {
+    const auto& words = findOption(option)->choices;
+    choice->choose(
+      static_cast<int>(std::find(words.begin(), words.end(), s.text(option)) - words.begin()));
+  }
 }
 
 void Panel::paint(Canvas& canvas, bool upper)
@@ -295,11 +428,19 @@ void Panel::paint(Canvas& canvas, bool upper)
     canvas.text(left, y, "stipple", { 16, shades::Accent, Align::Left, true });
     const TextLook quiet{ 12, shades::Quiet, Align::Right };
     canvas.text(right, y, canvas.fitted(this->Model, this->Box.w - 110 * s, quiet), quiet);
-    canvas.rule(left, this->Box.top() - 38 * s, right, this->Box.top() - 38 * s, shades::Line);
+    const float rule = this->Box.top() - HeadRule * s;
+    canvas.rule(left, rule, right, rule, shades::Line);
+    if (this->Hidden > 0)
+    {
+      const float seen = rule - this->Box.y;
+      const float length = seen * seen / (seen + this->Hidden);
+      const float top = rule - this->Scrolled / this->Hidden * (seen - length);
+      canvas.fill({ this->Box.right() - 5 * s, top - length, 3 * s, length }, shades::Faint);
+    }
   }
   for (const auto& heading : this->Headings)
   {
-    if (canvas.empty() && (heading.first.y > middle) == upper)
+    if (canvas.empty() && (heading.first.y > middle) == upper && this->isSeen(heading.first))
     {
       canvas.text(heading.first.x, heading.first.y + 0.5F * heading.first.h, heading.second,
         { 11, shades::Quiet, Align::Left, true });
@@ -307,7 +448,7 @@ void Panel::paint(Canvas& canvas, bool upper)
   }
   for (const auto& control : this->Owned)
   {
-    if ((control->box().y > middle) == upper)
+    if ((control->box().y > middle) == upper && this->isSeen(control->box()))
     {
       this->Shown.update(
         canvas, control->box().inset(-1), [&control](Canvas& c) { control->paint(c); });
@@ -320,7 +461,10 @@ std::vector<Control*> Panel::controls()
   std::vector<Control*> list;
   for (const auto& control : this->Owned)
   {
-    list.push_back(control.get());
+    if (this->isSeen(control->box()))
+    {
+      list.push_back(control.get());
+    }
   }
   return list;
 }

@@ -22,10 +22,13 @@ public:
   Panel(Commands& commands, std::string model, std::vector<std::string> arrays, bool hasImage);
 
   void setBox(const Rect& box, float scale);
+  /// Moves what does not fit into the box by notches of the wheel; true if it looks different then.
+  bool scroll(int notches);
   void show(const Session& session, const ViewState& view, bool canUndo, bool canRedo);
   /// What looks as before is left, unless the canvas is empty. In two halves: VTK's painter keeps
   /// 50 words, and makes each anew in every frame if there are more.
   void paint(Canvas& canvas, bool upper);
+  /// Those that are seen.
   std::vector<Control*> controls();
   NumberField& points() { return *this->Number; }
 
@@ -39,17 +42,24 @@ private:
   };
   template <typename T, typename... Arguments>
   T* make(Arguments&&... arguments);
+  void place();
+  bool isSeen(const Rect& box) const;
   void addSampling(Commands& commands, bool hasImage);
   void addFeatures(Commands& commands);
   void addPointer(Commands& commands);
   void addShow(Commands& commands);
   void addCommands(Commands& commands);
+  void addMesh(Commands& commands);
+  Choice* optionChoice(Commands& commands, const char* option, std::vector<std::string> words);
   void heading(const std::string& text);
   void row(std::vector<Control*> controls, float height, float space = 4);
 
   std::string Model;
   std::vector<std::string> Arrays;
   Rect Box;
+  float Scale = 1;
+  float Scrolled = 0; ///< pixels that the rows are moved up
+  float Hidden = 0;   ///< pixels of the rows that the box is too low for
   std::vector<std::unique_ptr<Control>> Owned;
   Painted Shown;
   std::vector<Row> Rows;
@@ -70,6 +80,9 @@ private:
   Choice* Displays = nullptr;
   Choice* Overlays = nullptr;
   Choice* Undoing = nullptr;
+  Choice* Coloring = nullptr;
+  Choice* Preset = nullptr;
+  Choice* Pattern = nullptr;
 };
 }
 

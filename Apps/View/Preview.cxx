@@ -6,6 +6,7 @@
 #include "Messages.h"
 #include "Session.h"
 
+#include "vtkCommand.h"
 #include "vtkControlMap.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkFloatArray.h"
@@ -25,7 +26,7 @@ Preview::Preview()
 
 Preview::~Preview() = default;
 
-void Preview::setAtlas(const AtlasResult& atlas)
+void Preview::setAtlas(const SamplingInput& atlas)
 {
   for (vtkControlMap* control : { this->Control.Get(), this->RawImportance.Get() })
   {
@@ -41,6 +42,16 @@ void Preview::setImportanceImage(vtkImageData* image)
 {
   this->Control->SetImportanceImage(image);
   this->RawImportance->SetImportanceImage(image);
+}
+
+void Preview::observeProgress(vtkCommand* command)
+{
+  for (vtkAlgorithm* filter :
+    { static_cast<vtkAlgorithm*>(this->Control), static_cast<vtkAlgorithm*>(this->Sampler),
+      static_cast<vtkAlgorithm*>(this->RawImportance) })
+  {
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+  }
 }
 
 Status Preview::update(const Session& session, int points)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of the pipeline that follows a slider: control map and error diffusion (paper 3.3), on
-// the charts and maps that the worker made. Belongs to the window's thread.
+// the charts and maps that the worker made. PreviewWorker has it in a thread of its own.
 #ifndef stipple_Preview_h
 #define stipple_Preview_h
 
@@ -12,6 +12,7 @@
 
 #include <vector>
 
+class vtkCommand;
 class vtkControlMap;
 class vtkErrorDiffusionSampler;
 class vtkImageData;
@@ -20,7 +21,7 @@ class vtkPolyData;
 
 namespace stipple
 {
-struct AtlasResult;
+struct SamplingInput;
 struct Session;
 
 class Preview
@@ -31,9 +32,10 @@ public:
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  void setAtlas(const AtlasResult& atlas);
+  void setAtlas(const SamplingInput& atlas);
   void setImportanceImage(vtkImageData* image);
-  bool hasAtlas() const { return this->Ready; }
+  /// Called while it works; it may set the AbortExecute of the filter that calls it.
+  void observeProgress(vtkCommand* command);
 
   /// Samples anew what changed; `points` is the exact number.
   [[nodiscard]] Status update(const Session& session, int points);

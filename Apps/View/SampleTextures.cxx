@@ -281,6 +281,19 @@ void SampleTextures::placeDots(vtkPolyData* samples, std::vector<Dot>& dots)
 
 void SampleTextures::setSamples(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones)
 {
+  this->show(samples, halftones, nullptr);
+}
+
+void SampleTextures::setVertices(
+  const MeshDots& vertices, vtkPartitionedDataSetCollection* halftones)
+{
+  this->show(vertices.samples, halftones, &vertices.beyond);
+}
+
+/// `beyond`: where dots reach into other charts; null: halftones say it.
+void SampleTextures::show(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
+  const std::vector<DotBeyond>* beyond)
+{
   if (this->Actors.empty())
   {
     return;
@@ -305,8 +318,8 @@ void SampleTextures::setSamples(vtkPolyData* samples, vtkPartitionedDataSetColle
       {
         auto* halftone = vtkImageData::SafeDownCast(
           halftones->GetPartitionAsDataObject(static_cast<unsigned int>(c), 0));
-        this->paintChart(
-          static_cast<int>(c), halftone, dots, ofChart[static_cast<std::size_t>(c)], onLines);
+        this->paintChart(static_cast<int>(c), halftone, dots, ofChart[static_cast<std::size_t>(c)],
+          onLines, beyond);
       }
     });
   for (vtkImageData* numbers : this->Numbers)
@@ -343,7 +356,8 @@ int nearest(const std::vector<int>& ascending, const Vec3& place, const Position
 }
 
 void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::vector<Dot>& dots,
-  const std::vector<int>& ofChart, const std::vector<int>& onLines)
+  const std::vector<int>& ofChart, const std::vector<int>& onLines,
+  const std::vector<DotBeyond>* beyond)
 {
   auto* black = halftone
     ? vtkUnsignedCharArray::SafeDownCast(halftone->GetPointData()->GetArray("Halftone"))
@@ -406,6 +420,17 @@ void SampleTextures::paintChart(int chart, vtkImageData* halftone, const std::ve
     const int y = std::clamp(static_cast<int>(dot.uv.y() / pixel.y()), 0, rows - 1);
     own.push_back(static_cast<vtkIdType>(y) * columns + x);
     paint(i, dot.face, dot.uv);
+  }
+  if (beyond)
+  {
+    for (const DotBeyond& mark : *beyond)
+    {
+      if (mark.chart == chart)
+      {
+        paint(mark.dot, mark.face, mark.uv);
+      }
+    }
+    return;
   }
   std::sort(own.begin(), own.end());
   // What is black besides is a seam's sample that belongs to the chart on the other side.

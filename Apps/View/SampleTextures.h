@@ -9,7 +9,7 @@
 #ifndef stipple_SampleTextures_h
 #define stipple_SampleTextures_h
 
-#include "Atlas.h"
+#include "MeshDots.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -52,12 +52,17 @@ public:
 
   /// Both outputs of the sampler on these charts.
   void setSamples(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones);
+  /// A mesh's vertices, on textures as fine as these halftones.
+  void setVertices(const MeshDots& vertices, vtkPartitionedDataSetCollection* halftones);
 
 private:
   struct Dot;
   void placeDots(vtkPolyData* samples, std::vector<Dot>& dots);
+  void show(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
+    const std::vector<DotBeyond>* beyond);
   void paintChart(int chart, vtkImageData* halftone, const std::vector<Dot>& dots,
-    const std::vector<int>& ofChart, const std::vector<int>& onLines);
+    const std::vector<int>& ofChart, const std::vector<int>& onLines,
+    const std::vector<DotBeyond>* beyond);
 
   const AtlasSurface& surface() const { return this->Charted->surface(); }
 

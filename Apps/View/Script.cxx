@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Script.h"
 
-#include "Viewer.h"
+#include "Application.h"
 
 #include "vtkInteractorEventRecorder.h"
 #include "vtkNew.h"
@@ -34,7 +34,7 @@ bool isInput(const std::string& line)
 }
 }
 
-Status playEvents(Viewer& viewer, const std::string& file)
+Status playEvents(Application& application, const std::string& file)
 {
   std::ifstream stream(file);
   std::string line;
@@ -43,7 +43,7 @@ Status playEvents(Viewer& viewer, const std::string& file)
     return Status::error("cannot read the recording '" + file + "'");
   }
   const std::string header = line;
-  viewer.settle();
+  application.settle();
   while (std::getline(stream, line))
   {
     if (!isInput(line))
@@ -51,13 +51,13 @@ Status playEvents(Viewer& viewer, const std::string& file)
       continue;
     }
     vtkNew<vtkInteractorEventRecorder> player;
-    player->SetInteractor(viewer.interactor());
+    player->SetInteractor(application.interactor());
     player->ReadFromInputStringOn();
     player->SetInputString((header + "\n" + line + "\n").c_str());
     player->Play();
-    viewer.tick();
+    application.turn();
   }
-  viewer.settle();
+  application.settle();
   return Status::success();
 }
 }

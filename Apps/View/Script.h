@@ -13,11 +13,11 @@ class vtkRenderWindowInteractor;
 
 namespace stipple
 {
-class Viewer;
+class Application;
 
 /// Plays the pointer's and the keys' events of a recording, each followed by a turn of the loop,
 /// and waits for what follows from them.
-[[nodiscard]] Status playEvents(Viewer& viewer, const std::string& file);
+[[nodiscard]] Status playEvents(Application& application, const std::string& file);
 }
 
 #endif

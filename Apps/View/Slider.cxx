@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Slider.h"
 
+#include "TextNumbers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,10 @@ namespace stipple
 {
 namespace
 {
+// Pixels at scale 1.
 constexpr float KnobRadius = 6.5F;
+constexpr float ValueWidth = 62;
+constexpr float ValueHeight = 18;
 }
 
 Slider::Slider(std::string label, const Range& range, Format format, Change change)
@@ -46,12 +51,24 @@ void Slider::paint(Canvas& canvas)
   const Shade strong = this->Enabled ? shades::Accent : shades::Faint;
   canvas.text(
     this->Box.x, upper, this->Label, { 12, this->Enabled ? shades::Word : shades::Faint });
-  canvas.text(this->Box.right(), upper, this->Text(this->Value),
-    { 12,
-      !this->Enabled ? shades::Faint
-        : this->Held ? shades::Accent
-                     : shades::Word,
-      Align::Right, true });
+  const TextLook look{ 12,
+    !this->Enabled                 ? shades::Faint
+      : this->Held || this->Typing ? shades::Accent
+                                   : shades::Word,
+    Align::Right, true };
+  if (this->Typing)
+  {
+    const float width = ValueWidth * s;
+    canvas.box({ this->Box.right() - width, upper - 9 * s, width + 2 * s, 18 * s }, shades::Card,
+      shades::Accent, 3);
+    canvas.text(this->Box.right() - 4 * s, upper, this->Typed, look);
+    const float caret = this->Box.right() - 2 * s;
+    canvas.rule(caret, upper - 6 * s, caret, upper + 6 * s, shades::Accent);
+  }
+  else
+  {
+    canvas.text(this->Box.right(), upper, this->Text(this->Value), look);
+  }
   const float y = this->Box.y + 9 * s;
   const float left = this->Box.x + KnobRadius * s;
   const float length = this->Box.w - 2 * KnobRadius * s;
@@ -64,8 +81,23 @@ void Slider::paint(Canvas& canvas)
 
 bool Slider::press(const Pointer& pointer)
 {
-  if (pointer.secondary || !this->Enabled)
+  if (!this->Enabled)
   {
+    return false;
+  }
+  if (pointer.secondary)
+  {
+    if (this->Default && *this->Default != this->Value)
+    {
+      this->Value = *this->Default;
+      this->Changed(this->Value, true);
+    }
+    return false;
+  }
+  if (this->isOverValue(pointer))
+  {
+    this->Typing = true;
+    this->Typed.clear();
     return false;
   }
   this->Held = true;
@@ -89,5 +121,56 @@ void Slider::release(const Pointer&)
 {
   this->Held = false;
   this->Changed(this->Value, true);
+}
+
+bool Slider::isOverValue(const Pointer& pointer) const
+{
+  // A slider without a name shows no value.
+  return !this->Label.empty() && pointer.x >= this->Box.right() - ValueWidth * this->Scale &&
+    pointer.y >= this->Box.top() - ValueHeight * this->Scale;
+}
+
+void Slider::finish(bool accept)
+{
+  double value = 0;
+  const bool typed = this->Typing && accept && parseNumber(this->Typed, value);
+  this->Typing = false;
+  value = std::clamp(value, this->Limits.low, this->Limits.high);
+  if (typed && value != this->Value)
+  {
+    this->Value = value;
+    this->Changed(value, true);
+  }
+}
+
+void Slider::blur()
+{
+  this->finish(true);
+}
+
+bool Slider::key(const KeyStroke& stroke)
+{
+  if (!this->Typing || stroke.control)
+  {
+    return false;
+  }
+  if (stroke.symbol == "Return" || stroke.symbol == "KP_Enter" || stroke.symbol == "Tab")
+  {
+    this->finish(true);
+  }
+  else if (stroke.symbol == "Escape")
+  {
+    this->finish(false);
+  }
+  else if (stroke.symbol == "BackSpace" || stroke.symbol == "Delete")
+  {
+    this->Typed = this->Typed.substr(0, this->Typed.size() - !this->Typed.empty());
+  }
+  else if (const char c = stroke.letter;
+           this->Typed.size() < 8 && ((c >= '0' && c <= '9') || c == '.' || c == '-'))
+  {
+    this->Typed += c;
+  }
+  return true; // no other key does anything else meanwhile
 }
 }

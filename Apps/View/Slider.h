@@ -6,10 +6,13 @@
 #include "Control.h"
 
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace stipple
 {
-/// A value along a line: its name above on the left, the value on the right.
+/// A value along a line: its name above on the left, the value on the right. A press on the value
+/// lets it be typed (Return takes it, Esc gives up), the right button resets it.
 class Slider : public Control
 {
 public:
@@ -29,6 +32,8 @@ public:
 
   void setRange(const Range& range) { this->Limits = range; }
   void setValue(double value) { this->Value = value; }
+  /// What the right button goes back to.
+  void setDefault(double value) { this->Default = value; }
   /// Disabled: faint, and not to be dragged.
   void setEnabled(bool enabled) { this->Enabled = enabled; }
   double value() const { return this->Value; }
@@ -37,6 +42,9 @@ public:
   bool press(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
+  bool wantsKeys() const override { return this->Typing; }
+  bool key(const KeyStroke& stroke) override;
+  void blur() override;
 
 protected:
   bool isHandled() const override { return this->Enabled; }
@@ -45,12 +53,18 @@ private:
   double placeOf(double value) const; ///< 0 to 1
   double valueAt(double place) const;
 
+  bool isOverValue(const Pointer& pointer) const;
+  void finish(bool accept);
+
   std::string Label;
   Range Limits;
   Format Text;
   Change Changed;
   double Value = 0;
+  std::optional<double> Default;
   bool Held = false;
+  bool Typing = false;
+  std::string Typed;
   bool Enabled = true;
   float Scale = 1; ///< of the last painting
 };

@@ -3,6 +3,7 @@
 #include "ViewOptions.h"
 
 #include "HelpText.h"
+#include "Layout.h"
 #include "MeshFile.h"
 #include "TextNumbers.h"
 
@@ -27,7 +28,8 @@ std::vector<Option> viewOptions()
     option(Kind::File, "picture", "FILE.png", "where \"picture\" writes (default: MODEL-view.png)"),
     option(Kind::File, "save_session", "FILE.json",
       "where \"session\" writes (default: MODEL-session.json)"),
-    option(Kind::Text, "size", "WxH", "size of the window in pixels (default: 1280x800)"),
+    option(Kind::Text, "size", "WxH",
+      "size of the window in pixels (default: 1280x800, or as much as fits the screen)"),
     option(Kind::File, "record", "FILE", "write what is done in the window, to be played again"),
     option(Kind::File, "play", "FILE", "do what was recorded, wait for the mesh, and end"),
     option(Kind::File, "shot", "FILE.png",
@@ -42,14 +44,19 @@ std::vector<Option> viewOptions()
 
 Arguments parseViewOptions(const std::vector<std::string>& arguments)
 {
-  Arguments line = parseArguments(arguments, viewOptions(), "stipple-view FILE [options]");
-  const std::string size = line.options.has("size") ? line.options.text("size") : "1280x800";
+  Arguments line =
+    parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", { true, {} });
+  if (!line.options.has("size"))
+  {
+    return line;
+  }
+  const std::string size = line.options.text("size");
   const std::size_t cross = size.find('x');
   int width = 0;
   int height = 0;
   if (line.problem.empty() &&
-    (cross == std::string::npos || !parseInteger(size.substr(0, cross), 640, 16384, width) ||
-      !parseInteger(size.substr(cross + 1), 480, 16384, height)))
+    (cross == std::string::npos || !parseInteger(size.substr(0, cross), LeastWidth, 16384, width) ||
+      !parseInteger(size.substr(cross + 1), LeastHeight, 16384, height)))
   {
     line.problem = "--size needs WxH, at least 640x480, not '" + size + "'";
   }
@@ -63,7 +70,7 @@ ProgramDescription describeViewer()
   program.name = "stipple-view";
   program.version = STIPPLE_VERSION;
   program.brief = "remesh triangle surfaces in a window, while you watch";
-  program.arguments = "FILE [options]";
+  program.arguments = "[FILE] [options]";
   program.text = "Remeshes a triangle surface while you watch: a live preview of the samples, the\n"
                  "mesh when a slider rests. Needs a display with OpenGL.\n";
   program.groups = { { "Options", viewOptions() } };

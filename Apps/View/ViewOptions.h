@@ -15,7 +15,8 @@ namespace stipple
 /// The number of points that the window takes: with more, a preview takes seconds.
 constexpr int MostPoints = 1'000'000;
 
-/// "play" and "shot", which may come many times, are in order; "size" is a row of two numbers.
+/// "play" and "shot", which may come many times, are in order; "size", if given, is a row of two
+/// numbers.
 [[nodiscard]] Arguments parseViewOptions(const std::vector<std::string>& arguments);
 
 [[nodiscard]] ProgramDescription describeViewer();

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewRun.h"
 
+#include "Application.h"
 #include "Benchmark.h"
 #include "Display.h"
-#include "MeshFile.h"
 #include "OutputFiles.h"
+#include "RecentFiles.h"
 #include "Script.h"
-#include "Session.h"
 #include "ViewOptions.h"
-#include "Viewer.h"
 
 #include "vtkImageData.h"
 #include "vtkInteractorEventRecorder.h"
@@ -18,73 +17,51 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkVersion.h"
 
-#include <filesystem>
+#include <array>
 
 namespace stipple
 {
 namespace
 {
-constexpr int DefaultPoints = 5000;
-
-Status makeSession(const OptionValues& o, Session& session)
-{
-  // Something to see when gamma is moved.
-  session.set("importance", "total");
-  session.set("gamma", 0.5);
-  if (o.has("session"))
-  {
-    if (Status status = readSession(o.text("session"), session); !status.ok())
-    {
-      return status;
-    }
-  }
-  if (o.has("model"))
-  {
-    session.set("model", o.text("model"));
-  }
-  if (session.text("model").empty())
-  {
-    return Status::error("the session '" + o.text("session") + "' names no model: say which FILE");
-  }
-  const int points = o.has("points") ? o.integer("points") : session.integer("points");
-  session.set("points", points > 0 ? points : DefaultPoints);
-  return Status::success();
-}
-
-ViewerFiles filesOf(const OptionValues& o, const Session& session)
-{
-  const std::string stem = std::filesystem::path(session.text("model")).stem().string();
-  ViewerFiles files;
-  files.mesh = o.has("output") ? o.text("output") : stem + "-remeshed.ply";
-  files.picture = o.has("picture") ? o.text("picture") : stem + "-view.png";
-  files.session = o.has("save_session") ? o.text("save_session") : stem + "-session.json";
-  return files;
-}
-
-Status useWindow(const Arguments& line, Viewer& viewer)
+Status useWindow(const Arguments& line, Application& application)
 {
   const OptionValues& o = line.options;
-  viewer.open();
+  application.open();
   if (o.has("benchmark"))
   {
-    return runBenchmark(viewer, o.text("benchmark"));
+    return runBenchmark(application.viewer(), o.text("benchmark"));
   }
   const bool steps = o.has("play") || o.has("shot"); // the program ends after them
   if (steps)
   {
-    viewer.hideTimes();
+    application.hideTimes();
+  }
+  else
+  {
+    application.rememberFiles();
+    for (const char* name : { "model", "session" })
+    {
+      if (o.has(name))
+      {
+        addRecentFile(o.text(name));
+      }
+    }
+  }
+  if (!o.has("model") && !o.has("session"))
+  {
+    application.viewer().showStart();
   }
   for (const auto& [name, file] : line.inOrder)
   {
     Status status = Status::success();
     if (name == "play")
     {
-      status = playEvents(viewer, file);
+      status = playEvents(application, file);
     }
     else if (name == "shot")
     {
-      viewer.settle();
-      status = viewer.writePicture(file);
+      application.settle();
+      status = application.viewer().writePicture(file);
     }
     if (!status.ok())
     {
@@ -96,12 +73,12 @@ Status useWindow(const Arguments& line, Viewer& viewer)
     vtkNew<vtkInteractorEventRecorder> recorder;
     if (o.has("record"))
     {
-      recorder->SetInteractor(viewer.interactor());
+      recorder->SetInteractor(application.interactor());
       recorder->SetFileName(o.text("record").c_str());
       recorder->On();
       recorder->Record();
     }
-    viewer.run();
+    application.run();
     recorder->Stop();
   }
   return Status::success();
@@ -111,8 +88,7 @@ Status useWindow(const Arguments& line, Viewer& viewer)
 Status runViewer(const Arguments& line)
 {
   const OptionValues& o = line.options;
-  Session session;
-  Status status = makeSession(o, session);
+  Status status = Status::success();
   for (const char* name : { "record", "benchmark" })
   {
     if (status.ok() && o.has(name))
@@ -120,19 +96,10 @@ Status runViewer(const Arguments& line)
       status = OutputFiles::check(o.text(name));
     }
   }
-  vtkSmartPointer<vtkPolyData> input;
+  Document document;
   if (status.ok())
   {
-    status = readMesh(session.text("model"), input);
-  }
-  if (status.ok())
-  {
-    status = checkSession(session, input);
-  }
-  vtkSmartPointer<vtkImageData> image;
-  if (status.ok() && !session.text("importance_image").empty())
-  {
-    status = readImage(session.text("importance_image"), image);
+    status = readDocument(o, document);
   }
   if (status.ok())
   {
@@ -142,10 +109,14 @@ Status runViewer(const Arguments& line)
   {
     return status;
   }
-  const std::vector<double>& size = o.list("size");
-  Viewer viewer(input, image, session, filesOf(o, session), static_cast<int>(size[0]),
-    static_cast<int>(size[1]));
-  return useWindow(line, viewer);
+  std::array<int, 2> size = defaultWindowSize();
+  if (o.has("size"))
+  {
+    const std::vector<double>& wanted = o.list("size");
+    size = { { static_cast<int>(wanted[0]), static_cast<int>(wanted[1]) } };
+  }
+  Application application(document, size[0], size[1]);
+  return useWindow(line, application);
 }
 
 std::string viewVersionText()

@@ -24,14 +24,32 @@ enum class Display
   Density ///< samples wanted per area of the surface
 };
 
+/// What the triangles of the mesh are coloured by.
+enum class MeshColoring
+{
+  Plain,
+  Angle,   ///< the smallest one
+  Quality, ///< 1: equilateral
+  Deviation
+};
+
+/// The brush's radius, percent of the bounding box's diagonal.
+constexpr double LeastBrush = 1;
+constexpr double LargestBrush = 30;
+
 struct ViewState
 {
   Tool tool = Tool::Camera;
   Display display = Display::Samples;
+  MeshColoring coloring = MeshColoring::Plain;
   bool features = true;
   bool seams = false;
-  double brushRadius = 5;   ///< percent of the bounding box's diagonal
+  double brushRadius = 5; ///< percent of the bounding box's diagonal
+  int brushMirror = -1;   ///< dabs also go to the other side of the box's middle, in x, y or z; -1:
+                          ///< no
+  bool brushErases = false; ///< while Ctrl is held: takes away all paint, whatever its strength
   double brushStrength = 1; ///< importance that a dab adds; -1 to 0: share that it takes away
+  bool wireframe = false;   ///< only edges, in both views
   bool help = false;
 };
 }

@@ -3,6 +3,7 @@
 // The viewer's life: opening, the loop, preview and mesh.
 #include "Viewer.h"
 
+#include "CameraMoves.h"
 #include "HelpText.h"
 #include "OutputFiles.h"
 #include "PolyDataConversion.h"
@@ -20,6 +21,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <cmath>
@@ -30,12 +32,15 @@ namespace stipple
 {
 namespace
 {
-constexpr int TickMilliseconds = 10;
 constexpr int CurveBars = 48;
 /// A slider that is held still rests after this.
 constexpr std::chrono::milliseconds RestTime(300);
 /// The control map and the curve are drawn this often while a slider moves.
 constexpr std::chrono::milliseconds StripTime(120);
+/// The status line tells of samples that take longer, in seconds.
+constexpr double SamplingTime = 0.3;
+/// Controls that changed are drawn with the new samples, or without them after so many seconds.
+constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
@@ -71,19 +76,21 @@ std::vector<std::string> arraysOf(vtkPolyData* input)
 }
 }
 
-Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
-  const ViewerFiles& files, int width, int height)
-  : Input(input)
-  , Diagonal(input->GetLength())
-  , Solid(isSolid(input))
-  , Now(session)
-  , Files(files)
-  , Window(width, height)
-  , BeforeSide(this->Window.renderer(ViewerWindow::Before), input, this->Solid)
+Viewer::Viewer(
+  ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document)
+  : Input(document.input)
+  , Diagonal(document.input->GetLength())
+  , Solid(isSolid(document.input))
+  , Now(document.session)
+  , Saved(document.session)
+  , Files(document.files)
+  , Window(window)
+  , Interactor(interactor)
+  , BeforeSide(this->Window.renderer(ViewerWindow::Before), document.input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
-  , Picker(input)
-  , Controls(*this, std::filesystem::path(session.text("model")).filename().string(),
-      arraysOf(input), image != nullptr)
+  , Picker(document.input)
+  , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
+      arraysOf(document.input), document.image != nullptr)
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -98,21 +105,31 @@ Viewer::Viewer(vtkPolyData* input, vtkImageData* image, const Session& session,
     this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
-  , Worker(input, image)
+  , Sampler(document.image, CurveBars)
+  , Worker(document.input, document.image)
 {
-  this->Sampling.setImportanceImage(image);
+  this->Sheet.setHint("Where samples go, unfolded; the brush paints here too.");
+  this->Curve.setHint(
+    "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
+    "surface. Left adds and drags, right removes.");
+  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle.");
+  this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->connect();
   this->showSession();
 }
 
-Viewer::~Viewer() = default;
+Viewer::~Viewer()
+{
+  for (const unsigned long observer : this->Observers)
+  {
+    this->Interactor->RemoveObserver(observer);
+  }
+  this->Interactor->SetInteractorStyle(nullptr);
+}
 
 void Viewer::connect()
 {
-  this->Interactor->SetRenderWindow(this->Window.window());
   this->Interactor->SetInteractorStyle(this->Style);
-  // VTK's style asks for a frame after every event; tick() draws one for all of them.
-  this->Interactor->EnableRenderOff();
   this->Style->SetHandler(this);
   this->Style->AutoAdjustCameraClippingRangeOff(); // the window does
   const auto observe = [this](unsigned long event,
@@ -120,24 +137,29 @@ void Viewer::connect()
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
     command->SetCallback(function);
-    this->Interactor->AddObserver(event, command);
+    this->Observers.push_back(this->Interactor->AddObserver(event, command));
   };
   observe(vtkCommand::RenderEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->updateZoom();
     static_cast<Viewer*>(self)->Window.touch(ViewerWindow::Views);
   });
-  observe(vtkCommand::TimerEvent,
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->tick(); });
+  observe(vtkCommand::DropFilesEvent, [](vtkObject*, unsigned long, void* self, void* names) {
+    auto* files = static_cast<vtkStringArray*>(names);
+    if (files && files->GetNumberOfValues() > 0)
+    {
+      static_cast<Viewer*>(self)->askToOpen(files->GetValue(0));
+    }
+  });
   observe(vtkCommand::ConfigureEvent, [](vtkObject*, unsigned long, void* self, void*) {
     auto* viewer = static_cast<Viewer*>(self);
-    if (viewer->Window.resize())
-    {
-      viewer->placeControls();
-    }
+    viewer->resize();
   });
   observe(vtkCommand::ExposeEvent, [](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Viewer*>(self)->Window.renew();
   });
+  // The close button of the window.
+  observe(vtkCommand::ExitEvent,
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<Viewer*>(self)->askToQuit(); });
   this->Window.addPainter(
     ViewerWindow::Before, [this](Canvas& canvas) { this->paintView(canvas, true); });
   this->Window.addPainter(
@@ -152,7 +174,11 @@ void Viewer::connect()
   this->Window.addPainter(
     ViewerWindow::Status, [this](Canvas& canvas) { this->paintStatus(canvas); });
   this->Window.addPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
-    if (this->View.help)
+    if (this->Asked)
+    {
+      this->Asked->paint(canvas, this->Window.layout().window);
+    }
+    else if (this->View.help)
     {
       paintHelp(canvas, this->Window.layout().window);
     }
@@ -164,18 +190,27 @@ void Viewer::open()
   this->placeControls();
   this->resetCamera();
   this->Window.draw(false);
-  this->Interactor->Initialize();
-  // A window manager may have given another size.
-  if (this->Window.resize())
-  {
-    this->placeControls();
-  }
-  this->Interactor->CreateRepeatingTimer(TickMilliseconds);
 }
 
-void Viewer::run()
+void Viewer::resize()
 {
-  this->Interactor->Start();
+  const Rect before = this->Window.layout().before;
+  if (!this->Window.resize())
+  {
+    return;
+  }
+  this->placeControls();
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  if (this->Fitted == placeOf(camera))
+  {
+    this->fitCamera();
+    return;
+  }
+  // As much stays in view of what was, in the direction in which the view is the narrower.
+  const Rect& after = this->Window.layout().before;
+  zoomAbout(camera, Vec3(camera->GetFocalPoint()),
+    std::min(1.F, after.w / after.h) / std::min(1.F, before.w / before.h));
+  this->updateZoom();
 }
 
 void Viewer::resetCamera()
@@ -183,6 +218,17 @@ void Viewer::resetCamera()
   const Rect& view = this->Window.layout().before;
   aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
     40 * this->Window.layout().scale / view.h);
+  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+}
+
+void Viewer::fitCamera()
+{
+  const Rect& view = this->Window.layout().before;
+  stipple::fitCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
+    40 * this->Window.layout().scale / view.h);
+  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
 }
@@ -200,28 +246,22 @@ void Viewer::updateZoom()
 void Viewer::tick()
 {
   this->takeResults();
-  const bool previews = this->PreviewIsOld && this->Sampling.hasAtlas();
-  if (previews)
+  const bool previews = this->takePreview();
+  if (this->PreviewIsOld && this->HasAtlas)
   {
-    this->updatePreview();
+    this->PreviewIsOld = false;
+    this->Sampler.start(this->Now);
   }
   if (this->MeshWanted && Clock::now() >= this->MeshAt)
   {
     this->startMeshing();
   }
-  const double progress = this->Worker.busy() ? this->Worker.progress() : -1;
-  if (std::abs(progress - this->ShownProgress) > 0.005)
-  {
-    // The mesh's note says whether a newer one is on its way.
-    const bool ends = progress < 0 && !this->meshIsCurrent();
-    this->ShownProgress = progress;
-    this->Window.touch(ViewerWindow::Status | (ends ? ViewerWindow::After : 0));
-  }
+  this->showActivity();
   // A frame with a new preview draws one other part at most: the sum would be felt.
   if (this->StaleIsOld && (!previews || Clock::now() - this->LastStrip > 0.5 * StripTime))
   {
     this->StaleIsOld = false;
-    this->Window.touch(ViewerWindow::After);
+    this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
   }
   else if (this->StripIsOld && Clock::now() - this->LastStrip > StripTime)
   {
@@ -229,12 +269,16 @@ void Viewer::tick()
     this->LastStrip = Clock::now();
     this->Window.touch(ViewerWindow::Strip | ViewerWindow::Status);
   }
-  if (this->Window.dirty())
+  // A frame of the controls alone would take its time from the samples that are nearly there.
+  const double waiting = this->Sampler.waiting();
+  const bool waits =
+    waiting > 0 && waiting < OwnFrameTime && (this->Window.dirtyParts() & ViewerWindow::Views) == 0;
+  if (this->Window.dirty() && !waits)
   {
     this->Window.draw(false);
     this->LastFrame = Clock::now();
   }
-  else if (this->Window.rough() && Clock::now() - this->LastFrame > CalmTime)
+  else if (!waits && this->Window.rough() && Clock::now() - this->LastFrame > CalmTime)
   {
     this->Window.draw(true);
   }
@@ -242,10 +286,10 @@ void Viewer::tick()
 
 bool Viewer::atRest()
 {
-  const bool previewIsDue = this->PreviewIsOld && this->Sampling.hasAtlas();
-  const bool showsProgress = this->ShownProgress >= 0;
-  return !this->MeshWanted && this->Worker.idle() && !previewIsDue && !showsProgress &&
-    !this->StripIsOld && !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
+  const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
+  return this->WantedFile.empty() && !this->MeshWanted && this->Worker.idle() && !previewIsDue &&
+    this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
+    !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
 }
 
 void Viewer::settle()
@@ -262,17 +306,21 @@ void Viewer::takeResults()
 {
   if (const auto atlas = this->Worker.takeAtlas())
   {
-    this->Sampling.setAtlas(*atlas);
+    this->Sampler.setAtlas(atlas->sampling);
+    this->HasAtlas = true;
+    this->AtlasIsNewer = true;
+    this->Shown.reset();
     this->BeforeSide.setAtlas(atlas->charts, atlas->graph);
     this->Sheet.setCharts(atlas->charts);
-    this->HistogramOf.clear();
     this->PreviewIsOld = true;
     this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip);
   }
   if (auto mesh = this->Worker.takeMesh())
   {
     this->Mesh = std::move(mesh);
-    this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines);
+    this->AtlasIsNewer = false;
+    this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
+    this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showStale();
     this->Problem.clear();
@@ -290,36 +338,83 @@ void Viewer::takeResults()
   }
 }
 
-void Viewer::updatePreview()
+bool Viewer::takePreview()
 {
-  const auto begin = Clock::now();
-  this->PreviewIsOld = false;
-  const Status status = this->Sampling.update(this->Now, this->Now.integer("points"));
-  this->PreviewProblem = status.ok() ? "" : status.message();
-  if (status.ok())
+  auto preview = this->Sampler.take();
+  if (!preview)
   {
-    this->BeforeSide.setPreview(
-      this->Sampling.samples(), this->Sampling.halftones(), this->Sampling.controls());
-    this->Sheet.setControls(this->Sampling.controls());
+    return false;
   }
-  const std::string importance =
-    this->Now.text("importance") + " " + this->Now.text("importance_array");
-  if (importance != this->HistogramOf)
+  this->PreviewProblem = preview->problem;
+  if (preview->problem.empty())
   {
-    this->HistogramOf = importance;
-    this->Curve.setHistogram(this->Sampling.importanceHistogram(this->Now, CurveBars));
+    this->BeforeSide.setPreview(preview->samples, preview->halftones, preview->controls);
+    this->Sheet.setControls(preview->controls);
+    this->Shown = std::move(preview);
+    this->Curve.setHistogram(this->Shown->histogram);
+    this->showVertices();
   }
-  this->PreviewSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before);
+  return true;
+}
+
+void Viewer::showVertices()
+{
+  if (this->showsVertices())
+  {
+    this->BeforeSide.setVertices(this->Mesh->dots);
+    this->Window.touch(ViewerWindow::Before);
+  }
+}
+
+bool Viewer::showsVertices() const
+{
+  return this->Shown && this->meshIsCurrent() && !this->AtlasIsNewer && this->Mesh->dots;
+}
+
+Activity Viewer::activity()
+{
+  using Mesh = Activity::Mesh;
+  Activity now;
+  now.progress = this->Worker.busy() ? std::floor(200 * this->Worker.progress()) / 200 : 0;
+  now.savesMesh = this->SaveWhenDone;
+  now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
+  now.sampling = this->Sampler.waiting() > SamplingTime;
+  now.sampleProblem = this->PreviewProblem;
+  now.meshProblem = this->Problem;
+  const bool works = !this->Stopped && this->Worker.busy();
+  now.mesh = this->meshIsCurrent()         ? Mesh::Current
+    : works && this->Worker.makesCharts()  ? Mesh::Charts
+    : this->MeshWanted                     ? Mesh::Waiting
+    : !this->Problem.empty()               ? Mesh::Failed
+    : this->Stopped || this->Worker.idle() ? Mesh::Stopped
+                                           : Mesh::Making;
+  return now;
+}
+
+void Viewer::showActivity()
+{
+  const Activity now = this->activity();
+  if (now == this->Doing)
+  {
+    return;
+  }
+  // Progress is shown at once; the rest after a preview, where one is drawn.
+  const bool note = now.note() != this->Doing.note();
+  this->Doing = now;
+  this->StaleIsOld = this->StaleIsOld || note;
+  this->Window.touch(ViewerWindow::Status);
 }
 
 void Viewer::startMeshing()
 {
   this->MeshWanted = false;
-  if (!this->meshIsCurrent())
+  if (!this->meshIsCurrent() || this->AtlasIsNewer)
   {
     this->Problem.clear();
+    this->Stopped = false;
+    this->say("");
     this->Worker.start(this->Now);
   }
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
@@ -330,6 +425,7 @@ void Viewer::changed(bool rests)
   this->PreviewIsOld = true;
   this->Problem.clear();
   this->say("");
+  this->Stopped = false;
   this->Worker.relax();
   this->MeshWanted = true;
   this->MeshAt = Clock::now() + (rests ? Clock::duration::zero() : Clock::duration(RestTime));
@@ -342,9 +438,9 @@ void Viewer::showSession()
     this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));
-  this->BeforeSide.setMarks(this->Now);
+  const bool marks = this->BeforeSide.setMarks(this->Now);
   this->StripIsOld = true;
-  this->Window.touch(ViewerWindow::Before | ViewerWindow::PanelPart);
+  this->Window.touch(ViewerWindow::PanelPart | (marks ? ViewerWindow::Before : 0));
   this->showStale();
 }
 

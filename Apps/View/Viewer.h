@@ -8,16 +8,19 @@
 #ifndef stipple_Viewer_h
 #define stipple_Viewer_h
 
+#include "Activity.h"
 #include "AfterScene.h"
 #include "BeforeScene.h"
 #include "Commands.h"
 #include "ControlSheet.h"
 #include "CurveEditor.h"
+#include "Document.h"
 #include "FiguresView.h"
 #include "History.h"
 #include "MeshWorker.h"
+#include "Page.h"
 #include "Panel.h"
-#include "Preview.h"
+#include "PreviewWorker.h"
 #include "SurfacePicker.h"
 #include "ViewerWindow.h"
 #include "vtkViewerStyle.h"
@@ -32,31 +35,29 @@ class vtkRenderWindowInteractor;
 
 namespace stipple
 {
-struct ViewerFiles
-{
-  std::string mesh;
-  std::string picture;
-  std::string session;
-};
-
 class Viewer
   : public Commands
   , public PointerHandler
 {
 public:
-  /// `session.model` names the input; `image` is its importance image or null.
-  Viewer(vtkPolyData* input, vtkImageData* image, const Session& session, const ViewerFiles& files,
-    int width, int height);
+  /// Shows itself in the window, by the interactor's events; both outlive it.
+  Viewer(ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document);
   ~Viewer() override;
 
-  vtkRenderWindowInteractor* interactor() { return this->Interactor; }
-
-  /// Opens the window and handles events until it is closed.
-  void run();
-  /// Opens the window.
+  /// Draws for the first time.
   void open();
+  /// The window may have another size; the model stays in view.
+  void resize();
+  /// The file that was asked for since this was called last; empty: none.
+  [[nodiscard]] std::string takeWantedFile();
+  /// Says what went wrong.
+  void complain(const std::string& sentence);
+  /// The page of a window without a file, with what went wrong, if anything.
+  void showStart(const std::string& problem = "");
   /// One turn of the loop: takes what the worker has done, previews, starts meshing, draws.
   void tick();
+  /// The mesh is that of the session, or failed or was stopped, and all is drawn as it will stay.
+  [[nodiscard]] bool atRest();
   /// Ticks until it is at rest.
   void settle();
   /// The window's picture as it is.
@@ -65,13 +66,21 @@ public:
   const Session& session() const { return this->Now; }
   bool meshIsCurrent() const { return this->Mesh && this->Mesh->session == this->Now; }
   bool busy() const { return this->Worker.busy(); }
-  bool hasPreview() const { return this->Sampling.hasAtlas(); }
-  double previewSeconds() const { return this->PreviewSeconds; }
+  /// The session's samples are shown, or why there are none.
+  bool previewIsCurrent() { return this->HasAtlas && !this->PreviewIsOld && this->Sampler.idle(); }
+  /// That the samples took which are shown.
+  double previewSeconds() const { return this->Shown ? this->Shown->seconds : 0; }
   ViewerWindow& window() { return this->Window; }
   /// Leaves out what differs from run to run, for pictures that are compared.
   void hideTimes() { this->TimesHidden = true; }
   /// Looks at the model as at the beginning.
   void resetCamera();
+  /// From where it looks, the whole model.
+  void fitCamera();
+  /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
+  void askToQuit();
+  /// Opens another file; asks first likewise.
+  void askToOpen(const std::string& file);
 
   // Commands
   void edit(const std::function<void(Session&)>& change, bool rests) override;
@@ -82,27 +91,49 @@ public:
   void saveMesh() override;
   void savePicture() override;
   void saveSession() override;
+  void openFile() override;
+  void saveMeshAs() override;
+  void saveFigures() override;
 
   // PointerHandler
   bool press(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   void hover(const Pointer& pointer) override;
+  void wheel(const Pointer& pointer, int notches) override;
   bool key(const KeyStroke& stroke) override;
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// The mesh is that of the session, or failed or was stopped, and all is drawn as it will stay.
-  [[nodiscard]] bool atRest();
-
   // The session and what follows from it
   void changed(bool rests);
   void showSession();
   void takeResults();
-  void updatePreview();
+  /// Whether there was a new one.
+  bool takePreview();
   void startMeshing();
+  /// The dots are the mesh's own vertices where that is the session's.
+  void showVertices();
+  [[nodiscard]] bool showsVertices() const;
+  /// The next of the triangles with the smallest angles is marked and looked at.
+  void goToWorst();
+  /// What is done now, as everything in the window says it.
+  [[nodiscard]] Activity activity();
+  void showActivity();
   void say(const std::string& sentence, bool alarm = false);
+
+  /// Says whether it could be written.
+  bool writeSessionFile();
+
+  // Pages over the window
+  void show(std::shared_ptr<Page> page);
+  void closePage();
+  [[nodiscard]] bool hasUnsavedWork() const;
+  /// Does it, after a question if there is unsaved work. `title` is the question.
+  void askFirst(
+    const std::string& title, const std::string& answer, const std::function<void()>& action);
+  void quit();
 
   // The window
   void connect();
@@ -118,7 +149,15 @@ private:
   void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
-  void showBrush(const Pointer& pointer);
+  /// What a click would touch: the brush's outline, a point's, edges.
+  void showTool(const Pointer& pointer);
+  /// The edge there, or the way to it from the last one.
+  [[nodiscard]] std::vector<std::array<vtkIdType, 2>> edgesAt(
+    const PickedPlace& place, bool path) const;
+  /// What the left button does over a view.
+  [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
+  /// Of what is under the pointer now.
+  void renewHint();
   void togglePoint(const PickedPlace& place);
   void tagEdges(const PickedPlace& place, bool path);
   Control* controlAt(const Pointer& pointer);
@@ -130,14 +169,18 @@ private:
   double Diagonal;
   bool Solid;
   Session Now;
+  Session Saved;    ///< as it was opened, or written last
   Session EditBase; ///< before the edit that goes on
   bool Editing = false;
   History Edits;
   ViewState View;
   ViewerFiles Files;
+  std::string WantedFile;
+  bool Starts = false; ///< nothing was chosen on the start page yet
 
-  ViewerWindow Window;
-  vtkNew<vtkRenderWindowInteractor> Interactor;
+  ViewerWindow& Window;
+  vtkRenderWindowInteractor* Interactor;
+  std::vector<unsigned long> Observers; ///< of the interactor
   vtkNew<vtkViewerStyle> Style;
   BeforeScene BeforeSide;
   AfterScene AfterSide;
@@ -146,22 +189,27 @@ private:
   ControlSheet Sheet;
   CurveEditor Curve;
   FiguresView Figures;
+  std::array<double, 9> Fitted = {}; ///< the camera's place when the model was fit into the view
   Painted ShownStrip;
+  std::shared_ptr<Page> Asked; ///< what is over the window; null mostly
   Control* Captured = nullptr;
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;
   Control* Under = nullptr;
+  Pointer LastPointer;
+  std::size_t NextWorst = 0; ///< of the mesh's worst triangles
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
-  Preview Sampling;
-  bool PreviewIsOld = false;
+  bool HasAtlas = false;     ///< charts are shown
+  bool AtlasIsNewer = false; ///< than the mesh: of a session whose mesh was stopped, or failed
+  bool PreviewIsOld = false; ///< the session is to be sampled
+  std::unique_ptr<PreviewResult> Shown;
   std::string PreviewProblem;
-  double PreviewSeconds = 0;
-  std::string HistogramOf; ///< the importance that the curve's histogram is of
   std::unique_ptr<MeshResult> Mesh;
   std::string Problem; ///< what failed for the session of now
   bool MeshWanted = true;
+  bool Stopped = false;     ///< by the user
   Clock::time_point MeshAt; ///< when, at the earliest
   Clock::time_point LastFrame;
   Clock::time_point LastStrip;
@@ -170,11 +218,13 @@ private:
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
   std::string Message;
+  std::string Hint; ///< of what is under the pointer
   bool MessageAlarm = false;
-  double ShownProgress = -1;
+  Activity Doing; ///< as it is shown
   bool ShownStale = false;
   bool TimesHidden = false;
 
+  PreviewWorker Sampler;
   MeshWorker Worker; ///< last: stops first
 };
 }

@@ -16,6 +16,9 @@ namespace stipple
 {
 namespace
 {
+/// Pixels of the pictures of a view alone.
+constexpr int FigureHeight = 2000;
+
 std::string fileName(const std::string& file)
 {
   return std::filesystem::path(file).filename().string();
@@ -62,10 +65,11 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
   const float lines = this->Window.layout().scale;
   this->BeforeSide.setView(this->View, lines);
   this->AfterSide.setView(this->View, lines);
-  if (this->View.tool != Tool::Brush)
+  if (this->View.tool == Tool::Camera)
   {
     this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
   }
+  this->renewHint();
   this->Window.touch(ViewerWindow::Views);
   this->LastTagged = this->View.tool == Tool::Edge ? this->LastTagged : -1;
   this->showSession();
@@ -114,7 +118,9 @@ void Viewer::saveMesh()
   if (!this->meshIsCurrent())
   {
     this->SaveWhenDone = true;
-    this->say(fileName(this->Files.mesh) + " will be written when the mesh is done.");
+    this->say(this->activity().works()
+        ? ""
+        : fileName(this->Files.mesh) + " will be written when the mesh is done; Return makes it.");
     return;
   }
   this->SaveWhenDone = false;
@@ -147,8 +153,49 @@ void Viewer::savePicture()
     status.ok() ? "Wrote " + fileName(this->Files.picture) + "." : status.message(), !status.ok());
 }
 
+void Viewer::saveFigures()
+{
+  OutputFiles files;
+  Status status = Status::success();
+  // Lines are as wide as they are here, next to the model.
+  const Layout& layout = this->Window.layout();
+  const float lines = layout.scale * FigureHeight / layout.before.h;
+  this->BeforeSide.setView(this->View, lines);
+  this->AfterSide.setView(this->View, lines);
+  for (const bool before : { true, false })
+  {
+    const std::string file = this->Files.figures + (before ? "-before.png" : "-after.png");
+    status = status.ok() ? OutputFiles::check(file) : status;
+    if (status.ok())
+    {
+      status = this->Window.writeFigure(
+        before ? ViewerWindow::Before : ViewerWindow::After, FigureHeight, files.aside(file));
+    }
+  }
+  if (status.ok())
+  {
+    status = files.commit();
+  }
+  this->placeControls();
+  const std::string name = fileName(this->Files.figures);
+  this->say(status.ok() ? "Wrote " + name + "-before.png and -after.png, " +
+        std::to_string(FigureHeight) + " pixels high, transparent."
+                        : status.message(),
+    !status.ok());
+}
+
 void Viewer::saveSession()
 {
+  (void)this->writeSessionFile();
+}
+
+bool Viewer::writeSessionFile()
+{
+  if (this->Now.text("model").empty())
+  {
+    this->say("The example is in no file, and a session names one: open a file of yours.", true);
+    return false;
+  }
   Status status = OutputFiles::check(this->Files.session);
   OutputFiles files;
   if (status.ok())
@@ -159,7 +206,12 @@ void Viewer::saveSession()
   {
     status = files.commit();
   }
+  if (status.ok())
+  {
+    this->Saved = this->Now;
+  }
   this->say(
     status.ok() ? "Wrote " + fileName(this->Files.session) + "." : status.message(), !status.ok());
+  return status.ok();
 }
 }

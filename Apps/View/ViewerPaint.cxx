@@ -3,6 +3,7 @@
 // What is written into the window's parts, and where.
 #include "Viewer.h"
 
+#include "ColorBar.h"
 #include "SceneActors.h"
 
 #include "vtkPolyData.h"
@@ -17,6 +18,7 @@ namespace
 {
 constexpr float Pad = 14;
 constexpr float TitleHeight = 32;
+constexpr Shade TitleGround{ 255, 255, 255, 205 };
 
 /// What of a cell of the strip is below its title.
 Rect content(const Rect& cell, float s)
@@ -53,37 +55,56 @@ void Viewer::paintView(Canvas& canvas, bool before)
   if (before)
   {
     const char* titles[] = { "samples", "input", "charts", "density" };
-    const bool ready = this->Sampling.hasAtlas();
+    const bool ready = this->HasAtlas && !this->View.wireframe;
     title = ready ? titles[static_cast<int>(this->View.display)] : "input";
     detail = !ready || this->View.display == Display::Input
       ? countOf(this->Input->GetNumberOfPoints(), "points, ") +
         countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "faces")
-      : this->View.display == Display::Density
-      ? "white: few samples, red: many"
-      : countOf(this->Sampling.samples()->GetNumberOfPoints(), "samples");
+      : this->View.display == Display::Density ? ""
+      : this->showsVertices() && this->View.display == Display::Samples
+      ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "samples, as the mesh has them")
+      : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "samples")
+                    : (this->PreviewProblem.empty() ? "sampling ..." : "no samples");
   }
   else
   {
     title = "mesh";
     detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "points, ") +
-        countOf(this->Mesh->mesh->GetNumberOfPolys(), "triangles")
+        countOf(this->Mesh->mesh->GetNumberOfPolys(),
+          this->Mesh->session.text("pattern") == "quads" ? "faces" : "triangles")
                         : "";
   }
   const float y = view.top() - 18 * s;
-  canvas.text(view.x + Pad * s, y, title, { 15, shades::Word, Align::Left, true });
-  const float x =
-    view.x + Pad * s + canvas.textWidth(title, { 15, shades::Word, Align::Left, true });
+  const TextLook bold{ 15, shades::Word, Align::Left, true };
+  // Readable before a model that reaches up to it.
+  canvas.fill(
+    { view.x + (Pad - 6) * s, y - 13 * s,
+      canvas.textWidth(title, bold) + canvas.textWidth(detail, { 12, shades::Quiet }) + 24 * s,
+      26 * s },
+    TitleGround);
+  canvas.text(view.x + Pad * s, y, title, bold);
+  const float x = view.x + Pad * s + canvas.textWidth(title, bold);
   canvas.text(x + 10 * s, y, detail, { 12, shades::Quiet });
-  if (!before && !this->meshIsCurrent())
+  if (before && this->Shown && this->View.display == Display::Density && !this->View.wireframe)
   {
-    const bool waiting = this->Worker.busy() || this->MeshWanted;
-    const std::string note = waiting ? "updating ..." : "not up to date";
-    canvas.text(view.right() - Pad * s, y, note,
-      { 12, waiting ? shades::Accent : shades::Alarm, Align::Right, true });
+    paintColorBar(canvas, view, densityBar());
+  }
+  if (!before && this->Mesh && this->View.coloring != MeshColoring::Plain && !this->View.wireframe)
+  {
+    paintColorBar(canvas, view, scaleOf(this->Mesh->colors, this->View.coloring).bar);
   }
   if (!before)
   {
+    canvas.text(view.right() - Pad * s, y, this->Doing.note(),
+      { 12, this->Doing.works() ? shades::Accent : shades::Alarm, Align::Right, true });
+  }
+  if (!before && view.x > 0)
+  {
     canvas.rule(view.x + 1, view.y, view.x + 1, view.top(), shades::Line);
+  }
+  else if (!before)
+  {
+    canvas.rule(view.x, view.top() - 1, view.right(), view.top() - 1, shades::Line);
   }
 }
 
@@ -120,7 +141,10 @@ void Viewer::paintStrip(Canvas& canvas)
     const bool painted = this->ShownStrip.update(canvas, below, [&](Canvas& c) {
       const float y = cell.box.top() - 18 * s;
       c.text(cell.box.x + Pad * s, y, cell.title, { 13, shades::Word, Align::Left, true });
-      c.text(cell.box.right() - Pad * s, y, cell.remark, { 11, shades::Quiet, Align::Right });
+      const TextLook quiet{ 11, shades::Quiet, Align::Right };
+      const float left =
+        cell.box.w - 3 * Pad * s - c.textWidth(cell.title, { 13, shades::Word, Align::Left, true });
+      c.text(cell.box.right() - Pad * s, y, c.fitted(cell.remark, left, quiet), quiet);
       if (cell.box.x > 0)
       {
         const float x = cell.box.x + 0.5F;
@@ -144,34 +168,31 @@ void Viewer::paintStatus(Canvas& canvas)
   const float y = bar.y + 0.5F * bar.h;
   canvas.fill(bar, { 228, 231, 236 });
   canvas.rule(bar.x, bar.top() - 1, bar.right(), bar.top() - 1, shades::Line);
-  std::string words = this->Message;
-  bool alarm = this->MessageAlarm;
-  for (const std::string& problem : { this->PreviewProblem, this->Problem })
+  // What the user asked for is answered; what goes on is told otherwise, and problems always.
+  const bool alarm = this->Doing.alarms() || this->MessageAlarm;
+  std::string words =
+    this->Doing.alarms() || this->Message.empty() ? this->Doing.sentence() : this->Message;
+  if (words.empty())
   {
-    words = problem.empty() ? words : problem;
-    alarm = alarm || !problem.empty();
+    words = this->Hint;
   }
-  const bool busy = this->Worker.busy();
   if (words.empty())
   {
     char text[128];
     std::snprintf(text, sizeof(text), "Mesh in %.2f s, preview in %.0f ms.",
-      this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->PreviewSeconds);
-    words = busy ? (this->Sampling.hasAtlas() ? "Meshing; Esc stops it."
-                                              : "Cutting into charts; Esc stops it.")
-                 : (this->TimesHidden ? "Ready." : (this->Mesh ? text : ""));
+      this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->previewSeconds());
+    words = this->TimesHidden ? "Ready." : (this->Mesh ? text : "");
   }
   const float right = bar.right() - Pad * s;
   const std::string hint = "h: keys";
   canvas.text(right, y, hint, { 11.5F, shades::Quiet, Align::Right });
   float end = right - 70 * s;
-  if (busy)
+  if (this->Doing.showsBar())
   {
     const Rect line{ end - 160 * s, y - 3 * s, 160 * s, 6 * s };
     canvas.fill(line, shades::Line);
-    canvas.fill(
-      { line.x, line.y, line.w * static_cast<float>(std::clamp(this->Worker.progress(), 0.02, 1.)),
-        line.h },
+    canvas.fill({ line.x, line.y,
+                  line.w * static_cast<float>(std::clamp(this->Doing.progress, 0.02, 1.)), line.h },
       shades::Accent);
     end = line.x - 12 * s;
   }

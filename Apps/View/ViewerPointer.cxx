@@ -3,9 +3,13 @@
 // The pointer and the keys.
 #include "Viewer.h"
 
+#include "CameraMoves.h"
+
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -13,6 +17,8 @@ namespace
 {
 /// A constraint this near to the pointer is taken away, not doubled; of the diagonal.
 constexpr double NearPoint = 0.012;
+/// A notch of the wheel makes everything larger by this.
+constexpr double WheelZoom = 1.2;
 /// Dabs of a drag are so far apart, in radii.
 constexpr double DabDistance = 0.35;
 }
@@ -52,16 +58,26 @@ void Viewer::setFocus(Control* control)
 
 bool Viewer::press(const Pointer& pointer)
 {
+  if (const std::shared_ptr<Page> page = this->Asked)
+  {
+    page->press(pointer);
+    this->Window.touch(ViewerWindow::Overlay);
+    return true;
+  }
   if (this->View.help)
   {
     this->changeView([](ViewState& v) { v.help = false; });
     return true;
   }
   Control* control = this->controlAt(pointer);
-  this->setFocus(control && control->wantsKeys() ? control : nullptr);
+  if (this->Focus != control)
+  {
+    this->setFocus(nullptr);
+  }
   if (control)
   {
     this->Captured = control->press(pointer) ? control : nullptr;
+    this->setFocus(control->wantsKeys() ? control : nullptr);
     this->Window.touch(this->partOf(control));
     return true;
   }
@@ -83,7 +99,7 @@ void Viewer::drag(const Pointer& pointer)
   if (this->Painting && this->pick(pointer, place))
   {
     this->paint(place.position, false);
-    this->showBrush(pointer);
+    this->showTool(pointer);
   }
   if (this->Captured)
   {
@@ -97,6 +113,7 @@ void Viewer::release(const Pointer& pointer)
   if (this->Painting)
   {
     this->Painting = false;
+    this->View.brushErases = false;
     this->edit([](Session&) {}, true);
   }
   if (this->Captured)
@@ -108,8 +125,42 @@ void Viewer::release(const Pointer& pointer)
   }
 }
 
+void Viewer::wheel(const Pointer& pointer, int notches)
+{
+  if (this->Asked)
+  {
+    this->Asked->wheel(notches);
+    this->Window.touch(ViewerWindow::Overlay);
+    return;
+  }
+  const Layout& layout = this->Window.layout();
+  if (!this->View.help && layout.panel.has(pointer.x, pointer.y) && this->Controls.scroll(notches))
+  {
+    this->Window.renew();
+  }
+  const bool before = layout.before.has(pointer.x, pointer.y);
+  if (this->View.help || (!before && !layout.after.has(pointer.x, pointer.y)))
+  {
+    return;
+  }
+  PickedPlace place;
+  vtkRenderer* renderer =
+    this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After);
+  const Vec3 center =
+    this->pick(pointer, place) ? place.position : focalPlaneAt(renderer, pointer.x, pointer.y);
+  zoomAbout(renderer->GetActiveCamera(), center, std::pow(WheelZoom, notches));
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+}
+
 void Viewer::hover(const Pointer& pointer)
 {
+  if (this->Asked)
+  {
+    this->Asked->hover(pointer);
+    this->Window.touch(ViewerWindow::Overlay);
+    return;
+  }
   Control* control = this->controlAt(pointer);
   if (this->Under && this->Under != control && this->Under->hover(false, pointer))
   {
@@ -120,18 +171,61 @@ void Viewer::hover(const Pointer& pointer)
   {
     this->Window.touch(this->partOf(control));
   }
-  if (this->View.tool == Tool::Brush)
+  this->LastPointer = pointer;
+  this->renewHint();
+  if (this->View.tool != Tool::Camera)
   {
-    this->showBrush(pointer);
+    this->showTool(pointer);
   }
 }
 
-void Viewer::showBrush(const Pointer& pointer)
+std::string Viewer::toolHint(const Pointer& pointer) const
+{
+  const Layout& layout = this->Window.layout();
+  if (!layout.before.has(pointer.x, pointer.y) && !layout.after.has(pointer.x, pointer.y))
+  {
+    return "";
+  }
+  switch (this->View.tool)
+  {
+    case Tool::Brush:
+      return std::string("Brush: drag paints, Ctrl erases; [ and ] change its size; y mirrors: ") +
+        (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
+    case Tool::Point:
+      return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
+    case Tool::Edge:
+      return "Edge: a click tags an edge as a feature, Shift all on the way from the last one.";
+    default:
+      return "Drag turns, Shift moves, the wheel zooms at the pointer; r shows the whole model.";
+  }
+}
+
+void Viewer::renewHint()
+{
+  const std::string hint =
+    this->Under ? this->Under->hint(this->LastPointer) : this->toolHint(this->LastPointer);
+  if (hint != this->Hint)
+  {
+    this->Hint = hint;
+    this->Window.touch(ViewerWindow::Status);
+  }
+}
+
+void Viewer::showTool(const Pointer& pointer)
 {
   PickedPlace place;
   const bool on = this->pick(pointer, place);
-  this->BeforeSide.setBrush(
-    place.position, place.normal, on ? 0.01 * this->View.brushRadius * this->Diagonal : 0);
+  if (this->View.tool == Tool::Edge)
+  {
+    this->BeforeSide.setEdgesUnder(
+      on ? this->edgesAt(place, pointer.shift) : std::vector<std::array<vtkIdType, 2>>{});
+  }
+  else
+  {
+    const double radius =
+      this->View.tool == Tool::Brush ? 0.01 * this->View.brushRadius : NearPoint;
+    this->BeforeSide.setBrush(place.position, place.normal, on ? radius * this->Diagonal : 0);
+  }
   this->Window.touch(ViewerWindow::Before);
 }
 
@@ -157,6 +251,7 @@ void Viewer::useTool(const PickedPlace& place, const Pointer& pointer)
   else if (this->View.tool == Tool::Brush)
   {
     this->Painting = true;
+    this->View.brushErases = pointer.control;
     this->paint(place.position, true);
   }
 }
@@ -169,11 +264,18 @@ void Viewer::paint(const Vec3& position, bool begins)
     return;
   }
   this->LastDab = position;
-  const double strength = this->View.brushStrength;
+  const int mirror = this->View.brushMirror;
+  const double strength = this->View.brushErases ? -1 : this->View.brushStrength;
   this->edit(
     [&](Session& s) {
       auto strokes = s.list("strokes");
       strokes.insert(strokes.end(), { position[0], position[1], position[2], radius, strength });
+      if (mirror >= 0)
+      {
+        Vec3 other = position;
+        other[mirror] = 2 * this->Input->GetCenter()[mirror] - position[mirror];
+        strokes.insert(strokes.end(), { other[0], other[1], other[2], radius, strength });
+      }
       s.setList("strokes", std::move(strokes));
     },
     false);
@@ -200,13 +302,18 @@ void Viewer::togglePoint(const PickedPlace& place)
     true);
 }
 
-void Viewer::tagEdges(const PickedPlace& place, bool path)
+std::vector<std::array<vtkIdType, 2>> Viewer::edgesAt(const PickedPlace& place, bool path) const
 {
-  std::vector<std::array<vtkIdType, 2>> edges = { place.edge };
   if (path && this->LastTagged >= 0)
   {
-    edges = this->Picker.shortestPath(this->LastTagged, place.point);
+    return this->Picker.shortestPath(this->LastTagged, place.point);
   }
+  return { place.edge };
+}
+
+void Viewer::tagEdges(const PickedPlace& place, bool path)
+{
+  const std::vector<std::array<vtkIdType, 2>> edges = this->edgesAt(place, path);
   this->LastTagged = place.point;
   this->edit(
     [&](Session& s) {
@@ -228,116 +335,5 @@ void Viewer::tagEdges(const PickedPlace& place, bool path)
       s.setRows("feature_edges", tags);
     },
     true);
-}
-
-bool Viewer::key(const KeyStroke& stroke)
-{
-  if (this->Focus)
-  {
-    const bool taken = this->Focus->key(stroke);
-    this->Window.touch(ViewerWindow::PanelPart);
-    if (!this->Controls.points().hasFocus())
-    {
-      this->Focus = nullptr;
-    }
-    if (taken)
-    {
-      return true;
-    }
-  }
-  if (stroke.control)
-  {
-    return this->commandKey(stroke);
-  }
-  const auto setTool = [this](Tool tool) {
-    this->changeView([tool](ViewState& v) { v.tool = tool; });
-    return true;
-  };
-  const std::string& key = stroke.symbol;
-  if (key == "v" || key == "b" || key == "k" || key == "x")
-  {
-    return setTool(key == "v" ? Tool::Camera
-        : key == "b"          ? Tool::Brush
-        : key == "k"          ? Tool::Point
-                              : Tool::Edge);
-  }
-  if (key == "h")
-  {
-    this->changeView([](ViewState& v) { v.help = !v.help; });
-  }
-  else if (key == "d")
-  {
-    this->changeView([](ViewState& v) {
-      v.display = static_cast<Display>((static_cast<int>(v.display) + 1) % 4);
-    });
-  }
-  else if (key == "l")
-  {
-    this->changeView([](ViewState& v) { v.features = !v.features; });
-  }
-  else if (key == "m")
-  {
-    this->changeView([](ViewState& v) { v.seams = !v.seams; });
-  }
-  else if (key == "n")
-  {
-    this->Controls.points().focus();
-    this->setFocus(&this->Controls.points());
-    this->Window.touch(ViewerWindow::PanelPart);
-  }
-  else if (key == "Return" || key == "KP_Enter")
-  {
-    this->MeshWanted = true;
-    this->MeshAt = Clock::now();
-  }
-  else if (key == "Escape")
-  {
-    if (this->View.help)
-    {
-      this->changeView([](ViewState& v) { v.help = false; });
-    }
-    else if (this->Worker.busy() || this->MeshWanted)
-    {
-      this->Worker.cancel();
-      this->MeshWanted = false;
-      this->SaveWhenDone = false;
-      this->Window.touch(ViewerWindow::After);
-      this->say("Stopped. Return makes the mesh.");
-    }
-  }
-  else
-  {
-    return false;
-  }
-  return true;
-}
-
-bool Viewer::commandKey(const KeyStroke& stroke)
-{
-  if (stroke.symbol == "z" || stroke.symbol == "Z")
-  {
-    stroke.shift ? this->redo() : this->undo();
-  }
-  else if (stroke.symbol == "y")
-  {
-    this->redo();
-  }
-  else if (stroke.symbol == "s")
-  {
-    this->saveMesh();
-  }
-  else if (stroke.symbol == "p")
-  {
-    this->savePicture();
-  }
-  else if (stroke.symbol == "j")
-  {
-    this->saveSession();
-  }
-  else
-  {
-    return false;
-  }
-  return true;
 }
 }

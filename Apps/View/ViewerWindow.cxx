@@ -4,9 +4,15 @@
 
 #include "SceneActors.h"
 
+#include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPNGWriter.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cmath>
 
 namespace stipple
 {
@@ -34,7 +40,7 @@ ViewerWindow::ViewerWindow(int width, int height)
   }
   for (const Part part : { Before, After })
   {
-    addLights(this->renderer(part));
+    addInspectionLights(this->renderer(part));
   }
   this->renderer(After)->SetActiveCamera(this->renderer(Before)->GetActiveCamera());
   this->Places = makeLayout(width, height);
@@ -92,6 +98,16 @@ void ViewerWindow::addPainter(Part part, const vtkControlItem::Painter& painter)
   this->Items[index].back()->SetPlace(rectOf(this->Places, index), this->Places.scale);
 }
 
+void ViewerWindow::clear()
+{
+  for (int i = 0; i < NumberOfParts; ++i)
+  {
+    this->Renderers[i]->RemoveAllViewProps();
+    this->Items[i].clear();
+  }
+  this->showOverlay(false);
+}
+
 void ViewerWindow::showOverlay(bool on)
 {
   this->OverlayOn = on;
@@ -120,8 +136,10 @@ void ViewerWindow::draw(bool calm)
   for (int i = 0; i < NumberOfParts; ++i)
   {
     const int part = 1 << i;
-    this->Renderers[i]->SetDraw(((parts | smoothed) & part) != 0);
-    if ((parts | smoothed) & part & Views)
+    const Rect place = rectOf(this->Places, i);
+    const bool drawn = ((parts | smoothed) & part) != 0 && place.w > 0 && place.h > 0;
+    this->Renderers[i]->SetDraw(drawn);
+    if (drawn && (part & Views) != 0)
     {
       this->Renderers[i]->SetUseFXAA((smoothed & part) != 0);
       this->Renderers[i]->ResetCameraClippingRange();
@@ -135,5 +153,48 @@ void ViewerWindow::draw(bool calm)
   this->Kept = this->OverlayOn ? 0 : this->Kept | (parts & (PanelPart | Strip));
   this->Dirty = 0;
   this->Window->Render();
+}
+
+stipple::Status ViewerWindow::writeFigure(Part view, int height, const std::string& file)
+{
+  constexpr int Samples = 4;
+  const Rect& place = view == Before ? this->Places.before : this->Places.after;
+  vtkRenderer* from = this->renderer(view);
+  vtkNew<vtkRenderWindow> window;
+  window->SetShowWindow(false);
+  window->SetUseOffScreenBuffers(true);
+  window->SetMultiSamples(Samples);
+  window->SetAlphaBitPlanes(1);
+  window->SetSize(static_cast<int>(std::lround(height * place.w / place.h)), height);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackgroundAlpha(0);
+  renderer->SetActiveCamera(from->GetActiveCamera());
+  addInspectionLights(renderer);
+  window->AddRenderer(renderer);
+  vtkPropCollection* props = from->GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* prop = props->GetNextProp())
+  {
+    if (auto* actor = vtkActor::SafeDownCast(prop))
+    {
+      renderer->AddActor(actor);
+    }
+  }
+  renderer->ResetCameraClippingRange();
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->SetInputBufferTypeToRGBA();
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  // Each actor's buffers belong to the window that it was drawn in last.
+  window->Finalize();
+  this->renew();
+  return writer->GetErrorCode() == 0 ? stipple::Status::success()
+                                     : stipple::Status::error("cannot write '" + file + "'");
 }
 }

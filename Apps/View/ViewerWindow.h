@@ -6,6 +6,7 @@
 #define stipple_ViewerWindow_h
 
 #include "Layout.h"
+#include "Progress.h"
 #include "vtkControlItem.h"
 
 #include "vtkNew.h"
@@ -45,6 +46,8 @@ public:
   /// What paints over a view, or all of another part.
   void addPainter(Part part, const vtkControlItem::Painter& painter);
   void showOverlay(bool on);
+  /// Nothing is shown any more; the window stays.
+  void clear();
 
   /// Takes the window's size; true if it changed.
   bool resize();
@@ -53,8 +56,13 @@ public:
   /// All, and nothing of what the window shows is kept.
   void renew();
   bool dirty() const { return this->Dirty != 0; }
+  /// Parts that will be drawn.
+  int dirtyParts() const { return this->Dirty; }
   /// Also smooths the lines of views, if calm; that costs time.
   void draw(bool calm);
+  /// A view's model alone, without a word, at another size in pixels and the view's proportions, as
+  /// a PNG with a transparent ground; four samples a pixel.
+  [[nodiscard]] stipple::Status writeFigure(Part view, int height, const std::string& file);
   /// Views were drawn that are not smooth.
   bool rough() const { return this->Rough != 0; }
 

@@ -78,6 +78,16 @@ void vtkViewerStyle::OnMouseMove()
   this->Superclass::OnMouseMove();
 }
 
+void vtkViewerStyle::OnMouseWheelForward()
+{
+  this->Handler->wheel(this->PointerNow(false), 1);
+}
+
+void vtkViewerStyle::OnMouseWheelBackward()
+{
+  this->Handler->wheel(this->PointerNow(false), -1);
+}
+
 void vtkViewerStyle::OnKeyPress()
 {
   stipple::KeyStroke stroke;
@@ -88,16 +98,13 @@ void vtkViewerStyle::OnKeyPress()
   stroke.shift = this->Interactor->GetShiftKey() != 0;
   stroke.control = this->Interactor->GetControlKey() != 0;
   this->KeyTaken = this->Handler->key(stroke);
-  if (!this->KeyTaken)
-  {
-    this->Superclass::OnKeyPress();
-  }
 }
 
 void vtkViewerStyle::OnChar()
 {
   // A key press comes as two events, this one second.
-  if (!this->KeyTaken)
+  const char letter = this->Interactor->GetKeyCode();
+  if (!this->KeyTaken && (letter == 'f' || letter == 'F'))
   {
     this->Superclass::OnChar();
   }

@@ -4,7 +4,9 @@
  * @class   vtkViewerStyle
  * @brief   the trackball camera, after the window's controls and tools had their say
  *
- * VTK's keys stay what they are unless the handler takes a key for itself.
+ * Of VTK's own keys only f (fly to what is under the pointer) is left: the others (stereo, the box
+ * of a picked actor, wireframe in one view, exit at once) would break the window, or are the
+ * handler's.
  */
 #ifndef vtkViewerStyle_h
 #define vtkViewerStyle_h
@@ -24,6 +26,8 @@ public:
   virtual void drag(const Pointer& pointer) = 0; ///< only after press() took it
   virtual void release(const Pointer& pointer) = 0;
   virtual void hover(const Pointer& pointer) = 0;
+  /// Notches of the wheel, away from the user positive.
+  virtual void wheel(const Pointer& pointer, int notches) = 0;
   virtual bool key(const KeyStroke& stroke) = 0;
 };
 }
@@ -43,6 +47,8 @@ public:
   void OnRightButtonDown() override;
   void OnRightButtonUp() override;
   void OnMouseMove() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
   void OnKeyPress() override;
   void OnChar() override;
   /// Does nothing: where a timer runs, VTK repeats the last motion at each of its events while a

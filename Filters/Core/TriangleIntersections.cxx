@@ -7,6 +7,9 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
+#include <algorithm>
+#include <variant>
+
 namespace stipple
 {
 namespace
@@ -43,6 +46,42 @@ bool isBeside(const PlacedTriangle& s, const PlacedTriangle& t)
   return sides == 1 || sides == 2;
 }
 
+/// What a triangle or an edge is: CGAL's predicates want none that is less than it seems.
+using Simplex = std::variant<Kernel::Point_3, Kernel::Segment_3, Kernel::Triangle_3>;
+
+Simplex edge(const Kernel::Point_3& a, const Kernel::Point_3& b)
+{
+  return a == b ? Simplex(a) : Simplex(Kernel::Segment_3(a, b));
+}
+
+Kernel::Point_3 pointOf(const PlacedTriangle& t, int k)
+{
+  const Vec3& p = t.point[k % 3];
+  return Kernel::Point_3(p.x(), p.y(), p.z());
+}
+
+Simplex oppositeOf(const PlacedTriangle& t, int k)
+{
+  return edge(pointOf(t, k + 1), pointOf(t, k + 2));
+}
+
+Simplex wholeOf(const PlacedTriangle& t)
+{
+  const Kernel::Triangle_3 whole(pointOf(t, 0), pointOf(t, 1), pointOf(t, 2));
+  if (!whole.is_degenerate())
+  {
+    return whole;
+  }
+  // Collinear points: in their order along the line the first and the last.
+  const auto [first, last] = std::minmax({ whole[0], whole[1], whole[2] });
+  return edge(first, last);
+}
+
+bool meet(const Simplex& a, const Simplex& b)
+{
+  return std::visit([](const auto& x, const auto& y) { return CGAL::do_intersect(x, y); }, a, b);
+}
+
 struct FaceBox : CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_NONE>
 {
   FaceBox(const Box& box, int f)
@@ -77,19 +116,11 @@ bool intersect(const PlacedTriangle& s, const PlacedTriangle& t)
   {
     return false;
   }
-  const auto point = [](const PlacedTriangle& of, int k) {
-    const Vec3& p = of.point[k];
-    return Kernel::Point_3(p.x(), p.y(), p.z());
-  };
-  const Kernel::Triangle_3 first(point(s, 0), point(s, 1), point(s, 2));
-  const Kernel::Triangle_3 second(point(t, 0), point(t, 1), point(t, 2));
   if (shared == 0)
   {
-    return CGAL::do_intersect(first, second);
+    return meet(wholeOf(s), wholeOf(t));
   }
-  const Kernel::Segment_3 oppositeS(point(s, (sharedS + 1) % 3), point(s, (sharedS + 2) % 3));
-  const Kernel::Segment_3 oppositeT(point(t, (sharedT + 1) % 3), point(t, (sharedT + 2) % 3));
-  return CGAL::do_intersect(oppositeS, second) || CGAL::do_intersect(oppositeT, first);
+  return meet(oppositeOf(s, sharedS), wholeOf(t)) || meet(oppositeOf(t, sharedT), wholeOf(s));
 }
 
 std::vector<Box> placesOfIntersections(

@@ -206,15 +206,22 @@ public:
   }
 
   /// Swaps the crease (p, q) between two triangles for the edge between their other corners, v and
-  /// another one, and leads its chains over v.
+  /// another one, and leads its chains over v. On a boundary, the triangle goes.
   void bend(Vertex p, Vertex q, Vertex v)
   {
     const std::vector<int> pair = this->beside(p, q);
     const int own = has(this->Triangles[pair[0]], v) ? pair[0] : pair[1];
-    const int other = own == pair[0] ? pair[1] : pair[0];
-    const Triangle beyond = this->Triangles[other];
-    this->put(own, replaced(beyond, q, v));
-    this->put(other, replaced(beyond, p, v));
+    if (pair.size() == 1)
+    {
+      this->put(own, { -1, -1, -1 });
+    }
+    else
+    {
+      const int other = own == pair[0] ? pair[1] : pair[0];
+      const Triangle beyond = this->Triangles[other];
+      this->put(own, replaced(beyond, q, v));
+      this->put(other, replaced(beyond, p, v));
+    }
     this->Creases.erase(pairOf(p, q));
     this->Creases.try_emplace(pairOf(p, v), Keep::Nothing);
     this->Creases.try_emplace(pairOf(v, q), Keep::Nothing);
@@ -344,7 +351,7 @@ public:
   /// Opens a triangle that the mesh had, if it is still there and poor: its shortest edge goes, or
   /// its longest runs over the third corner, or edges that are in the way of that are swapped.
   /// Where nothing of it can be done and the triangle is as good as none, that corner goes along
-  /// one of the shorter edges however long they are.
+  /// one of the shorter edges however long they are, or a vertex from elsewhere opens it.
   void improve(int triangle)
   {
     if (this->Now.isGone(triangle) ||
@@ -366,11 +373,17 @@ public:
     const Vertex middle = length(1) > length(2) ? a : b; // between the shorter edges
     const Vertex end = middle == a ? b : a;
     const bool isDone = (isNear && this->collapseOneOf({ { a, b }, { b, a } })) ||
-      this->bend(end, c, middle) ||
+      this->bend(end, c, middle) || this->swapOver(end, c, middle) ||
       (isNear && (this->collapseAfterSwaps(a, b) || this->collapseAfterSwaps(b, a)));
     if (!isDone && this->angle(t) < Tuning::HopelessAngle)
     {
-      this->collapseOneOf({ { middle, end }, { middle, c } });
+      const std::array<VertexPair, 4> ways = { { { middle, end }, { middle, c }, { end, middle },
+        { c, middle } } };
+      this->collapseOneOf({ ways.begin(), ways.end() }) ||
+        std::any_of(ways.begin(), ways.end(),
+          [this](
+            const VertexPair& way) { return this->collapseAfterSwaps(way.first, way.second); }) ||
+        (this->angle(t) < Tuning::NoAngle && this->openWithVertex(end, c, middle));
     }
   }
 
@@ -389,11 +402,12 @@ public:
         const auto beside = this->Now.beside(a, b);
         const bool isWhole = std::all_of(beside.begin(), beside.end(),
           [&](int t) { return t < static_cast<int>(untouched) && used[t] == 0; });
-        if (placed < this->Freed.size() && isWhole)
+        const SurfacePoint middle = isWhole ? this->middle(a, b) : SurfacePoint();
+        if (placed < this->Freed.size() && isWhole && this->isBetween(middle.position, a, b))
         {
           std::for_each(beside.begin(), beside.end(), [&](int t) { used[t] = 1; });
           const Vertex v = this->Freed[placed++];
-          this->Place[v] = this->middle(a, b);
+          this->Place[v] = middle;
           this->IsFree[v] = 1;
           this->Now.split(a, b, v);
         }
@@ -404,16 +418,20 @@ public:
       }
       n = std::max(n, this->Now.triangles().size());
     }
-    for (const Vertex v : this->Freed)
+    for (const std::vector<Vertex>* some : { &this->Freed, &this->Placed })
     {
-      change.freed.emplace_back(v, this->Place[v]);
+      for (const Vertex v : *some)
+      {
+        change.freed.emplace_back(v, this->Place[v]);
+      }
     }
     std::copy_if(this->Now.triangles().begin(), this->Now.triangles().end(),
       std::back_inserter(change.triangles), [](const Triangle& t) { return t[0] >= 0; });
     change.fixed = this->Fixed;
     change.chains = this->Now.chains();
     change.absorbed = std::move(this->Absorbed);
-    change.count = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
+    change.features = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
+    change.swaps = this->NumberOfSwaps;
     return change;
   }
 
@@ -551,7 +569,8 @@ private:
   {
     const int creases = this->Now.numberOfCreases(v);
     const bool mayGo = !this->Mesh.isConstraint(v) && creases <= this->Now.numberOfCreases(u) &&
-      (creases > 0 || !this->Mesh.isFree(u));
+      (creases > 0 || !this->Mesh.isFree(u) ||
+        this->length(v, u) < Tuning::LeastSoundHeight * this->spacingAt(v)); // one on the other
     if (!mayGo || !this->Now.keepsLines(v, u) || !this->Now.mayCollapse(v, u) ||
       !this->staysOpen(v, u))
     {
@@ -674,29 +693,195 @@ private:
   bool bend(Vertex p, Vertex q, Vertex v)
   {
     const std::vector<int> pair = this->Now.beside(p, q);
-    if (this->Mesh.isFree(v) || !this->Now.isCrease(p, q) ||
-      this->Now.keep(p, q) != Keep::Nothing || pair.size() != 2)
-    {
-      return false;
-    }
-    const bool isFirst = has(this->Now.triangle(pair[0]), v);
-    const Triangle& own = this->Now.triangle(pair[isFirst ? 0 : 1]);
-    const Triangle& other = this->Now.triangle(pair[isFirst ? 1 : 0]);
-    const Triangle after[] = { replaced(other, q, v), replaced(other, p, v) };
-    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
-    const double worst = std::min(this->angle(own), this->angle(other));
     const double distance =
       distanceToSegment(this->position(v), this->position(p), this->position(q));
-    if (d == v || !this->Now.beside(v, d).empty() || distance > this->worthOf(v, worst) ||
-      std::min(this->angle(after[0]), this->angle(after[1])) <=
-        worst + Tuning::LeastGainOfCollapse ||
-      this->isTurnedOver(other, after[0]) || this->isTurnedOver(other, after[1]))
+    const bool isOnIt = distance < Tuning::NoAngle * this->length(p, q);
+    if ((this->Mesh.isFree(v) && !isOnIt) || !this->Now.isCrease(p, q) ||
+      this->Now.keep(p, q) != Keep::Nothing || pair.empty() || pair.size() > 2 ||
+      !(pair.size() == 2 ? this->mayBend(pair, p, q, v, distance)
+                         : isOnIt && !this->Now.isOnBoundary(v)))
     {
       return false;
     }
     this->Now.bend(p, q, v);
     this->Fixed.push_back(v);
     ++this->NumberOfBends;
+    return true;
+  }
+  bool mayBend(const std::vector<int>& pair, Vertex p, Vertex q, Vertex v, double distance) const
+  {
+    const bool isFirst = has(this->Now.triangle(pair[0]), v);
+    const Triangle& own = this->Now.triangle(pair[isFirst ? 0 : 1]);
+    const Triangle& other = this->Now.triangle(pair[isFirst ? 1 : 0]);
+    const Triangle after[] = { replaced(other, q, v), replaced(other, p, v) };
+    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const double worst = std::min(this->angle(own), this->angle(other));
+    return d != v && this->Now.beside(v, d).empty() && distance <= this->worthOf(v, worst) &&
+      std::min(this->angle(after[0]), this->angle(after[1])) >
+      worst + Tuning::LeastGainOfCollapse &&
+      !this->isTurnedOver(other, after[0]) && !this->isTurnedOver(other, after[1]);
+  }
+
+  /// Swaps the edge from p to q, which v is close to, for one from v, if triangles are better then;
+  /// an edge that is there already is swapped for another one first.
+  bool swapOver(Vertex p, Vertex q, Vertex v)
+  {
+    const std::vector<int> pair = this->Now.beside(p, q);
+    if (this->Now.isCrease(p, q) || pair.size() != 2)
+    {
+      return false;
+    }
+    const Triangle& first = this->Now.triangle(pair[0]);
+    const Triangle& other = has(first, v) ? this->Now.triangle(pair[1]) : first;
+    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const double worst = std::min(this->angle(first), this->angle(this->Now.triangle(pair[1])));
+    const double farthest = this->worthOf(v, worst);
+    if (d == v ||
+      distanceToSegment(this->position(v), this->position(p), this->position(q)) > farthest)
+    {
+      return false;
+    }
+    if (this->Now.beside(v, d).empty())
+    {
+      return this->swapIfBetter(p, q, worst);
+    }
+    const std::vector<int> inTheWay = this->Now.beside(v, d);
+    if (this->Now.isCrease(v, d) || inTheWay.size() != 2)
+    {
+      return false;
+    }
+    const auto apex = [&](int t) {
+      const auto [i, j, k] = this->Now.triangle(t);
+      return Vertex(i + j + k - v.index() - d.index());
+    };
+    const Vertex a = apex(inTheWay[0]);
+    const Vertex b = apex(inTheWay[1]);
+    const Vec3 middle = 0.5 * (this->position(a) + this->position(b));
+    if (a == b || distanceToSegment(middle, this->position(v), this->position(d)) > farthest ||
+      !this->swapIfBetter(v, d, worst))
+    {
+      return false;
+    }
+    if (this->swapIfBetter(p, q, worst))
+    {
+      return true;
+    }
+    this->Now.swap(a, b);
+    return false;
+  }
+  /// If no triangle turns over, and both have a larger angle than that.
+  bool swapIfBetter(Vertex a, Vertex b, double worst)
+  {
+    const std::vector<int> pair = this->Now.beside(a, b);
+    if (pair.size() != 2)
+    {
+      return false;
+    }
+    const std::array<Triangle, 2> before = { { this->Now.triangle(pair[0]),
+      this->Now.triangle(pair[1]) } };
+    const auto apex = [&](const Triangle& t) {
+      return Vertex(t[0] + t[1] + t[2] - a.index() - b.index());
+    };
+    const Vertex c = apex(before[0]);
+    const Vertex d = apex(before[1]);
+    if (c == d || !this->Now.beside(c, d).empty())
+    {
+      return false;
+    }
+    this->Now.swap(a, b);
+    for (int k = 0; k < 2; ++k)
+    {
+      const Triangle& now = this->Now.triangle(pair[k]);
+      if (this->angle(now) <= worst + Tuning::LeastGainOfCollapse ||
+        this->isTurnedOver(before[0], now) || this->isTurnedOver(before[1], now))
+      {
+        this->Now.swap(c, d);
+        return false;
+      }
+    }
+    ++this->NumberOfSwaps;
+    return true;
+  }
+
+  /// Where v is on the edge from p to q and joined to what is beyond it already, a vertex goes
+  /// there that is needed less elsewhere; no place of the surface moves.
+  bool openWithVertex(Vertex p, Vertex q, Vertex v)
+  {
+    const std::vector<int> pair = this->Now.beside(p, q);
+    if (this->Now.isCrease(p, q) || pair.size() != 2)
+    {
+      return false;
+    }
+    const Triangle other = this->Now.triangle(pair[has(this->Now.triangle(pair[0]), v) ? 1 : 0]);
+    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const Vec3 centre = (this->position(p) + this->position(q) + this->position(d)) / 3.;
+    SurfacePoint place;
+    double least = Tuning::FarthestOffEdge * (centre - this->position(v)).norm();
+    bool isFound = false;
+    for (const Vertex from : { d, p, q, v })
+    {
+      const SurfacePoint end =
+        this->Mesh.walk(this->Place[from].place, centre - this->position(from));
+      const double distance = (end.position - centre).norm();
+      if (distance < least)
+      {
+        place = end;
+        least = distance;
+        isFound = true;
+      }
+    }
+    if (!isFound || (this->Freed.empty() && !this->freeOne()))
+    {
+      return false;
+    }
+    const Vertex m = this->Freed.back();
+    this->Freed.pop_back();
+    this->Placed.push_back(m);
+    this->Place[m] = place;
+    this->IsFree[m] = 1;
+    this->Now.split(p, q, m);
+    ++this->NumberOfSwaps;
+    return true;
+  }
+  /// Collapses an edge inside faces, of some that are looked at, after which the triangles there
+  /// are best.
+  bool freeOne()
+  {
+    constexpr int Looks = 1000;
+    const int n = this->Mesh.vertices().size();
+    const int step = std::max(1, n / Looks);
+    double best = Tuning::SliverAngle;
+    VertexPair found;
+    for (int i = 0; i < n; i += step)
+    {
+      const Vertex v(i);
+      const std::vector<Vertex> ring = this->Now.ring(v);
+      const bool isInside = !ring.empty() && this->Mesh.isFree(v) && this->IsFree[v] != 0 &&
+        std::all_of(ring.begin(), ring.end(), [&](Vertex u) { return this->IsFree[u] != 0; }) &&
+        !this->Now.isOnBoundary(v);
+      for (const Vertex u : isInside ? ring : std::vector<Vertex>())
+      {
+        double worst = 10;
+        for (const int t : this->Now.about(v))
+        {
+          const Triangle& before = this->Now.triangle(t);
+          const Triangle after = replaced(before, v, u);
+          worst = has(before, u)                ? worst
+            : this->isTurnedOver(before, after) ? -1.
+                                                : std::min(worst, this->angle(after));
+        }
+        if (worst > best && this->Now.mayCollapse(v, u) && this->staysOpen(v, u))
+        {
+          best = worst;
+          found = { v, u };
+        }
+      }
+    }
+    if (!found.first.valid())
+    {
+      return false;
+    }
+    this->collapse(found.first, found.second);
     return true;
   }
 
@@ -754,12 +939,25 @@ private:
     }
     return result;
   }
+  /// Of an edge with a free end, on the surface.
   SurfacePoint middle(Vertex a, Vertex b) const
   {
+    const auto halfWay = [this](Vertex from, Vertex to) {
+      return this->Mesh.walk(
+        this->Place[from].place, 0.5 * (this->position(to) - this->position(from)));
+    };
     const Vertex from = this->IsFree[a] != 0 ? a : b;
     const Vertex to = from == a ? b : a;
-    return this->Mesh.walk(
-      this->Place[from].place, 0.5 * (this->position(to) - this->position(from)));
+    const SurfacePoint result = halfWay(from, to);
+    return this->IsFree[to] == 0 || this->isBetween(result.position, a, b) ? result
+                                                                           : halfWay(to, from);
+  }
+  /// Not where one of them is: a walk from a crease may begin on the wrong side of it, and end
+  /// there.
+  bool isBetween(const Vec3& place, Vertex a, Vertex b) const
+  {
+    return std::min((place - this->position(a)).norm(), (place - this->position(b)).norm()) >=
+      Tuning::FarthestOffEdge * this->length(a, b);
   }
 
   static constexpr double Never = 1e300;
@@ -771,12 +969,14 @@ private:
   ElementArray<Vertex, char> IsFree;
   ElementArray<Vertex, std::vector<Vec3>> Absorbed; // places of what has gone there
   std::vector<Vertex> Freed;
+  std::vector<Vertex> Placed; // of those that were
   std::vector<Vertex> Fixed;
   int NumberOfBends = 0;
+  int NumberOfSwaps = 0; // and vertices that open triangles
 };
 }
 
-Status simplifyFeatures(OptimizedMesh& mesh, double tolerance)
+Status simplifyFeatures(OptimizedMesh& mesh, double tolerance, double poorAngle)
 {
   if (tolerance <= 0)
   {
@@ -789,7 +989,7 @@ Status simplifyFeatures(OptimizedMesh& mesh, double tolerance)
     const bool isFree =
       std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return mesh.isFree(v); });
     const double quality = isFree ? 10. : faceQuality(mesh, f);
-    if (quality < Tuning::PoorFeatureAngle)
+    if (quality < poorAngle)
     {
       poor.emplace_back(quality, f.index());
     }
@@ -805,6 +1005,6 @@ Status simplifyFeatures(OptimizedMesh& mesh, double tolerance)
     simplification.improve(face);
   }
   OptimizedMesh::Change change = simplification.finish();
-  return change.count == 0 ? Status::success() : mesh.rebuild(std::move(change));
+  return change.features + change.swaps == 0 ? Status::success() : mesh.rebuild(std::move(change));
 }
 }

@@ -17,19 +17,53 @@ namespace stipple
 {
 namespace
 {
-double longestEdge(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+struct EdgeLengths
 {
+  double shortest = 1e300;
+  double mean = 0;
   double longest = 0;
+};
+
+EdgeLengths edgeLengths(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  EdgeLengths lengths;
   for (const Face f : faces)
   {
     const auto t = mesh.corners(f);
     for (int k = 0; k < 3; ++k)
     {
-      longest =
-        std::max(longest, (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).squaredNorm());
+      const double length = (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).norm();
+      lengths.shortest = std::min(lengths.shortest, length);
+      lengths.mean += length / (3. * static_cast<double>(faces.size()));
+      lengths.longest = std::max(lengths.longest, length);
     }
   }
-  return std::sqrt(longest);
+  return lengths;
+}
+
+/// The way to a place in space from one of the vertices, the last one first, that ends near it:
+/// from a crease or a corner, walks may begin on the wrong side of it.
+SurfacePoint walkFromOneOf(
+  const OptimizedMesh& mesh, const std::vector<Vertex>& vertices, const Vec3& there)
+{
+  SurfacePoint best;
+  double least = 0;
+  for (auto from = vertices.rbegin(); from != vertices.rend(); ++from)
+  {
+    const Vec3 step = there - mesh.position(*from);
+    const SurfacePoint end = mesh.walk(mesh.place(*from), step);
+    const double distance = (end.position - there).norm();
+    if (from == vertices.rbegin() || distance < least)
+    {
+      best = end;
+      least = distance;
+    }
+    if (distance <= Tuning::FarthestOffEdge * step.norm())
+    {
+      break;
+    }
+  }
+  return best;
 }
 
 /// Ring by ring, to the middle of the neighbours that have their place.
@@ -42,19 +76,17 @@ void placeInwards(MeshEdit& edit, std::vector<Vertex> waiting)
     for (const Vertex v : waiting)
     {
       Vec3 sum = Vec3::Zero();
-      int count = 0;
-      Vertex from;
+      std::vector<Vertex> from;
       mesh.forEachNeighbour(v, [&](Vertex u) {
         if (!std::binary_search(waiting.begin(), waiting.end(), u))
         {
           sum += mesh.position(u);
-          ++count;
-          from = u;
+          from.push_back(u);
         }
       });
-      if (count > 0)
+      if (!from.empty())
       {
-        next.emplace_back(v, mesh.walk(mesh.place(from), sum / count - mesh.position(from)));
+        next.emplace_back(v, walkFromOneOf(mesh, from, sum / static_cast<double>(from.size())));
       }
     }
     if (next.empty())
@@ -114,7 +146,7 @@ double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces)
 {
   const OptimizedMesh& mesh = edit.mesh();
-  const double longest = longestEdge(mesh, faces);
+  const EdgeLengths before = edgeLengths(mesh, faces);
   std::vector<Vec3> places;
   for (const Vertex v : vertices)
   {
@@ -132,9 +164,11 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
   {
     improve(edit, vertices);
   }
-  return longestEdge(mesh, faces) <= Tuning::GrowthByEmbedding * longest &&
+  const EdgeLengths after = edgeLengths(mesh, faces);
+  return after.longest <= Tuning::GrowthByEmbedding * before.longest &&
+    after.shortest >= std::min(before.shortest, Tuning::OnEdge * before.longest) &&
     std::all_of(places.begin(), places.end(),
-      [&](const Vec3& p) { return isNear(mesh, p, faces, Tuning::FarthestLeft * longest); });
+      [&](const Vec3& p) { return isNear(mesh, p, faces, Tuning::FarthestLeft * before.mean); });
 }
 
 std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)
@@ -165,7 +199,40 @@ std::vector<std::vector<Face>> groupsOf(const OptimizedMesh& mesh, const std::ve
   return result;
 }
 
-int unfold(MeshEdit& edit)
+FailedEmbeddings::Group FailedEmbeddings::groupOf(
+  const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  Group group{ faces.size(), Vec3::Zero(), 0 };
+  for (const Face f : faces)
+  {
+    const auto t = mesh.corners(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      group.centre += mesh.position(t[k]);
+      group.edge += (mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).norm();
+    }
+  }
+  const double corners = 3. * static_cast<double>(faces.size());
+  group.centre /= corners;
+  group.edge /= corners;
+  return group;
+}
+
+bool FailedEmbeddings::contains(const OptimizedMesh& mesh, const std::vector<Face>& faces) const
+{
+  const Group group = groupOf(mesh, faces);
+  return std::any_of(this->Groups.begin(), this->Groups.end(), [&](const Group& known) {
+    return known.size == group.size &&
+      (known.centre - group.centre).norm() < Tuning::SamePlace * std::min(known.edge, group.edge);
+  });
+}
+
+void FailedEmbeddings::add(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  this->Groups.push_back(groupOf(mesh, faces));
+}
+
+int unfold(MeshEdit& edit, FailedEmbeddings& failed)
 {
   const OptimizedMesh& mesh = edit.mesh();
   ElementArray<Face, char> isFolded(static_cast<std::size_t>(mesh.faces().size()));
@@ -183,7 +250,7 @@ int unfold(MeshEdit& edit)
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
     const std::vector<Face> changed = embedAbout(
-      edit, group, Tuning::RingsOfUnfolding,
+      edit, group, Tuning::RingsOfUnfolding, failed,
       [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;

@@ -25,14 +25,37 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(
 STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<std::vector<Face>> groupsOf(
   const OptimizedMesh& mesh, const std::vector<Face>& faces);
 
+/// Groups of triangles that no embedding helped, by their places: as long as they lie there, and so
+/// many, another attempt would end as the last did.
+class STIPPLEFILTERSOPTIMIZATION_EXPORT FailedEmbeddings
+{
+public:
+  bool contains(const OptimizedMesh& mesh, const std::vector<Face>& faces) const;
+  void add(const OptimizedMesh& mesh, const std::vector<Face>& faces);
+
+private:
+  struct Group
+  {
+    std::size_t size;
+    Vec3 centre;
+    double edge;
+  };
+  static Group groupOf(const OptimizedMesh& mesh, const std::vector<Face>& faces);
+  std::vector<Group> Groups;
+};
+
 /// Embeds the free vertices about triangles, of as few rings as make isBetter(after, before) true
 /// of what measure(faces) says of the triangles changed. Returns these; none if no number of rings
-/// helps.
+/// helps, or is known not to.
 template <typename Measure, typename IsBetter>
 std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int mostRings,
-  const Measure& measure, const IsBetter& isBetter)
+  FailedEmbeddings& failed, const Measure& measure, const IsBetter& isBetter)
 {
   const OptimizedMesh& mesh = edit.mesh();
+  if (failed.contains(mesh, faces))
+  {
+    return {};
+  }
   for (int rings = 0; rings <= mostRings; ++rings)
   {
     const std::vector<Vertex> vertices = filtered(withRings(mesh, cornersOf(mesh, faces), rings),
@@ -45,12 +68,13 @@ std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int
       return changed;
     }
   }
+  failed.add(mesh, faces);
   return {};
 }
 
 /// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
 /// Returns the number of groups of triangles where that helped.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(MeshEdit& edit);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(MeshEdit& edit, FailedEmbeddings& failed);
 }
 
 #endif

@@ -73,7 +73,7 @@ Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
 /// Rounds of swaps and moves (paper 4.4), with repairs in between; with a first one other than 0
 /// the last of them once more, after a change.
 Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, int firstRound,
-  const Lazy<std::vector<Box>>& ofSurface, const Progress& progress)
+  KnownOverlaps& overlaps, const Progress& progress)
 {
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
@@ -149,10 +149,10 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
       {
         if (isBad)
         {
-          unfold(edit);
+          unfold(edit, overlaps.folds);
         }
         // Layers that lie over one another are small at first; Lloyd's method gives each its share.
-        resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, ofSurface);
+        resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, overlaps);
       }
     }
   }
@@ -160,8 +160,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
 }
 
 /// What makes the mesh good in the end, triangle by triangle.
-void finish(
-  MeshEdit& edit, const OptimizerOptions& options, const Lazy<std::vector<Box>>& ofSurface)
+void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& overlaps)
 {
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
@@ -184,7 +183,7 @@ void finish(
   {
     return;
   }
-  if (swaps && unfold(edit) > 0)
+  if (swaps && unfold(edit, overlaps.folds) > 0)
   {
     repair(swaps, moves, Tuning::LastPassesOfRepair);
   }
@@ -202,7 +201,7 @@ void finish(
     }
   }
   reduceError();
-  resolveSelfIntersections(edit, Tuning::PassesOfParting, ofSurface);
+  resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
 }
 }
 
@@ -213,13 +212,13 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     return Status::success();
   }
   MeshEdit edit(mesh);
-  const Lazy<std::vector<Box>> ofSurface; // where it passes through itself
-  Status status = relax(mesh, edit, options, 0, ofSurface, progress);
+  KnownOverlaps overlaps;
+  Status status = relax(mesh, edit, options, 0, overlaps, progress);
   if (!status.ok())
   {
     return status;
   }
-  finish(edit, options, ofSurface);
+  finish(edit, options, overlaps);
   // Edges were swapped since features were simplified last; each time fewer are left for that.
   const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
   bool isNearlyDone = true;
@@ -237,13 +236,28 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       break;
     }
     status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::AcuteInterval),
-      ofSurface, goesOn);
+      overlaps, goesOn);
     if (!status.ok())
     {
       return status;
     }
-    finish(edit, options, ofSurface);
+    finish(edit, options, overlaps);
     isNearlyDone = Tuning::VerticesPerLastChange * made <= mesh.vertices().size();
+  }
+  // What swaps have left without an angle, at last with no rounds that swap any more.
+  for (int i = 0; i < Tuning::LastOpenings && maySimplify(options); ++i)
+  {
+    const int changes = mesh.numberOfChanges();
+    status = simplifyFeatures(mesh, options.featureTolerance, Tuning::NoAngle);
+    if (!status.ok() || mesh.numberOfChanges() == changes)
+    {
+      break;
+    }
+    repairTriangles(edit, Tuning::SmallAngle, true, true, Tuning::LastPassesOfRepair);
+  }
+  if (!status.ok())
+  {
+    return status;
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }

@@ -180,7 +180,8 @@ Status OptimizedMesh::buildPart(const stipple::Atlas& atlas, const DensityField&
 
 Status OptimizedMesh::rebuild(Change change)
 {
-  this->Changes += change.count;
+  this->Changes += change.features + change.swaps;
+  this->SimplifiedFeatures += change.features;
   for (const auto& [v, there] : change.freed)
   {
     this->Free[v] = Freedom::Surface;

@@ -272,11 +272,13 @@ public:
     std::vector<Triangle> triangles;
     std::vector<Chain> chains;
     ElementArray<Vertex, std::vector<Vec3>> absorbed; ///< of all vertices; empty: as before
-    int count = 0;                                    ///< of what was done
+    int features = 0;                                 ///< that were simplified
+    int swaps = 0;                                    ///< and what else was done
   };
   Status rebuild(Change change);
-  /// The sum of the counts.
+  /// All that was done.
   int numberOfChanges() const { return this->Changes; }
+  int numberOfSimplifiedFeatures() const { return this->SimplifiedFeatures; }
   const stipple::Atlas& atlas() const { return *this->Atlas; }
 
 private:
@@ -318,6 +320,7 @@ private:
   std::vector<Crease> Creases;
   std::vector<Chain> Chains;
   int Changes = 0;
+  int SimplifiedFeatures = 0;
   bool IsPart = false;
 };
 }

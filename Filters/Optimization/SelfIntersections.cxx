@@ -11,7 +11,6 @@
 #include "VertexStar.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 
@@ -37,6 +36,8 @@ struct SelfIntersections::Internals
   const OptimizedMesh& Mesh;
   double CellSize = 1;
   ElementArray<Face, Box> Boxes; // as last updated
+  /// Faces that a face intersects, in no order; of both the other is one.
+  ElementArray<Face, std::vector<Face>> Partners;
   /// A face in one of the cells that its box touches.
   struct Entry
   {
@@ -136,6 +137,28 @@ struct SelfIntersections::Internals
       }
     });
   }
+  /// Those from `first` on that a face intersects.
+  std::vector<Face> partnersOf(Face f, Face first) const
+  {
+    std::vector<Face> result;
+    const auto t = this->Mesh.corners(f);
+    this->forEachNear(this->Boxes[f], first, [&](Face g) {
+      if (g != f && intersect(this->Mesh, t, this->Mesh.corners(g)))
+      {
+        result.push_back(g);
+      }
+    });
+    return result;
+  }
+  void part(Face f)
+  {
+    for (const Face g : this->Partners[f])
+    {
+      std::vector<Face>& others = this->Partners[g];
+      others.erase(std::find(others.begin(), others.end(), f));
+    }
+    this->Partners[f].clear();
+  }
 };
 
 SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
@@ -161,6 +184,19 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
   for (const Face f : mesh.faces())
   {
     grid.insert(f);
+  }
+  grid.Partners.resize(static_cast<std::size_t>(n));
+  parallelFor(
+    mesh.faces(), [&](Face f) { grid.Partners[f] = grid.partnersOf(f, Face(f.index() + 1)); });
+  for (const Face f : mesh.faces())
+  {
+    for (const Face g : grid.Partners[f])
+    {
+      if (f < g)
+      {
+        grid.Partners[g].push_back(f);
+      }
+    }
   }
 }
 
@@ -203,28 +239,28 @@ void SelfIntersections::update(const std::vector<Face>& faces)
     grid.remove(f);
     grid.Boxes[f] = grid.boxOf(f);
     grid.insert(f);
+    grid.part(f);
+  }
+  for (const Face f : faces)
+  {
+    for (const Face g : grid.partnersOf(f, Face(0)))
+    {
+      std::vector<Face>& partners = grid.Partners[f];
+      if (std::find(partners.begin(), partners.end(), g) == partners.end())
+      {
+        partners.push_back(g);
+        grid.Partners[g].push_back(f);
+      }
+    }
   }
 }
 
 std::vector<Face> SelfIntersections::faces() const
 {
-  const Internals& grid = *this->Grid;
-  const ElementRange<Face> all = grid.Mesh.faces();
-  std::vector<std::atomic<char>> does(static_cast<std::size_t>(all.size()));
-  parallelFor(all, [&](Face f) {
-    const auto t = grid.Mesh.corners(f);
-    grid.forEachNear(grid.Boxes[f], Face(f.index() + 1), [&](Face g) {
-      if (intersect(grid.Mesh, t, grid.Mesh.corners(g)))
-      {
-        does[f.index()] = 1;
-        does[g.index()] = 1;
-      }
-    });
-  });
   std::vector<Face> result;
-  for (const Face f : all)
+  for (const Face f : this->Grid->Mesh.faces())
   {
-    if (does[f.index()])
+    if (!this->Grid->Partners[f].empty())
     {
       result.push_back(f);
     }
@@ -317,8 +353,8 @@ bool partBySwap(MeshEdit& edit, SelfIntersections& intersections, Edge e)
 }
 
 /// Places the vertices about the triangles anew, of as few rings as part any.
-bool partByEmbedding(
-  MeshEdit& edit, SelfIntersections& intersections, const std::vector<Face>& faces, int& budget)
+bool partByEmbedding(MeshEdit& edit, SelfIntersections& intersections,
+  const std::vector<Face>& faces, int& budget, FailedEmbeddings& failed)
 {
   struct State
   {
@@ -326,7 +362,7 @@ bool partByEmbedding(
     double quality;
   };
   const std::vector<Face> changed = embedAbout(
-    edit, faces, Tuning::RingsOfParting,
+    edit, faces, Tuning::RingsOfParting, failed,
     [&](const std::vector<Face>& now) {
       budget -= static_cast<int>(now.size());
       return State{ intersections.count(now), worstQuality(edit.mesh(), now) };
@@ -340,8 +376,7 @@ bool partByEmbedding(
 }
 }
 
-int resolveSelfIntersections(
-  MeshEdit& edit, int maximumNumberOfPasses, const Lazy<std::vector<Box>>& ofSurface)
+int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOverlaps& known)
 {
   const OptimizedMesh& mesh = edit.mesh();
   SelfIntersections intersections(mesh);
@@ -354,7 +389,7 @@ int resolveSelfIntersections(
     return static_cast<int>(bad.size());
   }
   ElementArray<Face, char> isOfSurface(static_cast<std::size_t>(mesh.faces().size()), 0);
-  for (const Face f : intersections.facesNear(ofSurface.get([&] {
+  for (const Face f : intersections.facesNear(known.ofSurface.get([&] {
          const AtlasSurface& surface = mesh.atlas().surface();
          return placesOfIntersections(surface.points, surface.triangles);
        })))
@@ -396,7 +431,9 @@ int resolveSelfIntersections(
     {
       for (const std::vector<Face>& group : groupsOf(mesh, bad))
       {
-        changed = (budget > 0 && partByEmbedding(edit, intersections, group, budget)) || changed;
+        changed =
+          (budget > 0 && partByEmbedding(edit, intersections, group, budget, known.layers)) ||
+          changed;
       }
     }
     if (!changed)
@@ -410,8 +447,9 @@ int resolveSelfIntersections(
   const std::size_t left = intersections.faces().size();
   if (hasChanged)
   {
-    edit.attempt(
-      [&]() { return unfold(edit) > 0 && SelfIntersections(mesh).faces().size() <= left; });
+    edit.attempt([&]() {
+      return unfold(edit, known.folds) > 0 && SelfIntersections(mesh).faces().size() <= left;
+    });
   }
   return static_cast<int>(bad.size());
 }

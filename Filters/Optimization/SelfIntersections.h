@@ -6,6 +6,7 @@
 #define stipple_SelfIntersections_h
 
 #include "Lazy.h"
+#include "LocalEmbedding.h"
 #include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 #include "TriangleIntersections.h"
@@ -27,7 +28,8 @@ public:
   int count(const std::vector<Face>& faces) const;
   /// Takes note of where triangles are now.
   void update(const std::vector<Face>& faces);
-  /// Triangles that intersect others, ascending; the same for any number of threads.
+  /// Triangles that intersect others, as last updated, ascending; the same for any number of
+  /// threads.
   std::vector<Face> faces() const;
   /// Triangles nearer to one of the places than the mean size of triangles, as last updated; not in
   /// order.
@@ -38,14 +40,22 @@ private:
   std::unique_ptr<Internals> Grid;
 };
 
+/// What is known of a mesh's overlaps from what was done about them before.
+struct KnownOverlaps
+{
+  /// Where the surface passes through itself: placesOfIntersections(), made when it is asked for.
+  Lazy<std::vector<Box>> ofSurface;
+  FailedEmbeddings folds;  ///< that unfold() could not undo
+  FailedEmbeddings layers; ///< that could not be parted
+};
+
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
 /// intersect and no triangle gets worse than Tuning::PartingAngle unless it was; what is left is
-/// embedded anew. What is where the surface passes through itself, at `ofSurface`, is left as it is
-/// (placesOfIntersections(), made here if it is asked for), and so is a mesh that passes through
-/// itself elsewhere in more than 250 and 2 % of its triangles. Returns the number of triangles that
-/// still intersect others elsewhere.
+/// embedded anew. What is where the surface passes through itself is left as it is, and so is a
+/// mesh that passes through itself elsewhere in more than 250 and 2 % of its triangles. Returns the
+/// number of triangles that still intersect others elsewhere.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int resolveSelfIntersections(
-  MeshEdit& edit, int maximumNumberOfPasses, const Lazy<std::vector<Box>>& ofSurface = {});
+  MeshEdit& edit, int maximumNumberOfPasses, KnownOverlaps& known);
 }
 
 #endif

@@ -121,6 +121,8 @@ struct Tuning
   /// vertices were drawn out of is lost (l_camelhead at 1,500 points: the mouth, 6 % of the
   /// diagonal deep).
   static constexpr double FarthestLeft = 0.5;
+  /// Of the mean edge: triangles that have moved less are where they were.
+  static constexpr double SamePlace = 0.1;
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
   static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air
@@ -176,6 +178,8 @@ struct Tuning
   // Features finer than the mesh (FeatureSimplification).
   static constexpr double PoorFeatureAngle = 30. * Pi / 180.; ///< of triangles that an edge is
                                                               ///< collapsed for
+  /// Of a triangle that is as good as none: a needle of the spacing is one's ten thousandth high.
+  static constexpr double NoAngle = 1e-4;
   static constexpr double LeastGainOfCollapse = 0.02; ///< by the sum of what triangles lack of it
   /// Swaps before an edge that others are in the way of is collapsed.
   static constexpr int MostObstacles = 3;
@@ -183,6 +187,8 @@ struct Tuning
   /// holes (netgen's frame, 5,000 points) has 1.1 % of its triangles below 30 degrees then,
   /// else 2.1.
   static constexpr int LastSimplifications = 5;
+  /// Looks at what has no angle even then, without rounds.
+  static constexpr int LastOpenings = 5;
   /// Vertices over the changes of such a look, at least, for another one: where more is left to do,
   /// there are more features than points for them, and each look takes long.
   static constexpr int VerticesPerLastChange = 200;

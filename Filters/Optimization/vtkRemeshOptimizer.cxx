@@ -74,7 +74,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   {
     return status;
   }
-  this->NumberOfSimplifiedFeatures = mesh.numberOfChanges();
+  this->NumberOfSimplifiedFeatures = mesh.numberOfSimplifiedFeatures();
   const bool hasMoved = options.moves != Options::Moves::None && options.iterations > 0;
   request.mesh->ShallowCopy(stipple::meshToPolyData(
     request.atlas, hasMoved ? mesh.samples() : request.samples, mesh.triangles()));

@@ -203,9 +203,9 @@ public:
   {
   }
 
-  std::vector<SizeSource> of(int line) const
+  std::vector<FeatureSize> of(int line) const
   {
-    std::vector<SizeSource> sources;
+    std::vector<FeatureSize> sources;
     this->addGaps(line, sources);
     if (this->Lines.isClosed(line))
     {
@@ -225,15 +225,13 @@ private:
   {
     return this->Source.placeOfBackbone(place.backbone, place.arcLength);
   }
-  /// Unless it is too small to be meshed, or too large to matter.
+  /// Unless it is too large to matter.
   void add(
-    const SurfacePlace& place, double spacing, double size, std::vector<SizeSource>& to) const
+    const SurfacePlace& place, double spacing, double size, std::vector<FeatureSize>& to) const
   {
-    const double finest = Constants::FinestSize * spacing;
-    if (size >= Constants::LeastSize * finest && size < Constants::LargestSize * spacing)
+    if (size < Constants::LargestSize * spacing)
     {
-      to.push_back(
-        { this->Source.surface().position(place.face, place.bary), std::max(size, finest) });
+      to.push_back({ this->Source.surface().position(place.face, place.bary), size, spacing });
     }
   }
 
@@ -266,7 +264,7 @@ private:
     return gap;
   }
 
-  void addGaps(int line, std::vector<SizeSource>& sources) const
+  void addGaps(int line, std::vector<FeatureSize>& sources) const
   {
     const double length = this->Lines.length(line);
     double spacing = 0;
@@ -289,7 +287,7 @@ private:
     }
   }
 
-  void addLoop(int line, std::vector<SizeSource>& sources) const
+  void addLoop(int line, std::vector<FeatureSize>& sources) const
   {
     const double length = this->Lines.length(line);
     for (int i = 0; i < Constants::EdgesOfLoop; ++i)
@@ -300,7 +298,7 @@ private:
   }
 
   /// From a corner on, over the ends of seams, to the next one.
-  void addShortLine(int line, int corner, std::vector<SizeSource>& sources) const
+  void addShortLine(int line, int corner, std::vector<FeatureSize>& sources) const
   {
     if (this->Lines.isPassed(corner))
     {
@@ -328,22 +326,36 @@ private:
 };
 }
 
-std::vector<SizeSource> featureSizes(
+std::vector<FeatureSize> featureSizes(
   const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
 {
   const FeatureLines lines(atlas);
   const SizeSearch search(atlas, lines, spacing);
-  std::vector<std::vector<SizeSource>> found(lines.lines().size());
+  std::vector<std::vector<FeatureSize>> found(lines.lines().size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end && !isAsked(stop); ++i)
     {
       found[i] = search.of(lines.lines()[i]);
     }
   });
-  std::vector<SizeSource> sources;
-  for (const std::vector<SizeSource>& some : found)
+  std::vector<FeatureSize> sources;
+  for (const std::vector<FeatureSize>& some : found)
   {
     sources.insert(sources.end(), some.begin(), some.end());
+  }
+  return sources;
+}
+
+std::vector<SizeSource> sizesFrom(const std::vector<FeatureSize>& features, double finest)
+{
+  std::vector<SizeSource> sources;
+  for (const FeatureSize& f : features)
+  {
+    const double least = finest * f.spacing;
+    if (f.size >= Constants::LeastSize * least)
+    {
+      sources.push_back({ f.position, std::max(f.size, least) });
+    }
   }
   return sources;
 }

@@ -87,6 +87,10 @@ struct SamplingConstants
   /// along the gap, would be under 30 degrees (height over base: sqrt(3) / 6). What is smaller is
   /// simplified away.
   static constexpr double LeastSize = 0.4330127018922193; // SizeOverGap * sqrt(3) / 6
+  /// Finest sizes that are tried, that one first; coarser ones where it takes too many points.
+  /// Where what is met then was asked to be met better (sizes of all of the finest, or .65), H and
+  /// RMS of 24 build plates were 5 to 20 % larger, with as many triangles under 30 degrees.
+  static constexpr int MostGrowthSteps = 4;
   /// Sizes of so many spacings are looked for, as the spacing grows by what others take.
   static constexpr double LargestSize = 1.5;
   /// Relative error of the number of samples that sizes add up to, and steps of Newton's method.

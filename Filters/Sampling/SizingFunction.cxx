@@ -32,17 +32,30 @@ class Sizing
 public:
   Sizing(const std::vector<ControlImage>& images, const SizingOptions& options);
 
-  /// Lets sizes grow from features. Nothing is done where none are near one another, or it was
-  /// stopped.
-  void grow(const Atlas& atlas, const Stop& stop);
-  void growNoMore(double scale)
+  /// Samples per unit of parameter area at least, by chart and pixel; empty: sizes do not grow.
+  using Least = std::vector<std::vector<float>>;
+  /// Lets sizes grow from features, down to `finest` of the spacing. Nothing is done where none are
+  /// near one another.
+  void grow(
+    const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale);
+  /// As they are at first.
+  std::vector<FeatureSize> features(const Atlas& atlas, const Stop& stop) const
   {
-    this->Least.clear();
+    return featureSizes(
+      atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop);
+  }
+  Least takeLeast() { return std::move(this->Grown); }
+  /// To be fitted from a scale on.
+  void setLeast(Least least, double scale)
+  {
+    this->Grown = std::move(least);
     this->Scale = scale;
   }
+  /// The ratio of neighbouring edges.
+  double growth() const { return this->Options.growth; }
   /// Finds the scale at which there are as many samples as asked for.
   Status fitScale();
-  bool hasGrown() const { return !this->Least.empty(); }
+  bool hasGrown() const { return !this->Grown.empty(); }
   bool isBounded() const
   {
     return this->hasGrown() || this->Options.smallest > 0 || this->Options.largest > 0;
@@ -74,9 +87,9 @@ private:
   {
     constexpr double most = 1. / (Constants::FinestSize * Constants::FinestSize);
     const double area = std::max(0.f, this->Images[chart].areaDistortion[pixel]);
-    const double grown = this->Least.empty()
+    const double grown = this->Grown.empty()
       ? wanted
-      : std::clamp<double>(this->Least[chart][pixel], wanted, most * wanted);
+      : std::clamp<double>(this->Grown[chart][pixel], wanted, most * wanted);
     return std::clamp(grown, area * this->Lowest, area * this->Highest);
   }
 
@@ -85,8 +98,7 @@ private:
   double Lowest = 0; ///< bounds on samples per area
   double Highest = Unbounded;
   double Scale = 0; ///< samples for the control's unit
-  /// Samples per unit of parameter area, by chart and pixel; empty: no growth
-  std::vector<std::vector<float>> Least;
+  Least Grown;
 };
 
 Sizing::Sizing(const std::vector<ControlImage>& images, const SizingOptions& options)
@@ -120,24 +132,23 @@ double Sizing::spacingAt(const Atlas& atlas, const SurfacePlace& place) const
   return density > 0 ? sizeOf(density) : 0.;
 }
 
-void Sizing::grow(const Atlas& atlas, const Stop& stop)
+void Sizing::grow(
+  const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale)
 {
-  const GradedSizes sizes(
-    featureSizes(
-      atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop),
-    this->Options.growth - 1.);
-  if (sizes.empty() || isAsked(stop))
+  const GradedSizes sizes(sizesFrom(features, finest), this->Options.growth - 1.);
+  this->setLeast({}, scale);
+  if (sizes.empty())
   {
     return;
   }
-  this->Least.resize(this->Images.size());
-  for (std::size_t c = 0; c < this->Least.size(); ++c)
+  this->Grown.resize(this->Images.size());
+  for (std::size_t c = 0; c < this->Grown.size(); ++c)
   {
-    this->Least[c].resize(this->Images[c].numberOfPixels());
+    this->Grown[c].resize(this->Images[c].numberOfPixels());
   }
   forEachPixelSize(
     atlas.surface(), this->Images, sizes, [&](std::size_t c, std::size_t i, double size) {
-      this->Least[c][i] =
+      this->Grown[c][i] =
         static_cast<float>(densityOfEdges(size) * std::max(0.f, this->Images[c].areaDistortion[i]));
     });
 }
@@ -169,6 +180,10 @@ Sizing::Count Sizing::count(double scale) const
 
 Status Sizing::fitScale()
 {
+  if (this->Options.numberOfSamples <= 0 || !this->isBounded())
+  {
+    return Status::success();
+  }
   const double number = this->Options.numberOfSamples;
   const auto rounded = [](double x) { return std::to_string(std::llround(x)); };
   if (const double least = this->count(0.).all; least > number)
@@ -201,6 +216,38 @@ Status Sizing::fitScale()
   }
   return Status::success();
 }
+
+/// As fine as can be had while edges elsewhere get longer by no more than the growth: the smallest
+/// features, which would take the most points, are given up first, by bisection of the finest size.
+void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
+{
+  const std::vector<FeatureSize> features = sizing.features(atlas, stop);
+  const double scale = sizing.scale();
+  double tooFine = 0;
+  double coarse = Constants::LargestSize;
+  Sizing::Least best;
+  for (int step = 0; step < Constants::MostGrowthSteps && !isAsked(stop); ++step)
+  {
+    const double finest = step == 0 ? Constants::FinestSize : std::sqrt(tooFine * coarse);
+    sizing.grow(atlas, features, finest, scale);
+    if (!sizing.hasGrown() && step == 0)
+    {
+      return;
+    }
+    const bool isMet =
+      sizing.fitScale().ok() && std::sqrt(scale / sizing.scale()) <= sizing.growth();
+    if (isMet && sizing.hasGrown())
+    {
+      best = sizing.takeLeast();
+    }
+    if (isMet && step == 0)
+    {
+      break;
+    }
+    (isMet ? coarse : tooFine) = finest;
+  }
+  sizing.setLeast(std::move(best), scale);
+}
 }
 
 Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
@@ -212,19 +259,16 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
     return Status::error("SizeMinimum is larger than SizeMaximum: exchange them.");
   }
   Sizing sizing(images, options);
-  const double scale = sizing.scale();
-  if (!(scale > 0))
+  if (!(sizing.scale() > 0))
   {
     sizes = {};
     return Status::success(); // nothing is wanted anywhere
   }
   // What takes more than can be had need not be looked at more closely, which would take for ever.
-  const bool grows =
-    atlas && options.growth > 1. && sizing.numberOfSamples() <= Constants::MostSamples;
-  if (grows)
+  if (atlas && options.growth > 1. && sizing.numberOfSamples() <= Constants::MostSamples)
   {
     runReporting(progress, [&](const Progress& inner) {
-      sizing.grow(*atlas, [&inner] { return !report(inner, 0.5); });
+      growFromFeatures(sizing, *atlas, [&inner] { return !report(inner, 0.5); });
       return true;
     });
     if (!report(progress, 0.9))
@@ -232,19 +276,7 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
       return Status::aborted();
     }
   }
-  Status status = Status::success();
-  const auto fit = [&] {
-    if (options.numberOfSamples > 0 && sizing.isBounded())
-    {
-      status = sizing.fitScale();
-    }
-  };
-  fit();
-  if (grows && (!status.ok() || std::sqrt(scale / sizing.scale()) > options.growth))
-  {
-    sizing.growNoMore(scale);
-    fit();
-  }
+  const Status status = sizing.fitScale();
   if (!status.ok())
   {
     return status;

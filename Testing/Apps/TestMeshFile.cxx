@@ -162,6 +162,18 @@ TEST_F(MeshFile, RoundTrips)
   }
 }
 
+TEST_F(MeshFile, ObjCornersMayEndInSlashes)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  ASSERT_TRUE(readMesh(
+    this->write("s.obj", points + "f 1/ 3/ 2/\nf 1// 2// 4//\nf 1/ \\\n4/ 3/ # a/ b\nf 2 3 4"),
+    mesh)
+                .ok());
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 4);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 4);
+}
+
 TEST_F(MeshFile, RegionsOfObj)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";

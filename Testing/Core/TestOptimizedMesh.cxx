@@ -237,7 +237,7 @@ TEST(OptimizedMesh, IsRebuiltOfOtherTrianglesAndChains)
   OptimizedMesh::Change fixed = same;
   fixed.fixed = { second.vertex };
   fixed.chains[0][1].arcLength = arcLength;
-  fixed.count = 3;
+  fixed.features = 3;
   ASSERT_TRUE(mesh.rebuild(fixed).ok());
   EXPECT_EQ(mesh.freedom(second.vertex), Freedom::None);
   EXPECT_EQ(mesh.arcLength(mesh.chains()[0][1]), arcLength);

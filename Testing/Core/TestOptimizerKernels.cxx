@@ -397,18 +397,22 @@ TEST(SelfIntersections, AreTheSurfacesWhereItHasThem)
   const std::size_t before = SelfIntersections(t->mesh).faces().size();
   ASSERT_GT(before, 0U);
   const meshes::Snapshot folded(t->mesh);
-  const Lazy<std::vector<Box>> everywhere;
-  everywhere.get([] { return std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } }; });
+  KnownOverlaps everywhere;
+  everywhere.ofSurface.get([] {
+    return std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } };
+  });
   EXPECT_EQ(resolveSelfIntersections(t->edit, 8, everywhere), 0);
   EXPECT_TRUE(meshes::Snapshot(t->mesh) == folded) << "nothing is to be parted";
-  EXPECT_EQ(resolveSelfIntersections(t->edit, 8), 0);
+  KnownOverlaps nothing;
+  EXPECT_EQ(resolveSelfIntersections(t->edit, 8, nothing), 0);
   EXPECT_TRUE(SelfIntersections(t->mesh).faces().empty()) << "the surface is flat";
 }
 
 TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
 {
   const auto t = meshes::patch(8);
-  EXPECT_EQ(unfold(t->edit), 0) << "nothing to undo";
+  FailedEmbeddings failed;
+  EXPECT_EQ(unfold(t->edit, failed), 0) << "nothing to undo";
   t->edit.put(Vertex(40), t->pointAt(0.8, 0.5)); // far out of its ring
   t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
   std::vector<Face> folded;
@@ -422,11 +426,24 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
   ASSERT_FALSE(folded.empty());
   EXPECT_EQ(groupsOf(t->mesh, folded).size(), 1U);
   const meshes::Snapshot before(t->mesh);
-  const auto nothing = embedAbout(
-    t->edit, folded, 2, [](const std::vector<Face>&) { return 0; }, [](int, int) { return false; });
-  EXPECT_TRUE(nothing.empty());
+  int looks = 0;
+  const auto nothing = [&](FailedEmbeddings& known) {
+    return embedAbout(
+      t->edit, folded, 2, known, [&](const std::vector<Face>&) { return ++looks; },
+      [](int, int) { return false; });
+  };
+  FailedEmbeddings inVain;
+  EXPECT_TRUE(nothing(inVain).empty());
   EXPECT_TRUE(meshes::Snapshot(t->mesh) == before);
-  EXPECT_EQ(unfold(t->edit), 1);
+  EXPECT_GT(looks, 0);
+  looks = 0;
+  EXPECT_TRUE(nothing(inVain).empty());
+  EXPECT_EQ(looks, 0) << "what failed is not tried again";
+  t->edit.put(Vertex(41), t->pointAt(0.5, 0.6));
+  EXPECT_TRUE(nothing(inVain).empty());
+  EXPECT_GT(looks, 0) << "but where something moved";
+  t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
+  EXPECT_EQ(unfold(t->edit, failed), 1);
   EXPECT_GT(worstOf(t->mesh), 0.3);
 }
 

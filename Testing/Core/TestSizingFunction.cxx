@@ -4,6 +4,7 @@
 #include "CurvatureSizes.h"
 #include "FeatureSizes.h"
 #include "GradedSizes.h"
+#include "SamplingConstants.h"
 #include "SizingFunction.h"
 #include "StraightWalk.h"
 #include "SyntheticControl.h"
@@ -31,15 +32,16 @@ struct Plate
 {
   Builder builder;
   stipple::Atlas::Pointer atlas;
-  Plate()
+  explicit Plate(const Vec3& halfExtents = Vec3(1., 1., Thickness / 2.))
   {
-    cube(this->builder, 8, false, Vec3(1., 1., Thickness / 2.));
+    cube(this->builder, 8, false, halfExtents);
     synthetic::Atlas& made = this->builder.finish();
     EXPECT_TRUE(stipple::Atlas::read(made.charts, made.graphData, this->atlas).ok());
   }
   std::vector<SizeSource> sizes(double spacing) const
   {
-    return featureSizes(*this->atlas, [=](const SurfacePlace&) { return spacing; });
+    return sizesFrom(featureSizes(*this->atlas, [=](const SurfacePlace&) { return spacing; }),
+      SamplingConstants::FinestSize);
   }
 };
 
@@ -286,6 +288,65 @@ TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)
   }
   const auto stop = [](double) { return false; };
   EXPECT_TRUE(applySizing(plate.atlas.get(), maps.images, options, stop, control, sizes).isAbort());
+}
+
+TEST(FeatureSizes, AreMetByEdgesOfTheFinestAndLonger)
+{
+  const std::vector<FeatureSize> features = { { Vec3(0, 0, 0), 1., 1. }, { Vec3(1, 0, 0), .5, 1. },
+    { Vec3(2, 0, 0), .3, 1. }, { Vec3(3, 0, 0), .1, 1. }, { Vec3(4, 0, 0), .1, .1 } };
+  const std::vector<SizeSource> fine = sizesFrom(features, 1. / 3.);
+  ASSERT_EQ(fine.size(), 4U);
+  EXPECT_EQ(fine[1].size, .5);
+  EXPECT_EQ(fine[2].size, 1. / 3.);
+  EXPECT_EQ(fine[3].size, .1) << "the spacing there";
+  const std::vector<SizeSource> coarse = sizesFrom(features, .9);
+  ASSERT_EQ(coarse.size(), 3U);
+  EXPECT_EQ(coarse[0].size, 1.);
+  EXPECT_EQ(coarse[1].size, .9);
+}
+
+// A bar whose thin sides would take more points than the growth allows: the wider ones are met.
+TEST(SizingFunction, GrowsAsFarAsPointsGo)
+{
+  const Plate bar(Vec3(2., 0.15, 0.03));
+  const AtlasSurface& s = bar.atlas->surface();
+  const auto expectSizes = [&](double growth) {
+    ControlMaps maps(s, 64);
+    std::vector<float*> control;
+    for (std::vector<float>& c : maps.control)
+    {
+      control.push_back(c.data());
+    }
+    SizingOptions options;
+    options.numberOfSamples = 14;
+    options.growth = growth;
+    Sizes sizes;
+    EXPECT_TRUE(applySizing(bar.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
+    double mass = 0;
+    for (const ControlImage& image : maps.images)
+    {
+      mass += controlMass(image).total;
+    }
+    double smallest = 1e300;
+    double largest = 0;
+    for (int c = 0; c < s.numberOfCharts(); ++c)
+    {
+      for (int i = 0; i < maps.images[c].numberOfPixels(); ++i)
+      {
+        const double size = spacingOf(options.numberOfSamples / mass * maps.images[c].density(i));
+        smallest = std::min(smallest, size);
+        largest = std::max(largest, size);
+      }
+    }
+    EXPECT_TRUE(sizes.hasGrown) << growth;
+    const double spacing = spacingOf(options.numberOfSamples / s.area());
+    EXPECT_LT(largest, 1.01 * growth * spacing);
+    EXPECT_NEAR(smallest, 0.3, 0.05 * spacing) << "less would be for the thin sides";
+  };
+  for (const double growth : { 1.3, 1.5, 2., 2.5 })
+  {
+    expectSizes(growth);
+  }
 }
 
 TEST(SizingFunction, LengthsSayHowMany)

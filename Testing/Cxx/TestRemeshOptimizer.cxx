@@ -579,7 +579,8 @@ void checkLayers()
   }
   const std::size_t before = SelfIntersections(mesh).faces().size();
   check(before > 20, "the layers intersect");
-  check(resolveSelfIntersections(edit, 8) == 0, "the layers are undone");
+  KnownOverlaps overlaps;
+  check(resolveSelfIntersections(edit, 8, overlaps) == 0, "the layers are undone");
   check(SelfIntersections(mesh).faces().empty(), "no triangles intersect");
   double worst = 10;
   for (const Vertex v : mesh.vertices())

@@ -15,6 +15,9 @@ STATUS_ROWS = 26  # at the bottom of a window of 1280x800
 PROGRESS = (184, 98, 38)  # blue, green, red of the bar there while a mesh is made
 for function, result in (("XOpenDisplay", ctypes.c_void_p), ("XDefaultRootWindow", ctypes.c_ulong)):
     getattr(X11, function).restype = result
+for name in ("XStringToKeysym", "XInternAtom"):
+    getattr(X11, name).restype = ctypes.c_ulong
+X11.XKeysymToKeycode.restype = ctypes.c_ubyte
 X11.XGetImage.restype = ctypes.c_void_p
 
 
@@ -22,6 +25,30 @@ class ImageHead(ctypes.Structure):
     """The beginning of Xlib's XImage."""
 
     _fields_ = [(name, ctypes.c_int) for name in ("width", "height", "xoffset", "format")] + [("data", ctypes.c_void_p)]
+
+
+class ClientMessage(ctypes.Structure):
+    """Xlib's XClientMessageEvent, as long as an XEvent."""
+
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        ("window", ctypes.c_ulong),
+        ("message_type", ctypes.c_ulong),
+        ("format", ctypes.c_int),
+        ("data", ctypes.c_long * 5),
+        ("padding", ctypes.c_long * 24),
+    ]
+
+
+class SizeHints(ctypes.Structure):
+    """Xlib's XSizeHints."""
+
+    _fields_ = [("flags", ctypes.c_long)] + [
+        (name, ctypes.c_int) for name in ("x", "y", "width", "height", "min_width", "min_height", "max_width", "max_height")
+    ] + [("others", ctypes.c_int * 12)]
 
 
 class LiveWindow:
@@ -57,6 +84,47 @@ class LiveWindow:
         XTEST.XTestFakeButtonEvent(self.display, number, int(down), ctypes.c_ulong(0))
         X11.XSync(self.display, 0)
         time.sleep(0.1)
+
+    def key(self, symbol):
+        """Presses a key, by X11's name of it, and lets it go."""
+        code = X11.XKeysymToKeycode(self.display, ctypes.c_ulong(X11.XStringToKeysym(symbol.encode())))
+        for down in (1, 0):
+            XTEST.XTestFakeKeyEvent(self.display, ctypes.c_uint(code), down, ctypes.c_ulong(0))
+            X11.XSync(self.display, 0)
+        time.sleep(0.1)
+
+    def close(self):
+        """Asks the window to close, as a window manager does where its close button is pressed."""
+        event = ClientMessage(type=33, window=self.window(), format=32)
+        event.message_type = X11.XInternAtom(self.display, b"WM_PROTOCOLS", 0)
+        event.data[0] = X11.XInternAtom(self.display, b"WM_DELETE_WINDOW", 0)
+        X11.XSendEvent(self.display, ctypes.c_ulong(event.window), 0, ctypes.c_long(0), ctypes.byref(event))
+        X11.XSync(self.display, 0)
+
+    def window(self):
+        """The number of the program's window: the only one here."""
+        root, parent, children, number = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_void_p(), ctypes.c_uint()
+        X11.XQueryTree(self.display, self.root, ctypes.byref(root), ctypes.byref(parent), ctypes.byref(children),
+            ctypes.byref(number))
+        window = ctypes.cast(children, ctypes.POINTER(ctypes.c_ulong))[number.value - 1]
+        X11.XFree(children)
+        return window
+
+    def resize(self, width, height):
+        """As if the user had drawn the window's corner; pictures are of this size from now on."""
+        X11.XResizeWindow(self.display, ctypes.c_ulong(self.window()), ctypes.c_uint(width), ctypes.c_uint(height))
+        X11.XSync(self.display, 0)
+        self.size = width, height
+
+    def least_size(self):
+        """Width and height that the window asks window managers for."""
+        hints, supplied = SizeHints(), ctypes.c_long()
+        X11.XGetWMNormalHints(self.display, ctypes.c_ulong(self.window()), ctypes.byref(hints), ctypes.byref(supplied))
+        return hints.min_width, hints.min_height
+
+    def ended(self, limit=120.0):
+        """Waits for the program's end; its exit status."""
+        return self.program.wait(limit)
 
     def picture(self):
         """rows x columns x 3 (blue, green, red), of the screen's upper left part."""

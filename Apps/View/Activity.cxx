@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Activity.h"
+
+#include <tuple>
+
+namespace stipple
+{
+bool Activity::works() const
+{
+  return this->showsBar() || this->mesh == Mesh::Waiting;
+}
+
+std::string Activity::note() const
+{
+  return this->mesh == Mesh::Current ? "" : (this->works() ? "updating ..." : "not up to date");
+}
+
+bool Activity::alarms() const
+{
+  return this->mesh == Mesh::Failed || !this->sampleProblem.empty();
+}
+
+std::string Activity::sentence() const
+{
+  if (this->mesh == Mesh::Failed)
+  {
+    return this->meshProblem;
+  }
+  if (!this->sampleProblem.empty())
+  {
+    return this->sampleProblem;
+  }
+  if (this->savesMesh && this->works())
+  {
+    return this->meshFile + " will be written when the mesh is done.";
+  }
+  switch (this->mesh)
+  {
+    case Mesh::Charts:
+      return "Cutting into charts; Esc stops it.";
+    case Mesh::Making:
+      return "Meshing; Esc stops it.";
+    case Mesh::Stopped:
+      return "Stopped. Return makes the mesh.";
+    default:
+      return this->sampling ? "Sampling ..." : "";
+  }
+}
+
+bool Activity::operator==(const Activity& other) const
+{
+  const auto all = [](const Activity& a) {
+    return std::tie(
+      a.mesh, a.progress, a.savesMesh, a.sampling, a.meshFile, a.sampleProblem, a.meshProblem);
+  };
+  return all(*this) == all(other);
+}
+}

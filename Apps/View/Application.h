@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The one window of the program, and what is open in it.
+#ifndef stipple_Application_h
+#define stipple_Application_h
+
+#include "Viewer.h"
+
+namespace stipple
+{
+class Application
+{
+public:
+  /// A window of so many pixels, not open yet, with a document.
+  Application(const Document& document, int width, int height);
+  ~Application();
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+
+  /// Opens the window.
+  void open();
+  /// Handles events until the window is closed.
+  void run();
+  /// One turn of the loop; a file that was asked for is opened after it.
+  void turn();
+  /// Turns until all is at rest.
+  void settle();
+
+  /// Another one once a file was opened.
+  Viewer& viewer() { return *this->Now; }
+  vtkRenderWindowInteractor* interactor() { return this->Interactor; }
+  /// Leaves out what differs from run to run, for pictures that are compared.
+  void hideTimes();
+  /// Files that are opened are offered again by the next run.
+  void rememberFiles() { this->Remembers = true; }
+
+private:
+  void read(const std::string& file);
+
+  ViewerWindow Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  std::unique_ptr<Viewer> Now;
+  bool TimesHidden = false;
+  bool Remembers = false;
+};
+}
+
+#endif

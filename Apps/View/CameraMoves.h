@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How the camera of both views moves.
+#ifndef stipple_CameraMoves_h
+#define stipple_CameraMoves_h
+
+#include "Geometry.h"
+
+#include <array>
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace stipple
+{
+/// The point under a window's pixel in the plane that the camera looks at.
+[[nodiscard]] Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y);
+
+/// Where it stands, what it looks at, what is up.
+[[nodiscard]] std::array<double, 9> placeOf(vtkCamera* camera);
+
+/// Looks at a triangle from the side that it faces, so near that it is a tenth of the view.
+void lookAt(vtkCamera* camera, const Vec3 corners[3]);
+
+/// Makes everything larger by a factor; the center stays where it is on the screen.
+void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);
+}
+
+#endif

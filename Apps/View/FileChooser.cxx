@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileChooser.h"
+
+#include "MeshFile.h"
+#include "Text.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+namespace fs = std::filesystem;
+constexpr std::size_t MostEntries = 5000;
+constexpr float RowHeight = 24; // pixels at scale 1
+}
+
+FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp)
+  : Wanted(std::move(wish))
+  , OnChosen(std::move(chosen))
+  , OnGivenUp(std::move(givenUp))
+{
+  std::error_code error;
+  fs::path begin = fs::absolute(this->Wanted.begin, error);
+  if (this->Wanted.saves)
+  {
+    this->Typed = begin.filename().string();
+    begin = begin.parent_path();
+  }
+  this->enter(begin);
+}
+
+void FileChooser::enter(const fs::path& folder)
+{
+  std::error_code error;
+  fs::directory_iterator(folder, error);
+  if (error)
+  {
+    this->Sentence = "The folder cannot be read: " + error.message() + ".";
+    return;
+  }
+  this->Folder = folder.lexically_normal();
+  this->Sentence.clear();
+  this->Typed = this->Wanted.saves ? this->Typed : "";
+  this->list();
+}
+
+void FileChooser::list()
+{
+  this->Entries.clear();
+  this->Current = 0;
+  this->First = 0;
+  this->Under = -1;
+  const std::string filter = this->Wanted.saves ? "" : upperCase(this->Typed);
+  const auto passes = [&filter](const std::string& name) {
+    return filter.empty() ? name.compare(0, 1, ".") != 0
+                          : upperCase(name).find(filter) != std::string::npos;
+  };
+  std::error_code error;
+  for (fs::directory_iterator i(this->Folder, error), end;
+       !error && i != end && this->Entries.size() < MostEntries; i.increment(error))
+  {
+    std::error_code ignored;
+    const std::string name = i->path().filename().string();
+    const bool folder = i->is_directory(ignored);
+    const auto& endings = this->Wanted.endings;
+    const bool fits =
+      folder || std::find(endings.begin(), endings.end(), fileExtension(name)) != endings.end();
+    if (fits && passes(name))
+    {
+      this->Entries.push_back({ folder ? name + "/" : name, i->path(), folder });
+    }
+  }
+  std::sort(this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b) {
+    return a.folder != b.folder ? a.folder : a.text < b.text;
+  });
+  if (this->Folder.has_parent_path() && this->Folder.parent_path() != this->Folder &&
+    filter.empty())
+  {
+    this->Entries.insert(this->Entries.begin(), { "../", this->Folder.parent_path(), true });
+  }
+  // Return is not to lead out of the folder at once.
+  this->Current = this->Entries.size() > 1 && this->Entries.front().text == "../" ? 1 : 0;
+  if (!this->Wanted.saves && filter.empty() && !this->Wanted.recent.empty())
+  {
+    this->Current = 0;
+    std::vector<Entry> recent;
+    for (const std::string& file : this->Wanted.recent)
+    {
+      recent.push_back({ "recent: " + file, file, false });
+    }
+    this->Entries.insert(this->Entries.begin(), recent.begin(), recent.end());
+  }
+}
+
+void FileChooser::paint(Canvas& canvas, const Rect& window)
+{
+  const float s = canvas.scale();
+  const float width = std::min(680 * s, window.w - 16 * s);
+  const float height = std::min(560 * s, window.h - 16 * s);
+  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
+    width, height };
+  const float pad = 22 * s;
+  canvas.fill(window, { 30, 36, 46, 110 });
+  canvas.box(box, shades::Card, shades::Line, 8);
+  const TextLook title{ 15, shades::Word, Align::Left, true };
+  const TextLook quiet{ 11.5F, shades::Quiet };
+  const float inner = width - 2 * pad;
+  canvas.text(box.x + pad, box.top() - 26 * s, this->Wanted.title, title);
+  canvas.text(
+    box.x + pad, box.top() - 50 * s, canvas.fitted(this->Folder.string(), inner, quiet), quiet);
+  const Rect field{ box.x + pad, box.top() - 92 * s, inner, 28 * s };
+  canvas.box(field, shades::Card, shades::Accent, 4, 1.5F);
+  const std::string lead = this->Wanted.saves ? "name: " : "filter: ";
+  const TextLook plain{ 12.5F, shades::Word };
+  const std::string words = canvas.fitted(lead + this->Typed, inner - 24 * s, plain);
+  const float middle = field.y + 0.5F * field.h;
+  canvas.text(field.x + 8 * s, middle, words, plain);
+  const float caret = field.x + 10 * s + canvas.textWidth(words, plain);
+  canvas.rule(caret, field.y + 6 * s, caret, field.top() - 6 * s, shades::Accent);
+  const float row = RowHeight * s;
+  const float top = field.y - 10 * s;
+  const int rows = std::max(1, static_cast<int>((top - box.y - 40 * s) / row));
+  const int last = std::max(0, static_cast<int>(this->Entries.size()) - rows);
+  this->First = std::clamp(this->First, 0, last);
+  this->Boxes.clear();
+  for (int i = this->First;
+       i < std::min(this->First + rows, static_cast<int>(this->Entries.size())); ++i)
+  {
+    const Entry& entry = this->Entries[static_cast<std::size_t>(i)];
+    const Rect place{ box.x + pad, top - static_cast<float>(i - this->First + 1) * row, inner,
+      row };
+    this->Boxes.push_back(place);
+    const bool now = i == this->Current && (!this->Wanted.saves || i == this->Under);
+    if (now || i == this->Under)
+    {
+      canvas.fill(place, now ? shades::AccentSoft : shades::Hover);
+    }
+    const TextLook look{ 12.5F, entry.folder ? shades::Accent : shades::Word };
+    canvas.text(place.x + 8 * s, place.y + 0.5F * place.h,
+      canvas.fitted(entry.text, inner - 16 * s, look), look);
+  }
+  const std::string help = this->Wanted.saves
+    ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk"
+    : "Return opens, letters filter, BackSpace leads up, Esc gives up";
+  const TextLook foot{ 11.5F, this->Sentence.empty() ? shades::Quiet : shades::Alarm };
+  canvas.text(box.x + pad, box.y + 20 * s,
+    canvas.fitted(this->Sentence.empty() ? help : this->Sentence, inner, foot), foot);
+}
+
+int FileChooser::entryAt(const Pointer& pointer) const
+{
+  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
+    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
+  return found == this->Boxes.end() ? -1
+                                    : this->First + static_cast<int>(found - this->Boxes.begin());
+}
+
+void FileChooser::open(const fs::path& path, bool folder)
+{
+  if (folder)
+  {
+    this->enter(path);
+  }
+  else if (this->Wanted.saves)
+  {
+    this->Typed = path.filename().string();
+    this->Confirmed = false;
+  }
+  else
+  {
+    const Chosen chosen = this->OnChosen; // this page may be gone then
+    chosen(path.string());
+  }
+}
+
+void FileChooser::accept()
+{
+  if (!this->Wanted.saves)
+  {
+    if (this->Current < static_cast<int>(this->Entries.size()))
+    {
+      const Entry entry = this->Entries[static_cast<std::size_t>(this->Current)];
+      this->open(entry.path, entry.folder);
+    }
+    return;
+  }
+  const fs::path file = this->Folder / this->Typed;
+  const auto& endings = this->Wanted.endings;
+  if (std::find(endings.begin(), endings.end(), fileExtension(this->Typed)) == endings.end())
+  {
+    this->Sentence = "The name must end in one of";
+    for (const std::string& ending : endings)
+    {
+      this->Sentence += " " + ending;
+    }
+    return;
+  }
+  std::error_code error;
+  if (fs::exists(file, error) && !this->Confirmed)
+  {
+    this->Confirmed = true;
+    this->Sentence = this->Typed + " exists: Return once more replaces it.";
+    return;
+  }
+  const Chosen chosen = this->OnChosen;
+  chosen(file.string());
+}
+
+void FileChooser::press(const Pointer& pointer)
+{
+  const int index = this->entryAt(pointer);
+  if (index >= 0)
+  {
+    const Entry entry = this->Entries[static_cast<std::size_t>(index)];
+    this->open(entry.path, entry.folder);
+  }
+}
+
+void FileChooser::hover(const Pointer& pointer)
+{
+  this->Under = this->entryAt(pointer);
+}
+
+void FileChooser::wheel(int notches)
+{
+  this->First = std::max(0, this->First - 3 * notches);
+  this->Under = -1;
+}
+
+void FileChooser::key(const KeyStroke& stroke)
+{
+  const std::string& key = stroke.symbol;
+  if (key == "Escape")
+  {
+    const std::function<void()> givenUp = this->OnGivenUp;
+    givenUp();
+    return;
+  }
+  if (key == "Return" || key == "KP_Enter")
+  {
+    this->accept();
+    return;
+  }
+  this->Sentence.clear();
+  this->Confirmed = false;
+  if (key == "Up" || key == "Down")
+  {
+    this->Current = std::clamp(this->Current + (key == "Up" ? -1 : 1), 0,
+      std::max(0, static_cast<int>(this->Entries.size()) - 1));
+    const int seen = std::max(1, static_cast<int>(this->Boxes.size()));
+    this->First = std::clamp(this->First, this->Current - seen + 1, this->Current);
+  }
+  else if (key == "BackSpace" && this->Typed.empty())
+  {
+    this->enter(this->Folder.parent_path());
+  }
+  else if (key == "BackSpace" || (stroke.letter != 0 && stroke.letter != '/' && !stroke.control))
+  {
+    key == "BackSpace" ? this->Typed.pop_back() : this->Typed.push_back(stroke.letter);
+    if (!this->Wanted.saves)
+    {
+      this->list();
+    }
+  }
+}
+}

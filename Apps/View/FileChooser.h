@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef stipple_FileChooser_h
+#define stipple_FileChooser_h
+
+#include "Page.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stipple
+{
+/// A folder's files to choose from, or a name to save by. Arrows choose, Return opens, BackSpace
+/// without a typed letter leads to the folder above, Esc gives up; letters filter the list or,
+/// where it is saved, are the name. A file that exists is replaced by a second Return only.
+class FileChooser : public Page
+{
+public:
+  struct Wish
+  {
+    std::string title;
+    std::vector<std::string> endings; ///< with their dots, lower case; files of others are not
+                                      ///< shown
+    bool saves = false;
+    std::filesystem::path begin;     ///< a folder, or, where it is saved, the file that is proposed
+    std::vector<std::string> recent; ///< files that are offered first; nothing else if it saves
+  };
+  using Chosen = std::function<void(const std::string& file)>;
+
+  FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp);
+
+  void paint(Canvas& canvas, const Rect& window) override;
+  void press(const Pointer& pointer) override;
+  void key(const KeyStroke& stroke) override;
+  void hover(const Pointer& pointer) override;
+  void wheel(int notches) override;
+
+private:
+  struct Entry
+  {
+    std::string text;
+    std::filesystem::path path;
+    bool folder = false;
+  };
+  void enter(const std::filesystem::path& folder);
+  void list();
+  void open(const std::filesystem::path& path, bool folder);
+  void accept();
+  int entryAt(const Pointer& pointer) const; ///< -1: none
+
+  Wish Wanted;
+  Chosen OnChosen;
+  std::function<void()> OnGivenUp;
+  std::filesystem::path Folder;
+  std::string Typed;
+  std::string Sentence; ///< what is wrong, or asked
+  std::vector<Entry> Entries;
+  int Current = 0;
+  int First = 0; ///< entry that is seen first
+  int Under = -1;
+  bool Confirmed = false;  ///< the name exists, and Return was pressed once
+  std::vector<Rect> Boxes; ///< of the entries from First on, as painted last
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the triangles of a mesh can be coloured by, and which are the worst.
+#ifndef stipple_MeshColors_h
+#define stipple_MeshColors_h
+
+#include "ColorBar.h"
+#include "ViewState.h"
+
+#include <functional>
+#include <vector>
+
+class vtkPolyData;
+
+namespace stipple
+{
+class NearestTriangle;
+
+/// A number a cell; of polygons, that of the worst of their triangles.
+struct MeshColors
+{
+  std::vector<float> quality;   ///< 0 to 1 (equilateral)
+  std::vector<float> angle;     ///< the smallest, in degrees
+  std::vector<float> deviation; ///< of its middle from the input, in percent of the diagonal
+  std::vector<int> worst; ///< those of the smallest angles, the worst first, at most WorstOfAll
+};
+
+constexpr std::size_t WorstOfAll = 100;
+
+/// `input` is the surface that the mesh was made of; `diagonal` that of its bounding box. Ends
+/// early, with nothing, once `stopped` says so.
+[[nodiscard]] MeshColors measureColors(vtkPolyData* mesh, const NearestTriangle& input,
+  double diagonal, const std::function<bool()>& stopped);
+
+/// What of `colors` is shown; empty if triangles are not coloured.
+[[nodiscard]] const std::vector<float>& valuesOf(const MeshColors& colors, MeshColoring coloring);
+
+/// The colours of values from `low` to `high`, with a bar that has numbers: few, blue, are good.
+struct ColorScale
+{
+  double low = 0;
+  double high = 1;
+  ColorBar bar;
+  [[nodiscard]] Pixel pixelOf(double value) const;
+};
+
+[[nodiscard]] ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring);
+}
+
+#endif

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PreviewWorker.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <utility>
+
+namespace stipple
+{
+namespace
+{
+/// What takes longer is left for a session that came after it.
+constexpr std::chrono::milliseconds Patience(500);
+
+/// Each image with copies of these arrays and no other.
+vtkSmartPointer<vtkPartitionedDataSetCollection> copyOfImages(
+  vtkPartitionedDataSetCollection* images, std::initializer_list<const char*> arrays)
+{
+  auto copy = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+  for (unsigned int c = 0; c < images->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    auto* from = vtkImageData::SafeDownCast(images->GetPartitionAsDataObject(c, 0));
+    vtkNew<vtkImageData> to;
+    to->CopyStructure(from);
+    for (const char* name : arrays)
+    {
+      if (vtkDataArray* array = from->GetPointData()->GetArray(name))
+      {
+        auto own = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+        own->DeepCopy(array);
+        to->GetPointData()->AddArray(own);
+      }
+    }
+    copy->SetPartition(c, 0, to);
+  }
+  return copy;
+}
+}
+
+PreviewWorker::PreviewWorker(vtkImageData* importanceImage, int bars)
+  : Bars(bars)
+{
+  if (importanceImage)
+  {
+    vtkNew<vtkImageData> copy;
+    copy->DeepCopy(importanceImage);
+    this->Sampling.setImportanceImage(copy);
+  }
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(this);
+  observer->SetCallback(&PreviewWorker::onProgress);
+  this->Sampling.observeProgress(observer);
+  this->Thread = std::thread(&PreviewWorker::work, this);
+}
+
+PreviewWorker::~PreviewWorker()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Quit = true;
+    this->Next.reset();
+    this->Stop = true;
+  }
+  this->Wake.notify_all();
+  this->Thread.join();
+}
+
+void PreviewWorker::setAtlas(const SamplingInput& atlas)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->NextAtlas = std::make_unique<SamplingInput>(atlas);
+  this->Done.reset();
+  this->Stop = true;
+}
+
+void PreviewWorker::start(const Session& session)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto now = Clock::now();
+    this->Asked = this->Busy ? this->Asked : now;
+    if (this->Busy && now - this->Started > Patience)
+    {
+      this->Stop = true;
+    }
+    this->Next = std::make_unique<Session>(session);
+    this->Busy = true;
+  }
+  this->Wake.notify_all();
+}
+
+bool PreviewWorker::idle()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return !this->Busy && !this->Done;
+}
+
+double PreviewWorker::waiting()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Busy ? std::chrono::duration<double>(Clock::now() - this->Asked).count() : 0.;
+}
+
+std::unique_ptr<PreviewResult> PreviewWorker::take()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::move(this->Done);
+}
+
+void PreviewWorker::work()
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  while (!this->Quit)
+  {
+    if (!this->Next)
+    {
+      this->Busy = false;
+      this->Wake.wait(lock, [this] { return this->Next || this->Quit; });
+      continue;
+    }
+    const std::unique_ptr<Session> session = std::move(this->Next);
+    const std::unique_ptr<SamplingInput> atlas = std::move(this->NextAtlas);
+    this->Stop = false;
+    this->Started = Clock::now();
+    lock.unlock();
+    if (atlas)
+    {
+      this->Sampling.setAtlas(*atlas);
+      this->HistogramOf.clear();
+    }
+    auto result = this->perform(*session);
+    lock.lock();
+    if (!this->Stop)
+    {
+      this->Done = std::move(result);
+      this->Asked = Clock::now();
+    }
+  }
+}
+
+std::unique_ptr<PreviewResult> PreviewWorker::perform(const Session& session)
+{
+  const auto begin = Clock::now();
+  auto result = std::make_unique<PreviewResult>();
+  result->session = session;
+  const Status status = this->Sampling.update(session, session.integer("points"));
+  if (this->Stop)
+  {
+    return result;
+  }
+  result->problem = status.ok() ? "" : status.message();
+  if (status.ok())
+  {
+    result->samples = vtkSmartPointer<vtkPolyData>::New();
+    result->samples->DeepCopy(this->Sampling.samples());
+    result->halftones = copyOfImages(this->Sampling.halftones(), { "Halftone", "FaceIndex" });
+    result->controls =
+      copyOfImages(this->Sampling.controls(), { "Control", "AreaDistortion", "FaceIndex" });
+  }
+  std::string importance;
+  for (const char* name : { "importance", "importance_array", "image_projection" })
+  {
+    importance += session.text(name) + " ";
+  }
+  for (const double length : session.list("band_pass"))
+  {
+    importance += std::to_string(length) + " ";
+  }
+  if (importance != this->HistogramOf)
+  {
+    this->Histogram = this->Sampling.importanceHistogram(session, this->Bars);
+    this->HistogramOf = this->Stop ? "" : importance;
+  }
+  result->histogram = this->Histogram;
+  result->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return result;
+}
+
+void PreviewWorker::onProgress(vtkObject* caller, unsigned long, void* self, void*)
+{
+  if (static_cast<PreviewWorker*>(self)->Stop)
+  {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Question.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+namespace
+{
+/// What people call a key.
+std::string nameOf(const std::string& key)
+{
+  return key == "Return" ? "Enter" : (key == "Escape" ? "Esc" : key);
+}
+}
+
+Question::Question(std::string title, std::string sentence, std::vector<Answer> answers)
+  : Title(std::move(title))
+  , Sentence(std::move(sentence))
+  , Answers(std::move(answers))
+{
+}
+
+void Question::paint(Canvas& canvas, const Rect& window)
+{
+  const float s = canvas.scale();
+  const float width = std::min(560 * s, window.w - 16 * s);
+  const float height = 138 * s;
+  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
+    width, height };
+  const float pad = 22 * s;
+  canvas.fill(window, { 30, 36, 46, 110 });
+  canvas.box(box, shades::Card, shades::Line, 8);
+  const TextLook title{ 15, shades::Word, Align::Left, true };
+  const TextLook plain{ 12.5F, shades::Word };
+  canvas.text(
+    box.x + pad, box.top() - 28 * s, canvas.fitted(this->Title, width - 2 * pad, title), title);
+  canvas.text(
+    box.x + pad, box.top() - 56 * s, canvas.fitted(this->Sentence, width - 2 * pad, plain), plain);
+  const auto count = static_cast<float>(this->Answers.size());
+  const float gap = 10 * s;
+  const float cell = (width - 2 * pad - gap * (count - 1)) / count;
+  this->Boxes.clear();
+  for (std::size_t i = 0; i < this->Answers.size(); ++i)
+  {
+    const Rect button{ box.x + pad + static_cast<float>(i) * (cell + gap), box.y + 18 * s, cell,
+      32 * s };
+    this->Boxes.push_back(button);
+    const bool first = i == 0;
+    const bool under = static_cast<int>(i) == this->Under;
+    canvas.box(button, first ? shades::Accent : (under ? shades::Hover : shades::Card),
+      first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
+    const TextLook look{ 12, first ? shades::Card : shades::Word, Align::Center, first };
+    const std::string text = this->Answers[i].text + " (" + nameOf(this->Answers[i].key) + ")";
+    canvas.text(button.x + 0.5F * button.w, button.y + 0.5F * button.h,
+      canvas.fitted(text, button.w - 8 * s, look), look);
+  }
+}
+
+int Question::answerAt(const Pointer& pointer) const
+{
+  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
+    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
+  return found == this->Boxes.end() ? -1 : static_cast<int>(found - this->Boxes.begin());
+}
+
+void Question::press(const Pointer& pointer)
+{
+  if (const int answer = this->answerAt(pointer); answer >= 0)
+  {
+    this->Answers[static_cast<std::size_t>(answer)].action();
+  }
+}
+
+void Question::key(const KeyStroke& stroke)
+{
+  const std::string key = stroke.symbol == "KP_Enter" ? "Return" : stroke.symbol;
+  const auto found = std::find_if(this->Answers.begin(), this->Answers.end(),
+    [&key](const Answer& answer) { return answer.key == key; });
+  if (found != this->Answers.end())
+  {
+    found->action();
+  }
+}
+
+void Question::hover(const Pointer& pointer)
+{
+  this->Under = this->answerAt(pointer);
+}
+}

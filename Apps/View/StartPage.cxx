@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StartPage.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+StartPage::StartPage(std::vector<Entry> entries, std::string problem)
+  : Entries(std::move(entries))
+  , Problem(std::move(problem))
+{
+}
+
+void StartPage::paint(Canvas& canvas, const Rect& window)
+{
+  const float s = canvas.scale();
+  canvas.fill(window, shades::Ground);
+  const float row = 44 * s;
+  const float width = std::min(620 * s, window.w - 24 * s);
+  const float height = row * static_cast<float>(this->Entries.size()) + 100 * s;
+  const float x = window.x + 0.5F * (window.w - width);
+  float y = window.y + 0.5F * (window.h + height);
+  canvas.text(x, y - 20 * s, "stipple", { 26, shades::Accent, Align::Left, true });
+  canvas.text(x, y - 54 * s,
+    "Interactive remeshing of triangle surfaces. Drop a file here, or:", { 13, shades::Quiet });
+  y -= 84 * s;
+  this->Boxes.clear();
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  {
+    const Entry& entry = this->Entries[i];
+    y -= row;
+    const Rect box{ x, y, width, row - 6 * s };
+    this->Boxes.push_back(box);
+    const bool under = static_cast<int>(i) == this->Under;
+    canvas.box(
+      box, under ? shades::AccentSoft : shades::Card, under ? shades::Accent : shades::Line, 5);
+    const float middle = box.y + 0.5F * box.h;
+    const TextLook bold{ 13, shades::Word, Align::Left, true };
+    const TextLook quiet{ 11.5F, shades::Quiet, Align::Right };
+    canvas.text(box.x + 14 * s, middle, entry.text, bold);
+    const float left = canvas.textWidth(entry.text, bold) + 40 * s;
+    canvas.text(
+      box.right() - 14 * s, middle, canvas.fitted(entry.detail, box.w - left, quiet), quiet);
+  }
+  const TextLook alarm{ 12.5F, shades::Alarm };
+  canvas.text(x, y - 24 * s, canvas.fitted(this->Problem, width, alarm), alarm);
+}
+
+int StartPage::entryAt(const Pointer& pointer) const
+{
+  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
+    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
+  return found == this->Boxes.end() ? -1 : static_cast<int>(found - this->Boxes.begin());
+}
+
+void StartPage::press(const Pointer& pointer)
+{
+  if (const int entry = this->entryAt(pointer); entry >= 0)
+  {
+    this->Entries[static_cast<std::size_t>(entry)].action();
+  }
+}
+
+void StartPage::key(const KeyStroke& stroke)
+{
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&stroke](const Entry& entry) { return entry.key == stroke.symbol; });
+  if (found != this->Entries.end())
+  {
+    found->action();
+  }
+}
+
+void StartPage::hover(const Pointer& pointer)
+{
+  this->Under = this->entryAt(pointer);
+}
+}

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The keys.
+#include "Viewer.h"
+
+#include "CameraMoves.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace stipple
+{
+bool Viewer::key(const KeyStroke& stroke)
+{
+  if (const std::shared_ptr<Page> page = this->Asked)
+  {
+    page->key(stroke);
+    this->Window.touch(ViewerWindow::Overlay);
+    return true;
+  }
+  if (this->Focus)
+  {
+    const bool taken = this->Focus->key(stroke);
+    this->Window.touch(ViewerWindow::PanelPart);
+    if (this->Focus && !this->Focus->wantsKeys())
+    {
+      this->Focus = nullptr;
+    }
+    if (taken)
+    {
+      return true;
+    }
+  }
+  if (stroke.control)
+  {
+    return this->commandKey(stroke);
+  }
+  const auto setTool = [this](Tool tool) {
+    this->changeView([tool](ViewState& v) { v.tool = tool; });
+    return true;
+  };
+  const std::string& key = stroke.symbol;
+  if (key == "v" || key == "b" || key == "k" || key == "x")
+  {
+    return setTool(key == "v" ? Tool::Camera
+        : key == "b"          ? Tool::Brush
+        : key == "k"          ? Tool::Point
+                              : Tool::Edge);
+  }
+  if (key == "h")
+  {
+    this->changeView([](ViewState& v) { v.help = !v.help; });
+  }
+  else if (key == "d")
+  {
+    this->changeView([](ViewState& v) {
+      v.display = static_cast<Display>((static_cast<int>(v.display) + 1) % 4);
+    });
+  }
+  else if (key == "l")
+  {
+    this->changeView([](ViewState& v) { v.features = !v.features; });
+  }
+  else if (key == "m")
+  {
+    this->changeView([](ViewState& v) { v.seams = !v.seams; });
+  }
+  else if (key == "bracketleft" || key == "bracketright")
+  {
+    this->changeView([&key](ViewState& v) {
+      v.brushRadius =
+        std::clamp(v.brushRadius * (key == "bracketleft" ? 0.8 : 1.25), LeastBrush, LargestBrush);
+    });
+  }
+  else if (key == "y")
+  {
+    this->changeView(
+      [](ViewState& v) { v.brushMirror = v.brushMirror == 2 ? -1 : v.brushMirror + 1; });
+  }
+  else if (key == "c")
+  {
+    this->changeView([](ViewState& v) {
+      v.coloring = static_cast<MeshColoring>((static_cast<int>(v.coloring) + 1) % 4);
+    });
+  }
+  else if (key == "g")
+  {
+    this->goToWorst();
+  }
+  else if (key == "w" || key == "s")
+  {
+    this->changeView([&key](ViewState& v) { v.wireframe = key == "w"; });
+  }
+  else if (key == "r")
+  {
+    this->fitCamera();
+  }
+  else if (key == "q" || key == "e")
+  {
+    this->askToQuit();
+  }
+  else if (key == "n")
+  {
+    this->Controls.points().focus();
+    this->setFocus(&this->Controls.points());
+    this->Window.touch(ViewerWindow::PanelPart);
+  }
+  else if (key == "Return" || key == "KP_Enter")
+  {
+    this->MeshWanted = !this->meshIsCurrent();
+    this->MeshAt = Clock::now();
+    this->Stopped = false;
+  }
+  else if (key == "Escape")
+  {
+    if (this->View.help)
+    {
+      this->changeView([](ViewState& v) { v.help = false; });
+    }
+    else if (this->Worker.busy() || this->MeshWanted)
+    {
+      this->Worker.cancel();
+      this->MeshWanted = false;
+      this->SaveWhenDone = false;
+      this->Stopped = true;
+      this->say("");
+    }
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+bool Viewer::commandKey(const KeyStroke& stroke)
+{
+  if (stroke.symbol == "z" || stroke.symbol == "Z")
+  {
+    stroke.shift ? this->redo() : this->undo();
+  }
+  else if (stroke.symbol == "y")
+  {
+    this->redo();
+  }
+  else if (stroke.symbol == "q")
+  {
+    this->askToQuit();
+  }
+  else if (stroke.symbol == "o")
+  {
+    this->openFile();
+  }
+  else if (stroke.symbol == "e")
+  {
+    this->saveFigures();
+  }
+  else if (stroke.symbol == "S" || (stroke.symbol == "s" && stroke.shift))
+  {
+    this->saveMeshAs();
+  }
+  else if (stroke.symbol == "s")
+  {
+    this->saveMesh();
+  }
+  else if (stroke.symbol == "p")
+  {
+    this->savePicture();
+  }
+  else if (stroke.symbol == "j")
+  {
+    this->saveSession();
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+void Viewer::goToWorst()
+{
+  const std::vector<int> none;
+  const std::vector<int>& worst = this->Mesh ? this->Mesh->colors.worst : none;
+  if (worst.empty())
+  {
+    this->say("There is no mesh yet.");
+    return;
+  }
+  const std::size_t place = this->AfterSide.marked() < 0 ? 0 : (this->NextWorst % worst.size());
+  this->NextWorst = place + 1;
+  const int cell = worst[place];
+  this->AfterSide.setMarked(cell);
+  vtkIdType size;
+  const vtkIdType* ids;
+  this->Mesh->mesh->GetPolys()->GetCellAtId(cell, size, ids);
+  const Vec3 corners[3] = { Vec3(this->Mesh->mesh->GetPoint(ids[0])),
+    Vec3(this->Mesh->mesh->GetPoint(ids[1])), Vec3(this->Mesh->mesh->GetPoint(ids[2])) };
+  lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), corners);
+  this->updateZoom();
+  this->Window.touch(ViewerWindow::Views);
+  char text[128];
+  std::snprintf(text, sizeof(text), "Triangle %d: smallest angle %.1f\u00b0; %zu of the %zu worst.",
+    cell, this->Mesh->colors.angle[static_cast<std::size_t>(cell)], place + 1, worst.size());
+  this->say(text);
+}
+}

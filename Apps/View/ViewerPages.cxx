@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What comes over the window and waits for an answer.
+#include "Viewer.h"
+
+#include "FileChooser.h"
+#include "MeshFile.h"
+#include "Question.h"
+#include "RecentFiles.h"
+#include "StartPage.h"
+
+#include "vtkRenderWindowInteractor.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace stipple
+{
+namespace
+{
+/// Files that the start page offers by a digit.
+constexpr int MostRecent = 6;
+/// What is made by hand, and would have to be made by hand again.
+constexpr const char* HandMade[] = { "strokes", "constraints", "feature_edges", "transfer" };
+}
+
+void Viewer::show(std::shared_ptr<Page> page)
+{
+  this->setFocus(nullptr);
+  this->Asked = std::move(page);
+  this->Window.showOverlay(true);
+}
+
+void Viewer::closePage()
+{
+  this->Asked.reset();
+  this->Window.showOverlay(this->View.help);
+}
+
+bool Viewer::hasUnsavedWork() const
+{
+  return std::any_of(std::begin(HandMade), std::end(HandMade),
+    [this](const char* name) { return this->Now.list(name) != this->Saved.list(name); });
+}
+
+void Viewer::askFirst(
+  const std::string& title, const std::string& answer, const std::function<void()>& action)
+{
+  if (!this->hasUnsavedWork())
+  {
+    action();
+    return;
+  }
+  const auto save = [this, action] {
+    this->closePage();
+    if (this->writeSessionFile())
+    {
+      action();
+    }
+  };
+  const auto leave = [this, action] {
+    this->closePage();
+    action();
+  };
+  this->show(std::make_shared<Question>(title,
+    "Paint, picked points, edges or the transfer function are in no file yet.",
+    std::vector<Question::Answer>{ { "Save, then " + answer, "Return", save },
+      { "Do not save", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
+}
+
+void Viewer::askToQuit()
+{
+  this->askFirst("Quit without saving the session?", "quit", [this] { this->quit(); });
+}
+
+void Viewer::askToOpen(const std::string& file)
+{
+  this->askFirst("Open another file without saving the session?", "open", [this, file] {
+    this->closePage();
+    this->WantedFile = file;
+  });
+}
+
+std::string Viewer::takeWantedFile()
+{
+  std::string file;
+  file.swap(this->WantedFile);
+  return file;
+}
+
+void Viewer::complain(const std::string& sentence)
+{
+  if (this->Starts)
+  {
+    this->showStart(sentence);
+    return;
+  }
+  this->say(sentence, true);
+}
+
+void Viewer::showStart(const std::string& problem)
+{
+  this->Starts = true;
+  std::vector<StartPage::Entry> entries;
+  entries.push_back({ "o", "Open a file (o)", ".ply .obj .stl .off .vtp .vtk, sessions",
+    [this] { this->openFile(); } });
+  entries.push_back({ "x", "Try an example (x)", "a ring with waists", [this] {
+                       this->Starts = false;
+                       this->closePage();
+                     } });
+  int number = 0;
+  for (const std::string& file : recentFiles())
+  {
+    const std::string key = std::to_string(++number);
+    if (number > MostRecent)
+    {
+      break;
+    }
+    const std::filesystem::path path(file);
+    entries.push_back({ key, path.filename().string() + " (" + key + ")",
+      path.parent_path().string(), [this, file] { this->askToOpen(file); } });
+  }
+  entries.push_back({ "q", "Quit (q)", "", [this] { this->quit(); } });
+  this->show(std::make_shared<StartPage>(std::move(entries), problem));
+}
+
+void Viewer::openFile()
+{
+  FileChooser::Wish wish;
+  wish.title = "Open a surface or a session";
+  wish.endings = meshFileExtensions();
+  wish.endings.emplace_back(".json");
+  wish.recent = recentFiles();
+  const std::string& model = this->Now.text("model");
+  wish.begin = !model.empty() ? std::filesystem::absolute(model).parent_path()
+    : !wish.recent.empty()    ? std::filesystem::path(wish.recent.front()).parent_path()
+                              : std::filesystem::path(".");
+  this->show(std::make_shared<FileChooser>(
+    std::move(wish), [this](const std::string& file) { this->askToOpen(file); },
+    [this] { this->Starts ? this->showStart() : this->closePage(); }));
+}
+
+void Viewer::saveMeshAs()
+{
+  FileChooser::Wish wish;
+  wish.title = "Save the mesh as";
+  wish.endings = meshFileExtensions();
+  wish.saves = true;
+  wish.begin = this->Files.mesh;
+  this->show(std::make_shared<FileChooser>(
+    std::move(wish),
+    [this](const std::string& file) {
+      this->closePage();
+      this->Files.mesh = file;
+      this->saveMesh();
+    },
+    [this] { this->closePage(); }));
+}
+
+void Viewer::quit()
+{
+  this->closePage();
+  this->Interactor->TerminateApp();
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the window says that it does.
+#include "Activity.h"
+
+#include <gtest/gtest.h>
+
+namespace stipple
+{
+namespace
+{
+using Mesh = Activity::Mesh;
+
+Activity of(Mesh mesh)
+{
+  Activity activity;
+  activity.mesh = mesh;
+  activity.meshFile = "mesh.ply";
+  activity.meshProblem = "It failed.";
+  return activity;
+}
+
+bool says(const Activity& activity, const std::string& words)
+{
+  return activity.sentence().find(words) != std::string::npos;
+}
+}
+
+TEST(Activity, HeaderBarAndSentenceAgree)
+{
+  for (const Mesh mesh :
+    { Mesh::Current, Mesh::Waiting, Mesh::Charts, Mesh::Making, Mesh::Stopped, Mesh::Failed })
+  {
+    const Activity a = of(mesh);
+    EXPECT_EQ(a.note().empty(), mesh == Mesh::Current);
+    EXPECT_EQ(a.note() == "updating ...", a.works());
+    EXPECT_EQ(says(a, "Esc stops it"), a.showsBar());
+    EXPECT_EQ(says(a, "Stopped"), mesh == Mesh::Stopped);
+    EXPECT_EQ(a.alarms(), mesh == Mesh::Failed);
+    EXPECT_FALSE(a.showsBar() && !a.works());
+  }
+}
+
+TEST(Activity, TellsWhatWillBeWritten)
+{
+  Activity a = of(Mesh::Making);
+  a.savesMesh = true;
+  EXPECT_TRUE(says(a, "mesh.ply will be written"));
+  a.mesh = Mesh::Stopped;
+  EXPECT_FALSE(says(a, "will be written")) << "it will not";
+}
+
+TEST(Activity, ProblemsComeFirst)
+{
+  Activity a = of(Mesh::Making);
+  a.savesMesh = true;
+  a.sampling = true;
+  a.sampleProblem = "Too few points.";
+  EXPECT_EQ(a.sentence(), "Too few points.");
+  EXPECT_TRUE(a.alarms());
+  a.mesh = Mesh::Failed;
+  EXPECT_EQ(a.sentence(), "It failed.");
+}
+
+TEST(Activity, SamplesThatTakeLongAreTold)
+{
+  Activity a = of(Mesh::Current);
+  EXPECT_EQ(a.sentence(), "");
+  a.sampling = true;
+  EXPECT_EQ(a.sentence(), "Sampling ...");
+}
+}

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the views show of a finished mesh: its vertices as dots, its triangles by number.
+#include "MeshColors.h"
+#include "MeshDots.h"
+#include "PolyDataConversion.h"
+#include "SphereAtlas.h"
+#include "SurfaceDeviation.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace stipple
+{
+namespace
+{
+struct Made
+{
+  vtkSmartPointer<vtkPolyData> input;
+  std::unique_ptr<AtlasResult> atlas;
+  std::unique_ptr<MeshResult> mesh;
+};
+
+/// The sphere remeshed with 400 points.
+const Made& made()
+{
+  static const Made result = [] {
+    Made m;
+    m.input = sphere(32);
+    MeshWorker worker(m.input, nullptr);
+    worker.start(withPoints(400));
+    while (!m.mesh)
+    {
+      if (auto atlas = worker.takeAtlas())
+      {
+        m.atlas = std::move(atlas);
+      }
+      m.mesh = worker.takeMesh();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (auto atlas = worker.takeAtlas())
+    {
+      m.atlas = std::move(atlas);
+    }
+    return m;
+  }();
+  return result;
+}
+}
+
+TEST(MeshDots, AreTheVerticesOnTheCharts)
+{
+  ASSERT_TRUE(made().mesh->dots);
+  const MeshDots& dots = *made().mesh->dots;
+  vtkPolyData* mesh = made().mesh->mesh;
+  ASSERT_EQ(dots.samples->GetNumberOfPoints(), 400);
+  Atlas::Pointer atlas;
+  ASSERT_TRUE(Atlas::read(made().atlas->charts, nullptr, atlas).ok());
+  const AtlasSurface& surface = atlas->surface();
+  vtkPointData* data = dots.samples->GetPointData();
+  double vertices = 0;
+  for (vtkIdType i = 0; i < 400; ++i)
+  {
+    const Vec3 position(mesh->GetPoint(i));
+    EXPECT_EQ(Vec3(dots.samples->GetPoint(i)), position);
+    const auto chart = static_cast<int>(data->GetArray("ChartId")->GetComponent(i, 0));
+    const Face face(surface.chartBegin[static_cast<std::size_t>(chart)] +
+      static_cast<int>(data->GetArray("ChartCellId")->GetComponent(i, 0)));
+    EXPECT_EQ(surface.faceChart[face].index(), chart);
+    const Vec2 uv(
+      data->GetArray("UV")->GetComponent(i, 0), data->GetArray("UV")->GetComponent(i, 1));
+    const Vec3 bary = barycentric(
+      uv, surface.cornerUV(face, 0), surface.cornerUV(face, 1), surface.cornerUV(face, 2));
+    EXPECT_LT((surface.position(face, bary) - position).norm(), 0.01) << i;
+    vertices += 1 / data->GetArray("Density")->GetComponent(i, 0);
+  }
+  // Each vertex has its share of the surface.
+  EXPECT_NEAR(vertices, fromPolyData(mesh).area(), 1e-6);
+}
+
+TEST(MeshDots, ReachOverSeams)
+{
+  const MeshDots& dots = *made().mesh->dots;
+  Atlas::Pointer atlas;
+  ASSERT_TRUE(Atlas::read(made().atlas->charts, nullptr, atlas).ok());
+  const AtlasSurface& surface = atlas->surface();
+  ASSERT_GT(surface.numberOfCharts(), 1);
+  EXPECT_GT(dots.beyond.size(), 5U);
+  EXPECT_LT(dots.beyond.size(), 300U);
+  vtkDataArray* chart = dots.samples->GetPointData()->GetArray("ChartId");
+  for (const DotBeyond& mark : dots.beyond)
+  {
+    EXPECT_NE(mark.chart, static_cast<int>(chart->GetComponent(mark.dot, 0)));
+    EXPECT_EQ(surface.faceChart[Face(mark.face)].index(), mark.chart);
+  }
+}
+
+TEST(MeshColors, AreTheFiguresOfTheMesh)
+{
+  const MeshColors& colors = made().mesh->colors;
+  const MeshQuality& quality = made().mesh->figures.quality;
+  ASSERT_EQ(colors.angle.size(), static_cast<std::size_t>(quality.numberOfTriangles));
+  const auto least = std::min_element(colors.angle.begin(), colors.angle.end());
+  EXPECT_NEAR(*least, quality.minimumAngle, 1e-4);
+  EXPECT_EQ(colors.worst.front(), static_cast<int>(least - colors.angle.begin()));
+  EXPECT_EQ(colors.worst.size(), WorstOfAll);
+  EXPECT_EQ(std::set<int>(colors.worst.begin(), colors.worst.end()).size(), WorstOfAll);
+  for (std::size_t i = 1; i < colors.worst.size(); ++i)
+  {
+    EXPECT_LE(colors.angle[static_cast<std::size_t>(colors.worst[i - 1])],
+      colors.angle[static_cast<std::size_t>(colors.worst[i])]);
+  }
+  // Triangles of a sphere lie below it.
+  const auto most = *std::max_element(colors.deviation.begin(), colors.deviation.end());
+  EXPECT_GT(most, 0.02F);
+  EXPECT_LT(most, 2.F);
+}
+
+TEST(MeshColors, TheInputItselfDoesNotDeviate)
+{
+  const TriangleSurface surface = fromPolyData(made().input);
+  const NearestTriangle nearest(surface);
+  const MeshColors colors = measureColors(made().input, nearest, 1, [] { return false; });
+  EXPECT_LT(*std::max_element(colors.deviation.begin(), colors.deviation.end()), 1e-5F);
+  EXPECT_TRUE(measureColors(made().input, nearest, 1, [] { return true; }).angle.empty())
+    << "stopped";
+}
+
+TEST(MeshColors, GoodIsBlueAndBadIsRed)
+{
+  const MeshColors& colors = made().mesh->colors;
+  for (const MeshColoring coloring :
+    { MeshColoring::Angle, MeshColoring::Quality, MeshColoring::Deviation })
+  {
+    const ColorScale scale = scaleOf(colors, coloring);
+    const bool lowIsGood = coloring == MeshColoring::Deviation;
+    const Pixel good = scale.pixelOf(lowIsGood ? scale.low : scale.high);
+    const Pixel bad = scale.pixelOf(lowIsGood ? scale.high : scale.low);
+    EXPECT_GT(good[2], good[0]);
+    EXPECT_GT(bad[0], bad[2]);
+    EXPECT_EQ(scale.bar.ticks.front().first, 0);
+    EXPECT_EQ(scale.bar.ticks.back().first, 1);
+  }
+  EXPECT_TRUE(valuesOf(colors, MeshColoring::Plain).empty());
+}
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The preview's thread: the latest session wins, and nobody waits for the others.
+#include "PreviewWorker.h"
+#include "SphereAtlas.h"
+
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace stipple
+{
+namespace
+{
+std::unique_ptr<PreviewResult> wait(PreviewWorker& worker)
+{
+  std::unique_ptr<PreviewResult> last;
+  while (!worker.idle())
+  {
+    if (auto result = worker.take())
+    {
+      last = std::move(result);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return last;
+}
+}
+
+TEST(PreviewWorker, SamplesExactly)
+{
+  PreviewWorker worker(nullptr, 8);
+  worker.setAtlas(sphereAtlas(24));
+  EXPECT_TRUE(worker.idle());
+  worker.start(withPoints(321));
+  EXPECT_FALSE(worker.idle()) << "its result has not been taken";
+  const auto result = wait(worker);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->problem, "");
+  EXPECT_EQ(result->samples->GetNumberOfPoints(), 321);
+  EXPECT_EQ(result->histogram.size(), 8U);
+  EXPECT_EQ(worker.waiting(), 0.);
+}
+
+TEST(PreviewWorker, TheLatestWins)
+{
+  PreviewWorker worker(nullptr, 8);
+  worker.setAtlas(sphereAtlas(24));
+  constexpr int Asked = 100;
+  for (int i = 0; i < Asked; ++i)
+  {
+    worker.start(withPoints(400 + i));
+  }
+  const auto result = wait(worker);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->samples->GetNumberOfPoints(), 400 + Asked - 1);
+}
+
+TEST(PreviewWorker, TellsWhyThereAreNoSamples)
+{
+  PreviewWorker worker(nullptr, 8);
+  worker.setAtlas(sphereAtlas(24));
+  worker.start(withPoints(1));
+  const auto result = wait(worker);
+  ASSERT_TRUE(result);
+  EXPECT_NE(result->problem, "");
+  EXPECT_FALSE(result->samples);
+  worker.start(withPoints(300));
+  EXPECT_EQ(wait(worker)->problem, "") << "and goes on";
+}
+
+TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
+{
+  const SamplingInput coarse = sphereAtlas(12);
+  const SamplingInput fine = sphereAtlas(32);
+  PreviewWorker worker(nullptr, 8);
+  worker.setAtlas(coarse);
+  worker.start(withPoints(300));
+  worker.setAtlas(fine);
+  worker.start(withPoints(301));
+  const auto result = wait(worker);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->samples->GetNumberOfPoints(), 301);
+}
+
+TEST(PreviewWorker, EndsWhileItWorks)
+{
+  const SamplingInput atlas = sphereAtlas(64);
+  PreviewWorker worker(nullptr, 8);
+  worker.setAtlas(atlas);
+  Session session = withPoints(2000);
+  session.set("gradation", 0.05);
+  worker.start(session);
+}
+}
