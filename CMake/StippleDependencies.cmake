@@ -15,12 +15,13 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
   ImagingCore ImagingGeneral ImagingHybrid
   InteractionStyle InteractionWidgets
-  IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML
+  IOGeometry IOImage IOLegacy IOParallelXML IOPLY IOXML IOXMLParser
+  ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   ChartsCore ViewsContext2D
   TestingCore TestingRendering
   jsoncpp utf8
-  OPTIONAL_COMPONENTS WrappingPythonCore Python PythonInterpreter)
+  OPTIONAL_COMPONENTS ParallelMPI WrappingPythonCore Python PythonInterpreter)
 # VTK calls OpenGL through glad from 9.4 on, through GLEW before (Rendering/Headless/StippleOpenGL.h).
 set(stipple_opengl_targets VTK::glew VTK::opengl)
 if (TARGET VTK::glad)

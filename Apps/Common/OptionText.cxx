@@ -186,7 +186,7 @@ Option programOption(Option::Group group, Option::Kind kind, const char* name, c
 }
 
 Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage, bool mayBeEmpty)
+  const std::vector<Option>& table, const std::string& usage, const InputRule& rule)
 {
   Arguments result;
   const auto complainIf = [&result](bool wrong, const std::string& sentence) {
@@ -247,7 +247,7 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
     complainIf(!wrong.empty(), typed + " " + wrong);
     result.inOrder.emplace_back(option.name, value);
   }
-  complainIf(!mayBeEmpty && !result.options.has("model") && !result.options.has("session"),
+  complainIf(!rule.mayBeMissing && !result.options.has("model") && !result.options.has("session"),
     "no input file; usage: " + usage);
   const auto checkEnding = [&](const std::string& name, const std::string& called,
                              const std::vector<std::string>& endings) {
@@ -256,7 +256,7 @@ Arguments parseArguments(const std::vector<std::string>& arguments,
         std::find(endings.begin(), endings.end(), fileExtension(file)) == endings.end(),
       called + " '" + file + "' must end in " + listed(endings, ", "));
   };
-  checkEnding("model", "the input", meshFileExtensions());
+  checkEnding("model", "the input", rule.endings.empty() ? meshFileExtensions() : rule.endings);
   for (const Option& option : table)
   {
     checkEnding(

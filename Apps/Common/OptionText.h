@@ -38,10 +38,17 @@ struct Arguments
   std::string problem; ///< what is wrong first, one sentence
 };
 
+/// What a program takes: a model or a session.
+struct InputRule
+{
+  bool mayBeMissing = false;
+  std::vector<std::string> endings; ///< of its name; empty: those of meshes
+};
+
 /// Reads a command line with these options; -o FILE and -oFILE are --output, and -h is --help;
-/// what follows -- is the input. It needs a model or a session, unless `mayBeEmpty`.
+/// what follows -- is the input.
 [[nodiscard]] Arguments parseArguments(const std::vector<std::string>& arguments,
-  const std::vector<Option>& table, const std::string& usage, bool mayBeEmpty = false);
+  const std::vector<Option>& table, const std::string& usage, const InputRule& rule = {});
 
 /// Of some words, the one that was probably meant; empty if none is near.
 [[nodiscard]] std::string nearestWord(

@@ -44,7 +44,8 @@ std::vector<Option> viewOptions()
 
 Arguments parseViewOptions(const std::vector<std::string>& arguments)
 {
-  Arguments line = parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", true);
+  Arguments line =
+    parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", { true, {} });
   if (!line.options.has("size"))
   {
     return line;

@@ -23,6 +23,9 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   ElementArray<Halfedge, char> cut; ///< by halfedge, equal on twins; boundary edges are always cut
   ElementArray<Halfedge, char> sharp; ///< by halfedge, equal on twins
   ElementArray<Halfedge, Keep> keep;  ///< by halfedge, equal on twins: of edges that users name
+  /// If not empty, by original point: whether it is an end of edges that are kept one by one. The
+  /// others on such edges are passed by; without this list, all are ends.
+  std::vector<char> isFixedPoint;
   std::vector<int> sourceCell;
   int numberOfOriginalPoints = 0;
   std::vector<EdgePoint> inserted; ///< of point numberOfOriginalPoints + i

@@ -79,11 +79,22 @@ public:
   {
     const GraphEdge& first = this->Edges[this->At[p][0]];
     const GraphEdge& second = this->Edges[this->At[p][1]];
-    const bool isEnd =
-      p < this->Surface.numberOfOriginalPoints && std::max(first.keep, second.keep) == Keep::Edges;
-    if (first.type != second.type || isEnd)
+    if (first.type != second.type)
     {
       return true;
+    }
+    if (std::max(first.keep, second.keep) == Keep::Edges)
+    {
+      const bool isOriginal = p < this->Surface.numberOfOriginalPoints;
+      if (this->Surface.isFixedPoint.empty() ? isOriginal
+                                             : isOriginal && this->Surface.isFixedPoint[p] != 0)
+      {
+        return true;
+      }
+      if (first.keep == second.keep && !this->Surface.isFixedPoint.empty())
+      {
+        return false;
+      }
     }
     if (!this->turns(p, first.other(p), second.other(p), cosine))
     {

@@ -40,6 +40,8 @@
 vtkStandardNewMacro(vtkConformalAtlas);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureEdges, vtkIdTypeArray);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FixedEdges, vtkIdTypeArray);
+vtkCxxSetObjectMacro(vtkConformalAtlas, FixedPoints, vtkIdTypeArray);
+vtkCxxSetObjectMacro(vtkConformalAtlas, SharpEdges, vtkIdTypeArray);
 vtkCxxSetObjectMacro(vtkConformalAtlas, FeatureCurves, vtkPolyData);
 vtkCxxSetObjectMacro(vtkConformalAtlas, Constraints, vtkPoints);
 vtkCxxSetObjectMacro(vtkConformalAtlas, ChartConstraints, vtkDoubleArray);
@@ -85,6 +87,31 @@ stipple::Status keepEdges(vtkIdTypeArray* edges, const std::string& what, stippl
       surface.setSharp(h, true);
       surface.setKeep(h, keep);
     }
+  }
+  return stipple::Status::success();
+}
+
+/// Marks the points where fixed edges have vertices: all points that were made of the input's.
+stipple::Status markFixedPoints(
+  vtkIdTypeArray* points, const stipple::RepairedSurface& repaired, stipple::CutSurface& surface)
+{
+  std::vector<char> isFixed(repaired.pointOfInput.size(), 0); // by the input's point
+  const auto number = static_cast<vtkIdType>(repaired.pointOfInput.size());
+  for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType id = points->GetValue(i);
+    const int p = id >= 0 && id < number ? repaired.pointOfInput[id] : -1;
+    if (p < 0)
+    {
+      return stipple::Status::error("Fixed point " + std::to_string(i) + " is point " +
+        std::to_string(id) + ", which is in no triangle of the input.");
+    }
+    isFixed[repaired.sourcePoint[p]] = 1;
+  }
+  surface.isFixedPoint.clear();
+  for (const int p : repaired.sourcePoint)
+  {
+    surface.isFixedPoint.push_back(isFixed[p]);
   }
   return stipple::Status::success();
 }
@@ -171,6 +198,8 @@ vtkConformalAtlas::~vtkConformalAtlas()
   this->SetRegionArrayName(nullptr);
   this->SetFeatureEdges(nullptr);
   this->SetFixedEdges(nullptr);
+  this->SetFixedPoints(nullptr);
+  this->SetSharpEdges(nullptr);
   this->SetFeatureCurves(nullptr);
   this->SetConstraints(nullptr);
   this->SetChartConstraints(nullptr);
@@ -184,6 +213,16 @@ vtkIdTypeArray* vtkConformalAtlas::GetFeatureEdges() const
 vtkIdTypeArray* vtkConformalAtlas::GetFixedEdges() const
 {
   return this->FixedEdges;
+}
+
+vtkIdTypeArray* vtkConformalAtlas::GetFixedPoints() const
+{
+  return this->FixedPoints;
+}
+
+vtkIdTypeArray* vtkConformalAtlas::GetSharpEdges() const
+{
+  return this->SharpEdges;
 }
 
 vtkPolyData* vtkConformalAtlas::GetFeatureCurves() const
@@ -206,6 +245,7 @@ vtkMTimeType vtkConformalAtlas::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   for (vtkObject* object :
     { static_cast<vtkObject*>(this->FeatureEdges), static_cast<vtkObject*>(this->FixedEdges),
+      static_cast<vtkObject*>(this->FixedPoints), static_cast<vtkObject*>(this->SharpEdges),
       static_cast<vtkObject*>(this->FeatureCurves), static_cast<vtkObject*>(this->Constraints),
       static_cast<vtkObject*>(this->ChartConstraints) })
   {
@@ -400,6 +440,23 @@ stipple::Status vtkConformalAtlas::Work::markFeatures(const stipple::RepairedSur
       return status;
     }
   }
+  if (this->Self->FixedPoints)
+  {
+    if (stipple::Status status = markFixedPoints(this->Self->FixedPoints, repaired, surface);
+        !status.ok())
+    {
+      return status;
+    }
+  }
+  if (this->Self->SharpEdges)
+  {
+    if (stipple::Status status =
+          keepEdges(this->Self->SharpEdges, "Sharp", stipple::Keep::Nothing, repaired, surface);
+        !status.ok())
+    {
+      return status;
+    }
+  }
   if (this->Self->RegionArrayName)
   {
     if (stipple::Status status =
@@ -453,6 +510,8 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "FeatureEdges: " << this->FeatureEdges << "\n";
   os << indent << "FixedEdges: " << this->FixedEdges << "\n";
+  os << indent << "FixedPoints: " << this->FixedPoints << "\n";
+  os << indent << "SharpEdges: " << this->SharpEdges << "\n";
   os << indent << "FeatureCurves: " << this->FeatureCurves << "\n";
   os << indent << "ChartConstraints: " << this->ChartConstraints << "\n";
   os << indent << "Constraints: " << this->Constraints << "\n";

@@ -122,6 +122,27 @@ public:
 
   ///@{
   /**
+   * Ids of the input's points that become vertices on FixedEdges: meshes then have edges from one
+   * of them to the next, past the fixed edges' other ends, and no other vertices there but where
+   * seams end. vtkGeometryRemesher makes so many points besides those. The default is none: all
+   * ends of fixed edges.
+   */
+  virtual void SetFixedPoints(vtkIdTypeArray* points);
+  vtkIdTypeArray* GetFixedPoints() const;
+  ///@}
+
+  ///@{
+  /**
+   * Edges that count as sharp whatever their angle, besides those found: two components, the
+   * input's point ids. A mesh that is coarser may merge them, as it may those found, and not
+   * FeatureEdges. The default is none.
+   */
+  virtual void SetSharpEdges(vtkIdTypeArray* edges);
+  vtkIdTypeArray* GetSharpEdges() const;
+  ///@}
+
+  ///@{
+  /**
    * Curves to keep as features: the polylines of a vtkPolyData. Their points are moved to the
    * nearest place on the surface and become vertices of the charts; between two of them a curve
    * runs where the plane through both and the surface's normal cuts the surface, so that they
@@ -293,6 +314,8 @@ private:
   double CornerAngle = 60;
   vtkIdTypeArray* FeatureEdges = nullptr;
   vtkIdTypeArray* FixedEdges = nullptr;
+  vtkIdTypeArray* FixedPoints = nullptr;
+  vtkIdTypeArray* SharpEdges = nullptr;
   vtkPolyData* FeatureCurves = nullptr;
   vtkPoints* Constraints = nullptr;
   vtkDoubleArray* ChartConstraints = nullptr;

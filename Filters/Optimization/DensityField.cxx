@@ -18,6 +18,7 @@ namespace stipple
 Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSurface& surface)
 {
   this->Map.clear();
+  this->AtPoints.clear();
   if (!images || images->GetNumberOfPartitionedDataSets() == 0)
   {
     return Status::success();
@@ -82,8 +83,31 @@ Status DensityField::read(vtkPartitionedDataSetCollection* images, const AtlasSu
   return Status::success();
 }
 
+void DensityField::setAtPoints(std::vector<double> density)
+{
+  this->Map.clear();
+  this->AtPoints.clear();
+  const auto [least, most] = std::minmax_element(density.begin(), density.end());
+  if (density.empty() || !(*most > 0) || *most - *least <= Tuning::UniformDensity * *most)
+  {
+    return;
+  }
+  const double largest = *most;
+  for (double& d : density)
+  {
+    d = std::max(d / largest, static_cast<double>(Tuning::SmallestDensity));
+  }
+  this->AtPoints = std::move(density);
+}
+
 double DensityField::at(const AtlasSurface& surface, const SurfacePlace& place) const
 {
+  if (!this->AtPoints.empty())
+  {
+    const Triangle& t = surface.triangles[place.face];
+    return place.bary[0] * this->AtPoints[t[0]] + place.bary[1] * this->AtPoints[t[1]] +
+      place.bary[2] * this->AtPoints[t[2]];
+  }
   if (this->Map.empty())
   {
     return 1.;

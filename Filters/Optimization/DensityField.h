@@ -18,8 +18,12 @@ public:
   /// that of the faces).
   Status read(vtkPartitionedDataSetCollection* images, const AtlasSurface& surface);
 
+  /// The density at the surface's points, in place of images; linear over triangles. The same for
+  /// all, or none: uniform.
+  void setAtPoints(std::vector<double> density);
+
   /// No images were read, or their density is the same everywhere.
-  bool uniform() const { return this->Map.empty(); }
+  bool uniform() const { return this->Map.empty() && this->AtPoints.empty(); }
   double at(const AtlasSurface& surface, const SurfacePlace& place) const;
 
 private:
@@ -31,6 +35,7 @@ private:
     std::vector<float> density;
   };
   std::vector<Image> Map;
+  std::vector<double> AtPoints;
 };
 }
 

@@ -136,6 +136,48 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   return status.ok() ? this->markCreases(std::move(chains)) : status;
 }
 
+Status OptimizedMesh::buildPart(const stipple::Atlas& atlas, const DensityField& density,
+  const std::vector<SurfacePlace>& places, const std::vector<char>& isMovable,
+  const std::vector<Triangle>& triangles, const std::vector<std::array<int, 2>>& fixedEdges)
+{
+  this->Atlas = &atlas;
+  this->Field = &density;
+  this->IsPart = true;
+  const std::size_t n = places.size();
+  this->Original.assign(n, Sample());
+  this->State.assign(n, VertexState());
+  this->Free.assign(n, Freedom::Surface);
+  this->BackboneOf.assign(n, -1);
+  this->IsConstraint.assign(n, 0);
+  this->Absorbed.assign(n, {});
+  for (const Vertex v : this->vertices())
+  {
+    const SurfacePlace& place = places[v.index()];
+    this->Original[v.index()].face = place.face;
+    this->Original[v.index()].bary = place.bary;
+    this->put(v, this->pointAt(place));
+    this->Free[v] = isMovable[v.index()] != 0 ? Freedom::Surface : Freedom::None;
+  }
+  if (Status status = this->connect(triangles); !status.ok())
+  {
+    return status;
+  }
+  if (Status status = this->markCreases({}); !status.ok())
+  {
+    return status;
+  }
+  for (const auto& [from, to] : fixedEdges)
+  {
+    const auto h = this->Graph.find_halfedge(raw(Vertex(from)), raw(Vertex(to)));
+    if (h.is_valid())
+    {
+      this->CreaseOf[this->edge(id(h))] = static_cast<int>(this->Creases.size());
+      this->Creases.push_back({ -1, { Vertex(from), 0. }, { Vertex(to), 0. } });
+    }
+  }
+  return Status::success();
+}
+
 Status OptimizedMesh::rebuild(Change change)
 {
   this->Changes += change.features + change.swaps;
@@ -409,6 +451,11 @@ Vec3 OptimizedMesh::normalBeside(Halfedge h) const
     }
   }
   const Crease& c = this->crease(this->edge(crease));
+  if (c.backbone < 0)
+  {
+    // No vertex of it moves: the triangle that there is lies between the same creases.
+    return this->isBoundary(h) ? state.normal : this->faceNormal(this->face(h));
+  }
   const bool ahead = c.from.vertex == v;
   const BackboneTrace& trace = this->Atlas->traces()[c.backbone];
   const double arcLength = this->arcLength(ahead ? c.from : c.to);

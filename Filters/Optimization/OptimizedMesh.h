@@ -62,7 +62,7 @@ struct BackboneVertex
 /// An edge on a sharp or boundary backbone, in its direction.
 struct Crease
 {
-  int backbone = -1;
+  int backbone = -1; ///< none for an edge that is fixed by itself
   BackboneVertex from;
   BackboneVertex to;
 };
@@ -86,6 +86,13 @@ public:
   /// a backbone.
   Status build(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
+  /// A part of a mesh, on a surface that may go on beyond it: vertices are places on the surface,
+  /// of which only those with isMovable move; edges between others are not swapped, nor
+  /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones
+  /// are walls to walks and nothing else.
+  Status buildPart(const stipple::Atlas& atlas, const DensityField& density,
+    const std::vector<SurfacePlace>& places, const std::vector<char>& isMovable,
+    const std::vector<Triangle>& triangles, const std::vector<std::array<int, 2>>& fixedEdges);
 
   ElementRange<Vertex> vertices() const { return this->State.ids(); }
   ElementRange<Edge> edges() const { return { 0, static_cast<int>(this->Graph.n_edges()) }; }
@@ -117,9 +124,16 @@ public:
   /// Of an edge that is one.
   const Crease& crease(Edge e) const { return this->Creases[this->CreaseOf[e]]; }
   /// Two triangles, and no crease: all that an edge needs to be swapped but for the geometry.
-  bool isSwappable(Edge e) const { return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)); }
+  bool isSwappable(Edge e) const
+  {
+    return !this->isCrease(e) && !this->Graph.is_boundary(raw(e)) &&
+      !(this->IsPart && this->isBetweenFixed(this->halfedge(e)));
+  }
   /// No second edge between two vertices comes of swapping it.
-  bool keepsManifold(Edge e) const { return this->Graph.is_flip_ok(raw(e)); }
+  bool keepsManifold(Edge e) const
+  {
+    return this->Graph.is_flip_ok(raw(e)) && !(this->IsPart && this->joinsFixed(e));
+  }
   int valence(Vertex v) const;
   TriangleCorners triangleCorners(Face f) const
   {
@@ -274,6 +288,17 @@ private:
   static OpenMesh::EdgeHandle raw(Edge e) { return OpenMesh::EdgeHandle(e.index()); }
   static Halfedge id(OpenMesh::HalfedgeHandle h) { return Halfedge(h.idx()); }
 
+  /// Swapped, the edge would join two vertices that do not move: the rest of the mesh may have that
+  /// edge.
+  bool joinsFixed(Edge e) const
+  {
+    const auto [a, b, c, d] = this->wingVertices(e);
+    return this->Free[c] == Freedom::None && this->Free[d] == Freedom::None;
+  }
+  bool isBetweenFixed(Halfedge h) const
+  {
+    return this->Free[this->from(h)] == Freedom::None && this->Free[this->to(h)] == Freedom::None;
+  }
   Status connect(const std::vector<Triangle>& triangles);
   Status markCreases(std::vector<Chain> chains);
   double densityAt(const SurfacePoint& point) const;
@@ -296,6 +321,7 @@ private:
   std::vector<Chain> Chains;
   int Changes = 0;
   int SimplifiedFeatures = 0;
+  bool IsPart = false;
 };
 }
 

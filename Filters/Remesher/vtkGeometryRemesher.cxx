@@ -17,6 +17,8 @@
 
 #include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
@@ -44,6 +46,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -260,6 +263,35 @@ struct vtkGeometryRemesher::Internals
     this->InputTime = input->GetMTime();
     this->Selection = selection;
     return stipple::Status::success();
+  }
+
+  /// Vertices that are not among those asked for: on the border of a part, or at the ends of
+  /// backbones that run from fixed point to fixed point.
+  int numberOfGivenVertices()
+  {
+    auto* graph = vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1));
+    vtkDataArray* keep =
+      this->Atlas->GetFixedPoints() && graph ? graph->GetCellData()->GetArray("Keep") : nullptr;
+    vtkDataArray* surfacePoint = keep ? graph->GetPointData()->GetArray("SurfacePointId") : nullptr;
+    if (!surfacePoint)
+    {
+      return this->Part.numberOfBorderPoints();
+    }
+    std::set<double> ends;
+    vtkIdType size;
+    const vtkIdType* points;
+    for (vtkIdType l = 0; l < graph->GetNumberOfLines(); ++l)
+    {
+      graph->GetLines()->GetCellAtId(l, size, points);
+      if (size > 0 &&
+        keep->GetComponent(graph->GetNumberOfVerts() + l, 0) ==
+          static_cast<double>(stipple::Keep::Edges))
+      {
+        ends.insert({ surfacePoint->GetComponent(points[0], 0),
+          surfacePoint->GetComponent(points[size - 1], 0) });
+      }
+    }
+    return static_cast<int>(ends.size());
   }
 
   /// The maps that control map and sampler read.
@@ -485,7 +517,7 @@ bool vtkGeometryRemesher::RunMapsAndControl()
       s.Points == 0);
   // By lengths: about so many; the control says it exactly.
   int points = s.Points > 0
-    ? s.Points + s.Part.numberOfBorderPoints()
+    ? s.Points + s.numberOfGivenVertices()
     : static_cast<int>(std::min<vtkIdType>(s.Atlas->GetNumberOfSurfacePoints(), most));
   for (bool isFirst = true;; isFirst = false)
   {
@@ -591,7 +623,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     }
     mesh = static_cast<int>(
       vtkPolyData::SafeDownCast(s.Sampler->GetOutputDataObject(0))->GetNumberOfPoints() -
-      s.Part.numberOfBorderPoints());
+      s.numberOfGivenVertices());
     return true;
   };
   s.ProgressTo = 0.;
@@ -710,8 +742,8 @@ int vtkGeometryRemesher::RequestData(
 
 int vtkGeometryRemesher::GetLeastNumberOfPoints()
 {
-  return std::max(0,
-    this->Stages->Sampler->GetMinimumNumberOfSamples() - this->Stages->Part.numberOfBorderPoints());
+  return std::max(
+    0, this->Stages->Sampler->GetMinimumNumberOfSamples() - this->Stages->numberOfGivenVertices());
 }
 
 std::string vtkGeometryRemesher::GetOptionTable()
