@@ -61,6 +61,8 @@ class LiveWindow:
 
     def __enter__(self):
         self.display = ctypes.c_void_p(X11.XOpenDisplay(None))
+        if not self.display:
+            raise ConnectionError("no X server answers")
         self.root = ctypes.c_ulong(X11.XDefaultRootWindow(self.display))
         begin = time.monotonic()
         self.program = subprocess.Popen(self.command)
