@@ -143,6 +143,15 @@ void Canvas::box(const Rect& box, const Shade& fill, const Shade& border, float 
   this->image({ x, y, static_cast<float>(w), static_cast<float>(h) }, image);
 }
 
+Rect Canvas::page(const Rect& window, float width, float height)
+{
+  const Rect page{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
+    width, height };
+  this->fill(window, { 30, 36, 46, 110 });
+  this->box(page, shades::Card, shades::Line, 8);
+  return page;
+}
+
 void Canvas::disc(float x, float y, float radius, const Shade& fill, const Shade& border)
 {
   const float d = 2 * std::round(radius * this->Scale);

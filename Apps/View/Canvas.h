@@ -98,6 +98,8 @@ public:
   void fill(const Rect& box, const Shade& shade);
   /// With smooth round corners and a border.
   void box(const Rect& box, const Shade& fill, const Shade& border, float radius, float width = 1);
+  /// A page in the middle of the window, which is veiled; the page.
+  Rect page(const Rect& window, float width, float height);
   void disc(float x, float y, float radius, const Shade& fill, const Shade& border);
   /// A horizontal or vertical line, one pixel wide at scale 1.
   void rule(float x0, float y0, float x1, float y1, const Shade& shade);

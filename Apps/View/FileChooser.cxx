@@ -99,11 +99,8 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   const float s = canvas.scale();
   const float width = std::min(680 * s, window.w - 16 * s);
   const float height = std::min(560 * s, window.h - 16 * s);
-  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
-    width, height };
+  const Rect box = canvas.page(window, width, height);
   const float pad = 22 * s;
-  canvas.fill(window, { 30, 36, 46, 110 });
-  canvas.box(box, shades::Card, shades::Line, 8);
   const TextLook title{ 15, shades::Word, Align::Left, true };
   const TextLook quiet{ 11.5F, shades::Quiet };
   const float inner = width - 2 * pad;

@@ -40,10 +40,7 @@ void paintHelp(Canvas& canvas, const Rect& window)
   const float step = std::min(21 * s, (window.h - 60 * s) / rows);
   const float width = 620 * s;
   const float height = step * rows + 44 * s;
-  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
-    width, height };
-  canvas.fill(window, { 30, 36, 46, 110 });
-  canvas.box(box, shades::Card, shades::Line, 8);
+  const Rect box = canvas.page(window, width, height);
   float y = box.top() - 26 * s;
   canvas.text(box.x + 24 * s, y, "Keys", { 15, shades::Accent, Align::Left, true });
   canvas.text(

@@ -27,11 +27,8 @@ void Question::paint(Canvas& canvas, const Rect& window)
   const float s = canvas.scale();
   const float width = std::min(560 * s, window.w - 16 * s);
   const float height = 138 * s;
-  const Rect box{ window.x + 0.5F * (window.w - width), window.y + 0.5F * (window.h - height),
-    width, height };
+  const Rect box = canvas.page(window, width, height);
   const float pad = 22 * s;
-  canvas.fill(window, { 30, 36, 46, 110 });
-  canvas.box(box, shades::Card, shades::Line, 8);
   const TextLook title{ 15, shades::Word, Align::Left, true };
   const TextLook plain{ 12.5F, shades::Word };
   canvas.text(

@@ -30,6 +30,12 @@ bool has(const Triangle& t, Vertex v)
   return std::find(t.begin(), t.end(), v.index()) != t.end();
 }
 
+/// The third corner of a triangle.
+Vertex apexOf(const Triangle& t, Vertex a, Vertex b)
+{
+  return Vertex(t[0] + t[1] + t[2] - a.index() - b.index());
+}
+
 Triangle replaced(Triangle t, Vertex v, Vertex by)
 {
   std::replace(t.begin(), t.end(), v.index(), by.index());
@@ -151,8 +157,7 @@ public:
     return kept == 0 ||
       (kept == 2 && this->keep(v, u) == Keep::Border &&
         std::all_of(gone.begin(), gone.end(), [&](int t) {
-          const auto [a, b, c] = this->Triangles[t];
-          const Vertex w(a + b + c - v.index() - u.index());
+          const Vertex w = apexOf(this->Triangles[t], v, u);
           return !this->isCrease(v, w) && !this->isCrease(u, w);
         }));
   }
@@ -271,9 +276,8 @@ public:
     const std::vector<int> pair = this->beside(p, q);
     const Triangle first = this->Triangles[pair[0]];
     const Triangle second = this->Triangles[pair[1]];
-    const int sum = p.index() + q.index();
-    this->put(pair[0], replaced(first, q, Vertex(second[0] + second[1] + second[2] - sum)));
-    this->put(pair[1], replaced(second, p, Vertex(first[0] + first[1] + first[2] - sum)));
+    this->put(pair[0], replaced(first, q, apexOf(second, p, q)));
+    this->put(pair[1], replaced(second, p, apexOf(first, p, q)));
   }
 
   /// Puts a vertex, which is in no triangle, on an edge between two.
@@ -628,11 +632,8 @@ private:
       }
       const std::array<Triangle, 2> before = { { this->Now.triangle(pair[0]),
         this->Now.triangle(pair[1]) } };
-      const auto apex = [&](const Triangle& t) {
-        return Vertex(t[0] + t[1] + t[2] - e.index() - w.index());
-      };
-      const Vertex p = apex(before[0]);
-      const Vertex q = apex(before[1]);
+      const Vertex p = apexOf(before[0], e, w);
+      const Vertex q = apexOf(before[1], e, w);
       if (p == q || !this->Now.beside(p, q).empty())
       {
         continue;
@@ -714,7 +715,7 @@ private:
     const Triangle& own = this->Now.triangle(pair[isFirst ? 0 : 1]);
     const Triangle& other = this->Now.triangle(pair[isFirst ? 1 : 0]);
     const Triangle after[] = { replaced(other, q, v), replaced(other, p, v) };
-    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const Vertex d = apexOf(other, p, q);
     const double worst = std::min(this->angle(own), this->angle(other));
     return d != v && this->Now.beside(v, d).empty() && distance <= this->worthOf(v, worst) &&
       std::min(this->angle(after[0]), this->angle(after[1])) >
@@ -733,7 +734,7 @@ private:
     }
     const Triangle& first = this->Now.triangle(pair[0]);
     const Triangle& other = has(first, v) ? this->Now.triangle(pair[1]) : first;
-    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const Vertex d = apexOf(other, p, q);
     const double worst = std::min(this->angle(first), this->angle(this->Now.triangle(pair[1])));
     const double farthest = this->worthOf(v, worst);
     if (d == v ||
@@ -741,21 +742,17 @@ private:
     {
       return false;
     }
-    if (this->Now.beside(v, d).empty())
+    const std::vector<int> inTheWay = this->Now.beside(v, d);
+    if (inTheWay.empty())
     {
       return this->swapIfBetter(p, q, worst);
     }
-    const std::vector<int> inTheWay = this->Now.beside(v, d);
     if (this->Now.isCrease(v, d) || inTheWay.size() != 2)
     {
       return false;
     }
-    const auto apex = [&](int t) {
-      const auto [i, j, k] = this->Now.triangle(t);
-      return Vertex(i + j + k - v.index() - d.index());
-    };
-    const Vertex a = apex(inTheWay[0]);
-    const Vertex b = apex(inTheWay[1]);
+    const Vertex a = apexOf(this->Now.triangle(inTheWay[0]), v, d);
+    const Vertex b = apexOf(this->Now.triangle(inTheWay[1]), v, d);
     const Vec3 middle = 0.5 * (this->position(a) + this->position(b));
     if (a == b || distanceToSegment(middle, this->position(v), this->position(d)) > farthest ||
       !this->swapIfBetter(v, d, worst))
@@ -779,11 +776,8 @@ private:
     }
     const std::array<Triangle, 2> before = { { this->Now.triangle(pair[0]),
       this->Now.triangle(pair[1]) } };
-    const auto apex = [&](const Triangle& t) {
-      return Vertex(t[0] + t[1] + t[2] - a.index() - b.index());
-    };
-    const Vertex c = apex(before[0]);
-    const Vertex d = apex(before[1]);
+    const Vertex c = apexOf(before[0], a, b);
+    const Vertex d = apexOf(before[1], a, b);
     if (c == d || !this->Now.beside(c, d).empty())
     {
       return false;
@@ -813,7 +807,7 @@ private:
       return false;
     }
     const Triangle other = this->Now.triangle(pair[has(this->Now.triangle(pair[0]), v) ? 1 : 0]);
-    const Vertex d(other[0] + other[1] + other[2] - p.index() - q.index());
+    const Vertex d = apexOf(other, p, q);
     const Vec3 centre = (this->position(p) + this->position(q) + this->position(d)) / 3.;
     SurfacePoint place;
     double least = Tuning::FarthestOffEdge * (centre - this->position(v)).norm();

@@ -65,6 +65,17 @@ struct ControlMaps
   }
   ControlMaps(const ControlMaps&) = delete;
   void operator=(const ControlMaps&) = delete;
+
+  /// The control's pixels, by chart.
+  std::vector<float*> pixels()
+  {
+    std::vector<float*> result;
+    for (std::vector<float>& chart : this->control)
+    {
+      result.push_back(chart.data());
+    }
+    return result;
+  }
 };
 
 /// By brute force: segments of a chart meet only at shared ends, features and interior samples lie

@@ -228,11 +228,7 @@ TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)
   const Plate plate;
   const AtlasSurface& s = plate.atlas->surface();
   ControlMaps maps(s, 64);
-  std::vector<float*> control;
-  for (std::vector<float>& c : maps.control)
-  {
-    control.push_back(c.data());
-  }
+  const std::vector<float*> control = maps.pixels();
   SizingOptions options;
   options.numberOfSamples = 60;
   options.growth = 2.;
@@ -312,11 +308,7 @@ TEST(SizingFunction, GrowsAsFarAsPointsGo)
   const AtlasSurface& s = bar.atlas->surface();
   const auto expectSizes = [&](double growth) {
     ControlMaps maps(s, 64);
-    std::vector<float*> control;
-    for (std::vector<float>& c : maps.control)
-    {
-      control.push_back(c.data());
-    }
+    const std::vector<float*> control = maps.pixels();
     SizingOptions options;
     options.numberOfSamples = 14;
     options.growth = growth;
@@ -351,10 +343,9 @@ TEST(SizingFunction, GrowsAsFarAsPointsGo)
 
   // Where more points are wanted in one place, this is left alone.
   ControlMaps maps(s, 64);
-  std::vector<float*> control;
+  const std::vector<float*> control = maps.pixels();
   for (std::vector<float>& c : maps.control)
   {
-    control.push_back(c.data());
     c.front() *= 2.F;
   }
   const std::vector<std::vector<float>> before = maps.control;
@@ -372,11 +363,7 @@ TEST(SizingFunction, LengthsSayHowMany)
   const Plate plate;
   const double area = plate.atlas->surface().area();
   ControlMaps maps(plate.atlas->surface(), 64, [](const Vec3& p) { return p.x() < 0. ? 1. : 4.; });
-  std::vector<float*> control;
-  for (std::vector<float>& c : maps.control)
-  {
-    control.push_back(c.data());
-  }
+  const std::vector<float*> control = maps.pixels();
   const std::vector<std::vector<float>> before = maps.control;
   Sizes sizes;
   const auto apply = [&](const SizingOptions& options) {
