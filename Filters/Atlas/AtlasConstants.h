@@ -50,6 +50,8 @@ struct AtlasConstants
 
   /// By which a face may be unrolled: lengths change by its root at most.
   static constexpr double MostSquaredStretch = 2;
+  /// Share of a patch's outline that is one of its ends: a tube has two alike.
+  static constexpr double ShareOfEnd = 0.25;
 
   // Conformal maps (HarmonicSystem, RectangleLayout, ConformalMap).
 
@@ -64,8 +66,12 @@ struct AtlasConstants
   static constexpr double BetweenCorners = 0.04;
   static constexpr double LeastTurn = Pi / 9;
   static constexpr double LeastTurnOfSlender = Pi / 3;
-  /// Length of a rectangle over its width.
-  static constexpr double LongestRectangle = 8;
+  /// Length of a rectangle over its width: as many pixels as a map may have along its longer side.
+  static constexpr double LongestRectangle = 4096;
+  /// Length over width from which on a chart gets short sides at its ends: rectangles up to there
+  /// are tried all around. Places on half of its boundary by which the ends are found.
+  static constexpr double LongChart = 4;
+  static constexpr int PlacesOnFold = 32;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 

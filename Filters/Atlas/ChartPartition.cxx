@@ -475,6 +475,11 @@ private:
         " triangles can't be flattened: the surface has triangles too thin for double precision; "
         "repair it first.");
     }
+    if (history.cutRounds == 0 && cutDeepSleeve(this->Regions, chart))
+    {
+      ++history.cutRounds;
+      return Status::success();
+    }
     const bool helping =
       history.cutRounds == 0 || map.densityRatio < Constants::HelpfulCut * history.densityRatio;
     if (map.valid && helping && history.cutRounds < Constants::MostCutRounds &&
@@ -482,11 +487,6 @@ private:
     {
       ++history.cutRounds;
       history.densityRatio = map.densityRatio;
-      return Status::success();
-    }
-    if (!map.valid && history.cutRounds == 0 && cutDeepSleeve(this->Regions, chart))
-    {
-      ++history.cutRounds;
       return Status::success();
     }
     if (!canBeSplit)
@@ -617,7 +617,7 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   const auto part = [&](double from, double to) -> Progress {
     return [&, from, to](double f) { return report(all, from + (to - from) * f); };
   };
-  cutAlongCreases(surface);
+  cutAlongCreases(surface, options.maximumDensityRatio);
   cutIntoVoronoiCells(surface, options.numberOfCharts, stop);
   ChartRegions regions(surface, stop);
   if (const Status status = splitIntoDisks(regions, options, part(0., .1)); !status.ok())

@@ -22,11 +22,13 @@ namespace
 class Patches
 {
 public:
-  explicit Patches(const CutSurface& surface)
-    : Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
+  Patches(const CutSurface& surface, double maximumDensityRatio)
+    : DeepestSleeve(std::log(maximumDensityRatio) / (4 * Constants::Pi))
+    , Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
     , Joined(this->Sets.number)
     , Area(this->Sets.number, 0.)
     , LeastArea(this->Sets.number, 0.)
+    , Outline(this->Sets.number, 0.)
     , Beside(this->Sets.number)
   {
     const FaceSets components(surface, [](Halfedge) { return true; });
@@ -45,6 +47,8 @@ public:
       for (const Halfedge h : halfedgesOf(f))
       {
         const int across = surface.isBoundary(h) ? patch : this->Sets.of[faceOf(surface.twin[h])];
+        this->Outline[patch] +=
+          surface.isBoundary(h) || across != patch ? surface.edgeLength(h) : 0.;
         if (across != patch)
         {
           this->Beside[patch][across] += surface.edgeLength(h);
@@ -92,8 +96,13 @@ private:
         continue;
       }
       const int into = most->first;
+      if (this->closesSleeve(into, most->second))
+      {
+        continue;
+      }
       this->Joined[patch] = into;
       this->Area[into] += this->Area[patch];
+      this->Outline[into] += this->Outline[patch] - 2 * most->second;
       for (const auto& [neighbour, length] : this->Beside[patch])
       {
         this->Beside[into][neighbour] += length;
@@ -101,17 +110,28 @@ private:
     }
   }
 
+  /// Whether a length of a patch's outline is one of its few ends, and the patch a sleeve from there
+  /// on: t times as deep as that length, where a conformal map is e^(4 pi t) times as dense at the
+  /// end as at the mouth.
+  bool closesSleeve(int patch, double length) const
+  {
+    return length >= Constants::ShareOfEnd * this->Outline[patch] &&
+      this->Area[patch] > this->DeepestSleeve * length * length;
+  }
+
+  double DeepestSleeve; // in lengths of its outline
   FaceSets Sets;
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
+  std::vector<double> Outline;
   std::vector<std::map<int, double>> Beside; // length of the common outline, by neighbour
 };
 }
 
-void cutAlongCreases(CutSurface& surface)
+void cutAlongCreases(CutSurface& surface, double maximumDensityRatio)
 {
-  const Patches patch(surface);
+  const Patches patch(surface, maximumDensityRatio);
   for (const Halfedge h : surface.halfedges())
   {
     if (!surface.isBoundary(h) && patch(faceOf(surface.twin[h])) != patch(faceOf(h)))

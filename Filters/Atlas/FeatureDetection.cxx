@@ -26,7 +26,7 @@ public:
   Candidates(const CutSurface& surface, const FeatureDetectionOptions& options)
     : Surface(surface)
     , Options(options)
-    , Diagonal(surface.boundingBoxDiagonal())
+    , Size(std::min(surface.boundingBoxDiagonal(), std::sqrt(surface.area())))
   {
     const double strong = options.angle * Pi / 180;
     const double weak = strong * options.weakFraction;
@@ -115,7 +115,7 @@ public:
       const bool closed = chain.size() > 2 && this->areNeighbours(chain.front(), chain.back());
       // A right angle is no noise, also on a coarse mesh whose other edges are not flat.
       const double steep = std::clamp((angle / length * 180 / Pi - 60) / 30, 0., 1.);
-      const bool isLong = length >= this->Options.longLength * this->Diagonal;
+      const bool isLong = length >= this->Options.longLength * this->Size;
       const double bound = isLong
         ? (closed ? this->Options.steepRoughness : this->Options.longRoughness)
         : this->Options.maximumRoughness;
@@ -159,7 +159,7 @@ public:
           }
         }
       }
-      if (total < this->Options.minimumLength * this->Diagonal)
+      if (total < this->Options.minimumLength * this->Size)
       {
         for (int e : set)
         {
@@ -279,7 +279,7 @@ private:
 
   const CutSurface& Surface;
   const FeatureDetectionOptions& Options;
-  double Diagonal;
+  double Size; ///< of the surface; slender ones are far longer than what is on them
   std::vector<double> Dihedral; // by halfedge, radians
   std::vector<Edge> Edges;
   std::vector<std::vector<int>> At; // edges at every point

@@ -3,6 +3,7 @@
 #include "HarmonicSystem.h"
 
 #include "AtlasConstants.h"
+#include "IntrinsicTriangulation.h"
 
 #include <algorithm>
 
@@ -12,7 +13,8 @@ using Constants = AtlasConstants;
 
 HarmonicSystem::HarmonicSystem(
   const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given)
-  : Chart(chart)
+  : Surface(surface)
+  , Chart(chart)
 {
   this->Unknown.assign(chart.vertices.size(), -1);
   for (std::size_t v = 0; v < chart.vertices.size(); ++v)
@@ -22,36 +24,51 @@ HarmonicSystem::HarmonicSystem(
       this->Unknown[v] = this->NumberOfUnknowns++;
     }
   }
-  this->Cotangents.resize(chart.triangles.size());
-  for (std::size_t i = 0; i < chart.triangles.size(); ++i)
+}
+
+std::vector<Eigen::Triplet<double>> HarmonicSystem::halfWeights(bool intrinsic) const
+{
+  std::vector<Eigen::Triplet<double>> weights;
+  weights.reserve(3 * this->Chart.triangles.size());
+  const auto add = [&](int a, int b, double weight) {
+    weights.emplace_back(std::min(a, b), std::max(a, b), weight);
+  };
+  if (intrinsic)
   {
+    IntrinsicTriangulation triangulation(this->Surface, this->Chart);
+    triangulation.flipToDelaunay();
+    for (std::size_t i = 0; i < triangulation.triangles().size(); ++i)
+    {
+      const Triangle& t = triangulation.triangles()[i];
+      for (int k = 0; k < 3; ++k)
+      {
+        const Halfedge h = halfedgeOf(Face(static_cast<int>(i)), k);
+        const double weight = 0.5 * triangulation.cotangentOpposite(h);
+        add(t[k], t[nextCorner(k)], triangulation.isBoundary(h) ? std::max(0., weight) : weight);
+      }
+    }
+    return weights;
+  }
+  for (std::size_t i = 0; i < this->Chart.triangles.size(); ++i)
+  {
+    const Triangle& t = this->Chart.triangles[i];
     for (int k = 0; k < 3; ++k)
     {
       const auto x = [&](int c) -> const Vec3& {
-        return surface.points[chart.vertices[chart.triangles[i][c % 3]]];
+        return this->Surface.points[this->Chart.vertices[t[c % 3]]];
       };
-      this->Cotangents[i][k] = 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3);
+      add(t[nextCorner(k)], t[previousCorner(k)], 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3));
     }
   }
+  return weights;
 }
 
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
-  std::vector<Eigen::Triplet<double>> edges;
-  edges.reserve(3 * this->Chart.triangles.size());
   const int n = this->Chart.numberOfVertices();
-  for (std::size_t i = 0; i < this->Chart.triangles.size(); ++i)
-  {
-    const Triangle& t = this->Chart.triangles[i];
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = t[nextCorner(k)];
-      const int b = t[previousCorner(k)];
-      edges.emplace_back(std::min(a, b), std::max(a, b), this->Cotangents[i][k]);
-    }
-  }
+  const std::vector<Eigen::Triplet<double>> edges = this->halfWeights(positiveAt.empty());
   Eigen::SparseMatrix<double> weights(n, n);
   weights.setFromTriplets(edges.begin(), edges.end());
   std::vector<Eigen::Triplet<double>> entries;
@@ -62,6 +79,10 @@ bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
     {
       const int a = this->Unknown[it.row()];
       const int b = this->Unknown[it.col()];
+      if (it.row() == it.col())
+      {
+        continue; // an edge that comes back to its vertex
+      }
       const bool positive = !positiveAt.empty() && (positiveAt[it.row()] || positiveAt[it.col()]);
       const double w = positive ? std::max(it.value(), Constants::LeastPositiveWeight) : it.value();
       if (a >= 0 && b >= 0)

@@ -12,8 +12,9 @@
 
 namespace stipple
 {
-/// Cotangent Laplacian (Pinkall and Polthier 1993) with one Cholesky factorization that serves any
-/// given values.
+/// Cotangent Laplacian (Pinkall and Polthier 1993) of the intrinsic Delaunay triangulation, whose
+/// weights are not negative: values obey the maximum principle, and slivers do no harm. One Cholesky
+/// factorization serves any given values.
 class HarmonicSystem
 {
 public:
@@ -24,9 +25,9 @@ public:
   HarmonicSystem(
     const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given);
 
-  /// False if the factorization failed. Weights of edges at the vertices in positiveAt, if not
-  /// empty, are raised to a positive value where they are below it: around such a vertex values
-  /// obey the maximum principle.
+  /// False if the factorization failed. With vertices in positiveAt the weights are those of the
+  /// surface's own triangles, and of edges at these vertices they are raised to a positive value
+  /// where they are below it: values there are convex combinations of their neighbours'.
   bool factorize(const std::vector<char>& positiveAt = {});
 
   /// Overwrites the rows of free vertices with the harmonic extension of the given rows.
@@ -39,10 +40,13 @@ private:
     int vertex;
     double weight;
   };
+  /// Half the cotangent opposite an edge, of the one triangle and the other.
+  std::vector<Eigen::Triplet<double>> halfWeights(bool intrinsic) const;
+
+  const TriangleSurface& Surface;
   const ChartMesh& Chart;
   std::vector<int> Unknown; // by vertex, -1 if given
   int NumberOfUnknowns = 0;
-  std::vector<Vec3> Cotangents; // half cotangent of the angle at each corner
   std::vector<GivenTerm> GivenTerms;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> Cholesky;
 };

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace stipple
 {
@@ -21,7 +23,10 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
     const Vec3& a = surface.points[chart.vertices[chart.boundary[i]]];
     const Vec3& b = surface.points[chart.vertices[chart.boundary[(i + 1) % n]]];
     this->ArcLength[i + 1] = this->ArcLength[i] + (b - a).norm();
+    this->Outline.push_back(a);
   }
+  this->Area = std::accumulate(chart.faces.begin(), chart.faces.end(), 0.,
+    [&](double sum, Face f) { return sum + surface.faceArea(f); });
   std::vector<double> turn(chart.vertices.size(), Constants::Pi);
   for (const Triangle& t : chart.triangles)
   {
@@ -98,6 +103,88 @@ std::vector<RectangleLayout::Corner> RectangleLayout::cornersOfSlender() const
   return corners.size() == 4 ? corners : std::vector<Corner>();
 }
 
+Vec3 RectangleLayout::pointAt(double fraction) const
+{
+  const double s = (fraction - std::floor(fraction)) * this->ArcLength.back();
+  const auto next = std::upper_bound(this->ArcLength.begin(), this->ArcLength.end() - 1, s);
+  const auto i = static_cast<std::size_t>(next - this->ArcLength.begin()) - 1;
+  const double length = this->ArcLength[i + 1] - this->ArcLength[i];
+  const double t = length > 0 ? (s - this->ArcLength[i]) / length : 0.;
+  return (1 - t) * this->Outline[i] + t * this->Outline[(i + 1) % this->Outline.size()];
+}
+
+double RectangleLayout::foldOfLong(double precision) const
+{
+  const auto misfit = [&](double end) {
+    double sum = 0;
+    for (int i = 0; i < Constants::PlacesOnFold; ++i)
+    {
+      const double t = 0.5 * (i + 0.5) / Constants::PlacesOnFold;
+      sum += (this->pointAt(end + t) - this->pointAt(end - t)).norm();
+    }
+    return sum;
+  };
+  // All around, then between the neighbours of the best, closer and closer.
+  double best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double step = 0.5 / Constants::PlacesOnFold;
+  double from = 0;
+  for (int tried = Constants::PlacesOnFold;; tried = 9, from = best - step, step *= 0.25)
+  {
+    for (int i = 0; i < tried; ++i)
+    {
+      const double end = from + i * step;
+      const double here = misfit(end);
+      if (here < least)
+      {
+        least = here;
+        best = end;
+      }
+    }
+    if (step <= precision)
+    {
+      return best;
+    }
+  }
+}
+
+std::vector<RectanglePlacement> RectangleLayout::placementsOfLong() const
+{
+  const double perimeter = this->ArcLength.back();
+  const double quarter = 0.25 * perimeter;
+  const double length =
+    quarter + std::sqrt(std::max(0., quarter * quarter - this->Area)); // of a x b, a >= b
+  const double width = length > 0 ? this->Area / length : 0.;
+  if (!(length > Constants::LongChart * width) || !(width > 0))
+  {
+    return {};
+  }
+  const double half = 0.5 * width / perimeter;
+  const double end = this->foldOfLong(0.25 * half);
+  RectanglePlacement placement = { { end + half, end + 0.5 - half, end + 0.5 + half,
+                                     end + 1 - half },
+    Vec2(1, std::max(width / length, 1 / Constants::LongestRectangle)) };
+  std::vector<RectanglePlacement> placements = { placement };
+  // Each corner to the sharpest within the chart's width.
+  for (double& corner : placement.corner)
+  {
+    double most = Constants::LeastTurn;
+    const double asPlaced = corner;
+    for (std::size_t i = 0; i < this->Turn.size(); ++i)
+    {
+      const double at = this->ArcLength[i] / perimeter;
+      const double apart = at - asPlaced - std::round(at - asPlaced);
+      if (std::abs(apart) <= 2 * half && this->Turn[i] > most)
+      {
+        most = this->Turn[i];
+        corner = asPlaced + apart;
+      }
+    }
+  }
+  placements.push_back(placement);
+  return placements;
+}
+
 std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
 {
   std::vector<Corner> corners = this->sharpestCorners();
@@ -119,6 +206,11 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
         addTurned(aspect, turn / 8.);
       }
     }
+  }
+  if (!square)
+  {
+    const std::vector<RectanglePlacement> longOnes = this->placementsOfLong();
+    placements.insert(placements.end(), longOnes.begin(), longOnes.end());
   }
   if (corners.size() < 4)
   {

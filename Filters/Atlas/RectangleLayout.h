@@ -23,8 +23,9 @@ public:
   RectangleLayout(const TriangleSurface& surface, const ChartMesh& chart);
 
   /// Rectangles worth trying: with sides of 1, 2 or 4 times the other sides' length, turned around
-  /// from the boundary's sharpest corner; and with corners at the boundary's sharpest corners,
-  /// where a conformal map would else have to straighten an angle, which makes it dense there.
+  /// from the boundary's sharpest corner; with corners at the boundary's sharpest corners, where a
+  /// conformal map would else have to straighten an angle, which makes it dense there; and, for a
+  /// long chart, with the chart's perimeter and area and short sides at its two ends.
   std::vector<RectanglePlacement> placements(bool square) const;
 
   /// Puts the boundary vertices on the rectangle's sides, by arc length between its corners.
@@ -39,8 +40,19 @@ private:
   std::vector<Corner> sharpestCorners() const;
   /// The corners of a chart that has four, as near to each other as they are; else none.
   std::vector<Corner> cornersOfSlender() const;
+  /// Where a long chart ends, as a fraction of the boundary (the other end is half of it away): its
+  /// boundary, folded there, lies upon itself, at a distance of the chart's width on average, which
+  /// is known but for `precision`.
+  double foldOfLong(double precision) const;
+  /// A place on the boundary, by a fraction of it.
+  Vec3 pointAt(double fraction) const;
+  /// Of a long chart, whose area and perimeter are those of such a rectangle; its corners as they
+  /// come, and moved to sharp ones nearby. None for others.
+  std::vector<RectanglePlacement> placementsOfLong() const;
 
   const ChartMesh& Chart;
+  double Area = 0;
+  std::vector<Vec3> Outline;     // positions of the boundary's vertices
   std::vector<double> ArcLength; // at the boundary's vertices and, last, in total
   std::vector<double> Turn;      // at the boundary's vertices, radians
 };

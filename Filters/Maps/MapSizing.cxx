@@ -11,6 +11,7 @@ namespace
 {
 constexpr int smallestSide = 32;
 constexpr int largestSide = 4096;
+constexpr int leastRows = 4;
 
 std::array<int, 2> withAspect(const Vec2& extent, int longer, int least)
 {
@@ -86,7 +87,11 @@ std::array<int, 2> automaticMapSize(const MapDemand& demand, double samples)
   {
     longer = static_cast<int>(std::lround(smallestSide * std::pow(2., 0.5 * rung)));
   }
-  return withAspect(demand.extent, std::min(longer, largestSide), smallestSide);
+  longer = std::min(longer, largestSide);
+  // The shorter side of a long rectangle: its pixels are square, if they are as many as in the
+  // least square.
+  return withAspect(demand.extent, longer,
+    std::clamp(smallestSide * smallestSide / longer, leastRows, smallestSide));
 }
 
 std::vector<std::array<int, 2>> automaticMapSizes(

@@ -41,6 +41,23 @@ std::vector<int> nearestPixels(int n, int enlarged)
 }
 }
 
+namespace
+{
+/// By direction, such that pixels are square where the image's are far from it: error diffusion
+/// knows no lengths but pixels. 1 at least.
+Vec2 enlargement(const ControlImage& image, double factor)
+{
+  const double shape =
+    image.extent.x() / image.width * image.height / image.extent.y(); // width over height
+  if (std::abs(std::log(shape)) < std::log(Constants::SquareEnough))
+  {
+    return { factor, factor };
+  }
+  const Vec2 square(factor * std::sqrt(shape), factor / std::sqrt(shape));
+  return square / std::min(1., square.minCoeff());
+}
+}
+
 std::vector<InteriorSampler::Overlap> InteriorSampler::overlaps(int n, int enlarged)
 {
   std::vector<Overlap> result(static_cast<std::size_t>(enlarged));
@@ -135,8 +152,9 @@ void InteriorSampler::prepare(double factor, const BandMask& bands,
   const std::vector<BackboneDensity>& densities, const Stop& stop)
 {
   InteriorRaster& r = this->Raster;
-  r.width = static_cast<int>(std::ceil(this->Image.width * factor));
-  r.height = static_cast<int>(std::ceil(this->Image.height * factor));
+  const Vec2 factors = enlargement(this->Image, factor);
+  r.width = static_cast<int>(std::ceil(this->Image.width * factors.x()));
+  r.height = static_cast<int>(std::ceil(this->Image.height * factors.y()));
   r.column = nearestPixels(this->Image.width, r.width);
   r.row = nearestPixels(this->Image.height, r.height);
   this->Columns = overlaps(this->Image.width, r.width);

@@ -44,6 +44,8 @@ struct SamplingConstants
   static constexpr double LargestForAll = 2.;
   static constexpr double CrowdedShare = 0.05;
   static constexpr double OverfullShare = 0.005;
+  /// A pixel's longer side over the shorter one up to which it counts as a square.
+  static constexpr double SquareEnough = 1.5;
   /// A segment touches the pixels whose middles are nearer to it, in pixels.
   static constexpr double Touching = 0.6;
   /// A row is dense with more than one sample in so many pixels.
