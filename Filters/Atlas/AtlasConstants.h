@@ -50,8 +50,6 @@ struct AtlasConstants
 
   /// By which a face may be unrolled: lengths change by its root at most.
   static constexpr double MostSquaredStretch = 2;
-  /// Share of a patch's outline that is one of its ends: a tube has two alike.
-  static constexpr double ShareOfEnd = 0.25;
 
   // Conformal maps (HarmonicSystem, RectangleLayout, ConformalMap).
 
@@ -83,7 +81,7 @@ struct AtlasConstants
   /// Triangles of two regions: less have no smooth line to offer, and cutting them again and again
   /// would never end.
   static constexpr int LeastForSeam = 500;
-  /// Share of an edge: lines and cuts that pass closer to a vertex go there, so that no thin
+  /// Share of an edge at most: lines and cuts that pass closer to a vertex go there, so that no thin
   /// triangle is left.
   static constexpr double NearestToVertex = 0.05;
   /// Edges of a crease that are longer, over the root of the area, are crossed at an end.

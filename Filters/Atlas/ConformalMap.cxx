@@ -143,15 +143,14 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
     layout.place(placement, uv);
     solver.solve(rows(uv));
   };
-  if (solver.factorize())
-  {
+  const auto tryAll = [&] {
     double least = std::numeric_limits<double>::infinity();
     std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
     for (const RectanglePlacement& placement : placements)
     {
       if (isAsked(stop))
       {
-        return map;
+        return;
       }
       solve(placement, uv);
       const double cost = meanDensity(area, chart, uv);
@@ -163,6 +162,19 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
       }
     }
     map.valid = best && isValid(chart, map.uv);
+  };
+  if (solver.factorize())
+  {
+    tryAll();
+  }
+  // Slivers flip triangles; with Delaunay ones instead of them, few charts are left.
+  if (!map.valid && !isAsked(stop) && solver.factorizeDelaunay())
+  {
+    tryAll();
+  }
+  if (isAsked(stop))
+  {
+    return map;
   }
   best = best ? best : &placements.front();
   // Where triangles are flipped, and a wider neighbourhood every time, weights are made positive.

@@ -23,17 +23,19 @@ class Patches
 {
 public:
   Patches(const CutSurface& surface, double maximumDensityRatio)
-    : DeepestSleeve(std::log(maximumDensityRatio) / (4 * Constants::Pi))
+    : Surface(surface)
+    , DeepestSleeve(std::log(maximumDensityRatio) / (4 * Constants::Pi))
     , Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
     , Joined(this->Sets.number)
     , Area(this->Sets.number, 0.)
     , LeastArea(this->Sets.number, 0.)
-    , Outline(this->Sets.number, 0.)
+    , Rim(this->Sets.number)
     , Beside(this->Sets.number)
   {
     const FaceSets components(surface, [](Halfedge) { return true; });
     std::iota(this->Joined.begin(), this->Joined.end(), 0);
     std::vector<double> whole(components.number, 0.);
+    std::vector<char> onRim(surface.points.size(), 0);
     for (const Face f : surface.faces())
     {
       const double area = surface.faceArea(f);
@@ -47,12 +49,21 @@ public:
       for (const Halfedge h : halfedgesOf(f))
       {
         const int across = surface.isBoundary(h) ? patch : this->Sets.of[faceOf(surface.twin[h])];
-        this->Outline[patch] +=
-          surface.isBoundary(h) || across != patch ? surface.edgeLength(h) : 0.;
         if (across != patch)
         {
           this->Beside[patch][across] += surface.edgeLength(h);
+          this->Rim[patch].push_back(h);
+          onRim[surface.tail(h).index()] = onRim[surface.head(h).index()] = 1;
         }
+      }
+    }
+    for (const Halfedge h : surface.halfedges())
+    {
+      if (const int v = surface.tail(h).index(); onRim[v])
+      {
+        const Vec3 a = surface.edge(h);
+        const Vec3 b = -surface.edge(previousHalfedge(h));
+        this->Angle[{ v, this->Sets.of[faceOf(h)] }] += std::atan2(a.cross(b).norm(), a.dot(b));
       }
     }
     this->joinNegligible();
@@ -96,13 +107,14 @@ private:
         continue;
       }
       const int into = most->first;
-      if (this->closesSleeve(into, most->second))
+      if (this->closesSleeve(patch, into, most->second))
       {
         continue;
       }
       this->Joined[patch] = into;
       this->Area[into] += this->Area[patch];
-      this->Outline[into] += this->Outline[patch] - 2 * most->second;
+      this->Rim[into].insert(
+        this->Rim[into].end(), this->Rim[patch].begin(), this->Rim[patch].end());
       for (const auto& [neighbour, length] : this->Beside[patch])
       {
         this->Beside[into][neighbour] += length;
@@ -110,21 +122,48 @@ private:
     }
   }
 
-  /// Whether a length of a patch's outline is one of its few ends, and the patch a sleeve from there
-  /// on: t times as deep as that length, where a conformal map is e^(4 pi t) times as dense at the
-  /// end as at the mouth.
-  bool closesSleeve(int patch, double length) const
+  /// Whether a patch is the end of another one, which stays and is a sleeve from there on: t times
+  /// as deep as the end's outline is long, where a conformal map is e^(4 pi t) times as dense at the
+  /// end as at the mouth. Along the end of a tube the tube does not turn; around a hole in a plane
+  /// the plane does, by -2 pi.
+  bool closesSleeve(int patch, int into, double length) const
   {
-    return length >= Constants::ShareOfEnd * this->Outline[patch] &&
-      this->Area[patch] > this->DeepestSleeve * length * length;
+    if (this->Area[into] < this->LeastArea[into] ||
+      this->Area[into] <= this->DeepestSleeve * length * length)
+    {
+      return false;
+    }
+    double turn = 0;
+    for (const Halfedge h : this->Rim[patch])
+    {
+      const int across = this->find(this->Sets.of[faceOf(this->Surface.twin[h])]);
+      if (across == patch)
+      {
+        continue; // inside what has been joined
+      }
+      if (across != into)
+      {
+        return false;
+      }
+      const int v = this->Surface.tail(h).index();
+      turn += Constants::Pi;
+      for (auto at = this->Angle.lower_bound({ v, 0 });
+           at != this->Angle.end() && at->first.first == v; ++at)
+      {
+        turn -= this->find(at->first.second) == into ? at->second : 0.;
+      }
+    }
+    return turn > -Constants::Pi;
   }
 
+  const CutSurface& Surface;
   double DeepestSleeve; // in lengths of its outline
   FaceSets Sets;
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
-  std::vector<double> Outline;
+  std::vector<std::vector<Halfedge>> Rim;       // what is not inside it, or was not
+  std::map<std::pair<int, int>, double> Angle; // by point on a rim and patch
   std::vector<std::map<int, double>> Beside; // length of the common outline, by neighbour
 };
 }

@@ -219,17 +219,18 @@ private:
     const double toA = orient2(p, a, target);
     const double toB = orient2(p, target, b);
     const double t = toA + toB > 0 ? toA / (toA + toB) : 0.;
-    if (t < Constants::NearestToVertex || t > 1 - Constants::NearestToVertex)
+    const Halfedge across = nextHalfedge(g);
+    const double nearest = this->Surface.nearestCrossing(across, Constants::NearestToVertex);
+    if (t < nearest || t > 1 - nearest)
     {
-      const Halfedge along = t < Constants::NearestToVertex ? g : previousHalfedge(g);
+      const Halfedge along = t < nearest ? g : previousHalfedge(g);
       if (this->Surface.cut[along])
       {
         return {};
       }
       this->Regions.cutOpen(along);
-      return t < Constants::NearestToVertex ? nextHalfedge(g) : along;
+      return t < nearest ? nextHalfedge(g) : along;
     }
-    const Halfedge across = nextHalfedge(g);
     this->split(across, t);
     this->Regions.cutOpen(nextHalfedge(across));
     return nextHalfedge(across);

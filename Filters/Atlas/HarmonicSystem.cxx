@@ -26,38 +26,36 @@ HarmonicSystem::HarmonicSystem(
   }
 }
 
-std::vector<Eigen::Triplet<double>> HarmonicSystem::halfWeights(bool intrinsic) const
+HarmonicSystem::HalfWeights HarmonicSystem::ownWeights() const
 {
-  std::vector<Eigen::Triplet<double>> weights;
+  HalfWeights weights;
   weights.reserve(3 * this->Chart.triangles.size());
-  const auto add = [&](int a, int b, double weight) {
-    weights.emplace_back(std::min(a, b), std::max(a, b), weight);
-  };
-  if (intrinsic)
+  for (const Triangle& t : this->Chart.triangles)
   {
-    IntrinsicTriangulation triangulation(this->Surface, this->Chart);
-    triangulation.flipToDelaunay();
-    for (std::size_t i = 0; i < triangulation.triangles().size(); ++i)
-    {
-      const Triangle& t = triangulation.triangles()[i];
-      for (int k = 0; k < 3; ++k)
-      {
-        const Halfedge h = halfedgeOf(Face(static_cast<int>(i)), k);
-        const double weight = 0.5 * triangulation.cotangentOpposite(h);
-        add(t[k], t[nextCorner(k)], triangulation.isBoundary(h) ? std::max(0., weight) : weight);
-      }
-    }
-    return weights;
-  }
-  for (std::size_t i = 0; i < this->Chart.triangles.size(); ++i)
-  {
-    const Triangle& t = this->Chart.triangles[i];
     for (int k = 0; k < 3; ++k)
     {
       const auto x = [&](int c) -> const Vec3& {
         return this->Surface.points[this->Chart.vertices[t[c % 3]]];
       };
-      add(t[nextCorner(k)], t[previousCorner(k)], 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3));
+      const auto [a, b] = std::minmax({ t[nextCorner(k)], t[previousCorner(k)] });
+      weights.emplace_back(a, b, 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3));
+    }
+  }
+  return weights;
+}
+
+HarmonicSystem::HalfWeights HarmonicSystem::delaunayWeights() const
+{
+  IntrinsicTriangulation triangulation(this->Surface, this->Chart);
+  triangulation.flipToDelaunay();
+  HalfWeights weights;
+  for (const Halfedge h : triangulation.halfedges())
+  {
+    const auto [a, b] = std::minmax({ triangulation.tail(h), triangulation.head(h) });
+    const double weight = 0.5 * triangulation.cotangentOpposite(h);
+    if (a != b) // else an edge that comes back to its vertex
+    {
+      weights.emplace_back(a, b, triangulation.isBoundary(h) ? std::max(0., weight) : weight);
     }
   }
   return weights;
@@ -65,10 +63,19 @@ std::vector<Eigen::Triplet<double>> HarmonicSystem::halfWeights(bool intrinsic) 
 
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
+  return this->factorize(this->ownWeights(), positiveAt);
+}
+
+bool HarmonicSystem::factorizeDelaunay()
+{
+  return this->factorize(this->delaunayWeights(), {});
+}
+
+bool HarmonicSystem::factorize(const HalfWeights& edges, const std::vector<char>& positiveAt)
+{
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
   const int n = this->Chart.numberOfVertices();
-  const std::vector<Eigen::Triplet<double>> edges = this->halfWeights(positiveAt.empty());
   Eigen::SparseMatrix<double> weights(n, n);
   weights.setFromTriplets(edges.begin(), edges.end());
   std::vector<Eigen::Triplet<double>> entries;
@@ -79,10 +86,6 @@ bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
     {
       const int a = this->Unknown[it.row()];
       const int b = this->Unknown[it.col()];
-      if (it.row() == it.col())
-      {
-        continue; // an edge that comes back to its vertex
-      }
       const bool positive = !positiveAt.empty() && (positiveAt[it.row()] || positiveAt[it.col()]);
       const double w = positive ? std::max(it.value(), Constants::LeastPositiveWeight) : it.value();
       if (a >= 0 && b >= 0)

@@ -12,9 +12,8 @@
 
 namespace stipple
 {
-/// Cotangent Laplacian (Pinkall and Polthier 1993) of the intrinsic Delaunay triangulation, whose
-/// weights are not negative: values obey the maximum principle, and slivers do no harm. One Cholesky
-/// factorization serves any given values.
+/// Cotangent Laplacian (Pinkall and Polthier 1993) with one Cholesky factorization that serves any
+/// given values.
 class HarmonicSystem
 {
 public:
@@ -25,10 +24,15 @@ public:
   HarmonicSystem(
     const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given);
 
-  /// False if the factorization failed. With vertices in positiveAt the weights are those of the
-  /// surface's own triangles, and of edges at these vertices they are raised to a positive value
-  /// where they are below it: values there are convex combinations of their neighbours'.
+  /// False if the factorization failed. Weights of edges at the vertices in positiveAt, if not
+  /// empty, are raised to a positive value where they are below it: around such a vertex values
+  /// obey the maximum principle.
   bool factorize(const std::vector<char>& positiveAt = {});
+
+  /// The same with the intrinsic Delaunay triangulation of the chart, whose weights are not negative:
+  /// values obey the maximum principle, and slivers do no harm. Interpolated on the chart's own
+  /// triangles they may be less smooth.
+  bool factorizeDelaunay();
 
   /// Overwrites the rows of free vertices with the harmonic extension of the given rows.
   void solve(Values values) const;
@@ -41,7 +45,10 @@ private:
     double weight;
   };
   /// Half the cotangent opposite an edge, of the one triangle and the other.
-  std::vector<Eigen::Triplet<double>> halfWeights(bool intrinsic) const;
+  using HalfWeights = std::vector<Eigen::Triplet<double>>;
+  HalfWeights ownWeights() const;
+  HalfWeights delaunayWeights() const;
+  bool factorize(const HalfWeights& edges, const std::vector<char>& positiveAt);
 
   const TriangleSurface& Surface;
   const ChartMesh& Chart;

@@ -85,11 +85,10 @@ void IntrinsicTriangulation::flip(Halfedge h)
   const Vec2 c = apex(length[1], length[0]);
   const Vec2 d = apex(length[2], length[3]);
   const double cd = std::hypot(c.x() - d.x(), c.y() + d.y());
-  const auto tail = [this](Halfedge e) { return this->Triangles[faceOf(e).index()][cornerOf(e)]; };
-  const int atA = tail(h);
-  const int atB = tail(t);
-  const int atC = tail(side[1]);
-  const int atD = tail(side[3]);
+  const int atA = this->tail(h);
+  const int atB = this->tail(t);
+  const int atC = this->tail(side[1]);
+  const int atD = this->tail(side[3]);
   const Face f = faceOf(h);
   const Face g = faceOf(t);
   this->Triangles[f.index()] = { { atC, atD, atB } };
@@ -122,8 +121,7 @@ int IntrinsicTriangulation::flipToDelaunay()
   // (Rippa 1990), beyond rounding, and of triangulations with edges up to a length there are
   // finitely many.
   std::vector<Halfedge> open;
-  const int n = static_cast<int>(3 * this->Triangles.size());
-  for (const Halfedge h : ElementRange<Halfedge>{ 0, n })
+  for (const Halfedge h : this->halfedges())
   {
     if (this->Twin[h].valid() && h < this->Twin[h] && !this->isDelaunay(h))
     {

@@ -24,8 +24,14 @@ public:
   /// 2007). Returns the number of flips.
   int flipToDelaunay();
 
-  /// Their corners are the chart's vertices; two of a triangle may be the same one.
-  const std::vector<Triangle>& triangles() const { return this->Triangles; }
+  /// Halfedges are numbered as those of surfaces are.
+  ElementRange<Halfedge> halfedges() const
+  {
+    return { 0, static_cast<int>(3 * this->Triangles.size()) };
+  }
+  /// A vertex of the chart; an edge may come back to where it began.
+  int tail(Halfedge h) const { return this->Triangles[faceOf(h).index()][cornerOf(h)]; }
+  int head(Halfedge h) const { return this->tail(nextHalfedge(h)); }
   double length(Halfedge h) const { return this->Length[h]; }
   bool isBoundary(Halfedge h) const { return !this->Twin[h].valid(); }
   /// Of the angle opposite a halfedge, at most LargestCotangent in size: slivers stay finite.

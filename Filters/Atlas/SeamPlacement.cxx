@@ -234,7 +234,8 @@ void snapToVertices(
         const Halfedge h = halfedgeOf(mesh.faces[i], k);
         const bool isLong =
           surface.keep[h] == Keep::Edges || (surface.sharp[h] && surface.edgeLength(h) > longEdge);
-        const double nearest = isLong ? 0.5 : Constants::NearestToVertex;
+        const double nearest =
+          isLong ? 0.5 : surface.nearestCrossing(h, Constants::NearestToVertex);
         const double at = a / (a - b);
         if (at < nearest)
         {
@@ -346,6 +347,34 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
   return both;
 }
 
+/// Whether a function is largest or smallest at a vertex where it is not given: its lines are then
+/// closed curves about it.
+bool hasExtremum(
+  const ChartMesh& mesh, const std::vector<char>& given, const std::vector<double>& value)
+{
+  std::vector<char> isLess(value.size(), 0); // than at some neighbour
+  std::vector<char> isMore(value.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double difference = value[t[nextCorner(k)]] - value[t[k]];
+      isLess[t[k]] |= difference >= 0;
+      isMore[t[k]] |= difference <= 0;
+      isLess[t[nextCorner(k)]] |= difference <= 0;
+      isMore[t[nextCorner(k)]] |= difference >= 0;
+    }
+  }
+  for (std::size_t v = 0; v < value.size(); ++v)
+  {
+    if (!given[v] && !(isLess[v] && isMore[v]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
 /// the line that has it on the first side; empty if it can't be computed or is stopped.
 std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& both,
@@ -357,19 +386,26 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
     sides.leaveOutFar(*areaFraction);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given);
+  const auto solve = [&](bool factorized) {
+    std::vector<double> value = sides.Value;
+    if (factorized)
+    {
+      using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      system.solve(Eigen::Map<Matrix>(value.data(), static_cast<Eigen::Index>(value.size()), 1));
+    }
+    return factorized ? value : std::vector<double>();
+  };
   if (isAsked(stop))
   {
     return {};
   }
-  // Slivers can cost the cotangent Laplacian its definiteness.
-  if (!system.factorize() && !system.factorize(std::vector<char>(sides.Given.size(), 1)))
+  std::vector<double> value = solve(system.factorize());
+  // Slivers can cost the cotangent Laplacian its definiteness, and its maximum principle.
+  if ((value.empty() || hasExtremum(both.mesh, sides.Given, value)) && !isAsked(stop))
   {
-    return {};
+    value = solve(system.factorizeDelaunay());
   }
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  system.solve(
-    Eigen::Map<Matrix>(sides.Value.data(), static_cast<Eigen::Index>(sides.Value.size()), 1));
-  return std::move(sides.Value);
+  return value;
 }
 
 /// Who owns which triangle, as sides for ChartRegions::shareOut in its present order.
