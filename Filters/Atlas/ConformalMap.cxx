@@ -34,6 +34,52 @@ double meanDensity(
   return sum * plane / (total * total);
 }
 
+/// Dirichlet energies of the two coordinates: integrals of their squared gradients over the
+/// surface.
+Vec2 dirichletEnergies(const TriangleSurface& surface, const std::vector<double>& area,
+  const ChartMesh& chart, const std::vector<Vec2>& uv)
+{
+  Vec2 energy = Vec2::Zero();
+  for (std::size_t i = 0; i < area.size(); ++i)
+  {
+    // The gradient of a corner's hat function is the edge opposite, turned, over twice the area.
+    Eigen::Matrix<double, 3, 2> sum = Eigen::Matrix<double, 3, 2>::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += surface.edge(halfedgeOf(chart.faces[i], nextCorner(k))) *
+        uv[chart.triangles[i][k]].transpose();
+    }
+    energy += area[i] > 0 ? Vec2(sum.colwise().squaredNorm().transpose() / (4 * area[i]))
+                          : Vec2(Vec2::Zero());
+  }
+  return energy;
+}
+
+/// The extent of the rectangle with which a map is closest to conformal: both coordinates have the
+/// same energy then.
+Vec2 fittingExtent(const Vec2& energies, const Vec2& extent)
+{
+  if (!(energies.minCoeff() > 0))
+  {
+    return extent;
+  }
+  const double ratio = std::clamp(extent.y() / extent.x() * std::sqrt(energies.x() / energies.y()),
+    1 / Constants::LongestRectangle, Constants::LongestRectangle);
+  return Vec2(1, ratio) / std::max(1., ratio);
+}
+
+void scale(std::vector<Vec2>& uv, const Vec2& from, const Vec2& to)
+{
+  if (from != to)
+  {
+    const Vec2 factor = to.cwiseQuotient(from);
+    for (Vec2& p : uv)
+    {
+      p = p.cwiseProduct(factor);
+    }
+  }
+}
+
 /// The points as a matrix with a row each.
 auto rows(std::vector<Vec2>& uv)
 {
@@ -153,12 +199,19 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
         return;
       }
       solve(placement, uv);
-      const double cost = meanDensity(area, chart, uv);
+      const Vec2 energies = dirichletEnergies(surface, area, chart, uv);
+      const Vec2 extent =
+        placement.fits ? fittingExtent(energies, placement.extent) : placement.extent;
+      const Vec2 scaled = energies.cwiseProduct(extent.cwiseQuotient(placement.extent).cwiseAbs2());
+      const double stretch = 0.5 * scaled.sum() / (extent.x() * extent.y());
+      const double cost =
+        meanDensity(area, chart, uv) * std::max(1., stretch / Constants::MostStretch);
       if (cost < least)
       {
         least = cost;
         best = &placement;
         map.uv = uv;
+        map.extent = extent;
       }
     }
     map.valid = best && isValid(chart, map.uv);
@@ -176,7 +229,11 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   {
     return map;
   }
-  best = best ? best : &placements.front();
+  if (!best)
+  {
+    best = &placements.front();
+    map.extent = best->extent;
+  }
   // Where triangles are flipped, and a wider neighbourhood every time, weights are made positive.
   std::vector<char> positiveAt(map.uv.size(), 0);
   for (int repair = 0; repair < Constants::MostMapRepairs && !map.valid; ++repair)
@@ -200,7 +257,7 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
       map.valid = isValid(chart, map.uv);
     }
   }
-  map.extent = best->extent;
+  scale(map.uv, best->extent, map.extent);
   measureMap(surface, chart, map);
   return map;
 }

@@ -123,9 +123,9 @@ private:
   }
 
   /// Whether a patch is the end of another one, which stays and is a sleeve from there on: t times
-  /// as deep as the end's outline is long, where a conformal map is e^(4 pi t) times as dense at the
-  /// end as at the mouth. Along the end of a tube the tube does not turn; around a hole in a plane
-  /// the plane does, by -2 pi.
+  /// as deep as the end's outline is long, where a conformal map is e^(4 pi t) times as dense at
+  /// the end as at the mouth. Along the end of a tube the tube does not turn; around a hole in a
+  /// plane the plane does, by -2 pi.
   bool closesSleeve(int patch, int into, double length) const
   {
     if (this->Area[into] < this->LeastArea[into] ||
@@ -162,9 +162,9 @@ private:
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
-  std::vector<std::vector<Halfedge>> Rim;       // what is not inside it, or was not
+  std::vector<std::vector<Halfedge>> Rim;      // what is not inside it, or was not
   std::map<std::pair<int, int>, double> Angle; // by point on a rim and patch
-  std::vector<std::map<int, double>> Beside; // length of the common outline, by neighbour
+  std::vector<std::map<int, double>> Beside;   // length of the common outline, by neighbour
 };
 }
 

@@ -46,9 +46,8 @@ double IntrinsicTriangulation::cotangentOpposite(Halfedge h) const
   // b^2 + c^2 - a^2 without cancellation where two sides are alike.
   const double twiceDot = b * b + (c - a) * (c + a);
   const double area = 4 * areaOf(a, b, c);
-  return area * LargestCotangent <= std::abs(twiceDot)
-    ? std::copysign(LargestCotangent, twiceDot)
-    : twiceDot / area;
+  return area * LargestCotangent <= std::abs(twiceDot) ? std::copysign(LargestCotangent, twiceDot)
+                                                       : twiceDot / area;
 }
 
 bool IntrinsicTriangulation::isDelaunay(Halfedge h) const
@@ -79,8 +78,8 @@ void IntrinsicTriangulation::flip(Halfedge h)
   }
   const double ab = this->Length[h];
   const auto apex = [ab](double fromA, double fromB) {
-    return Vec2(0.5 * (ab + (fromA - fromB) * (fromA + fromB) / ab),
-      2 * areaOf(ab, fromA, fromB) / ab);
+    return Vec2(
+      0.5 * (ab + (fromA - fromB) * (fromA + fromB) / ab), 2 * areaOf(ab, fromA, fromB) / ab);
   };
   const Vec2 c = apex(length[1], length[0]);
   const Vec2 d = apex(length[2], length[3]);

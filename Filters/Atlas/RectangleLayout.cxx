@@ -152,8 +152,9 @@ std::vector<RectanglePlacement> RectangleLayout::placementsOfLong() const
 {
   const double perimeter = this->ArcLength.back();
   const double quarter = 0.25 * perimeter;
-  const double length =
-    quarter + std::sqrt(std::max(0., quarter * quarter - this->Area)); // of a x b, a >= b
+  const double length = quarter + std::sqrt(std::max(0., quarter * quarter - this->Area)); // of a x
+                                                                                           // b, a
+                                                                                           // >= b
   const double width = length > 0 ? this->Area / length : 0.;
   if (!(length > Constants::LongChart * width) || !(width > 0))
   {
@@ -161,9 +162,10 @@ std::vector<RectanglePlacement> RectangleLayout::placementsOfLong() const
   }
   const double half = 0.5 * width / perimeter;
   const double end = this->foldOfLong(0.25 * half);
-  RectanglePlacement placement = { { end + half, end + 0.5 - half, end + 0.5 + half,
-                                     end + 1 - half },
-    Vec2(1, std::max(width / length, 1 / Constants::LongestRectangle)) };
+  RectanglePlacement placement;
+  placement.corner = { end + half, end + 0.5 - half, end + 0.5 + half, end + 1 - half };
+  placement.extent = Vec2(1, 1);
+  placement.fits = true;
   std::vector<RectanglePlacement> placements = { placement };
   // Each corner to the sharpest within the chart's width.
   for (double& corner : placement.corner)
@@ -247,12 +249,7 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   choices.resize(std::min(choices.size(), Constants::MostChoices));
   for (const Choice& c : choices)
   {
-    const double width = (c.at[1] - c.at[0]) + (c.at[3] - c.at[2]);
-    const double height = (c.at[2] - c.at[1]) + (1 + c.at[0] - c.at[3]);
-    const double aspect = square
-      ? 1.
-      : std::clamp(width / height, 1 / Constants::LongestRectangle, Constants::LongestRectangle);
-    placements.push_back({ c.at, aspect > 1 ? Vec2(1, 1 / aspect) : Vec2(aspect, 1) });
+    placements.push_back({ c.at, Vec2(1, 1), !square });
   }
   return placements;
 }

@@ -14,6 +14,8 @@ struct RectanglePlacement
 {
   std::array<double, 4> corner;
   Vec2 extent; ///< width and height; the larger is 1
+  /// Whether another extent is as good: that with which the map is closest to conformal.
+  bool fits = false;
 };
 
 class RectangleLayout

@@ -26,8 +26,8 @@ struct ControlMaps
   std::vector<std::vector<int>> face;
   std::vector<ControlImage> images;
 
-  ControlMaps(
-    const AtlasSurface& s, int size, const std::function<double(const Vec3&)>& importance = nullptr)
+  ControlMaps(const AtlasSurface& s, int size,
+    const std::function<double(const Vec3&)>& importance = nullptr, double slimness = 1.)
     : control(s.numberOfCharts())
     , area(s.numberOfCharts())
     , face(s.numberOfCharts())
@@ -37,7 +37,7 @@ struct ControlMaps
       ControlImage image;
       image.extent = s.extent[c];
       image.width = std::max(4, static_cast<int>(size * s.extent[c].x()));
-      image.height = std::max(4, static_cast<int>(size * s.extent[c].y()));
+      image.height = std::max(4, static_cast<int>(size / slimness * s.extent[c].y()));
       int f = s.chartBegin[c];
       for (int i = 0; i < image.numberOfPixels(); ++i)
       {

@@ -20,6 +20,8 @@ using namespace stipple;
 
 namespace
 {
+constexpr double Pi = 3.14159265358979323846;
+
 /// The rectangle from the origin to (width, height) on an nx by ny grid.
 TriangleSurface rectangle(double width, double height, int nx, int ny)
 {
@@ -66,6 +68,20 @@ void disturb(TriangleSurface& s, const ChartMesh& chart, double amount)
       p += amount * Vec3(std::sin(7. * v), std::cos(11. * v), 0);
     }
   }
+}
+
+/// Of a sphere, the triangles above its equator.
+TriangleSurface halfSphere()
+{
+  TriangleSurface half = shapes::sphere(1, 4);
+  half.triangles.erase(
+    std::remove_if(half.triangles.begin(), half.triangles.end(),
+      [&](const Triangle& t) {
+        return half.points[t[0]].z() + half.points[t[1]].z() + half.points[t[2]].z() < 0;
+      }),
+    half.triangles.end());
+  half.connect();
+  return half;
 }
 
 /// The edge path with the given ends, cut.
@@ -353,16 +369,31 @@ TEST(ConformalMap, OfARectangleIsTheIdentityUpToScale)
   EXPECT_FALSE(mapToRectangle(s, chart, {}, [] { return true; }).valid) << "stopped";
 }
 
+TEST(ConformalMap, OfALongChartIsAsLong)
+{
+  // A flat ellipse bent into a half ring has no corners: short sides lie at its ends.
+  for (const double length : { 10., 30., 100. })
+  {
+    TriangleSurface strip = halfSphere();
+    for (Vec3& p : strip.points)
+    {
+      const double angle = 0.5 * Pi * p.x();
+      const double radius = length / Pi - 0.5 * p.y();
+      p = Vec3(radius * std::sin(angle), radius * std::cos(angle), 0);
+    }
+    const CutSurface s = shapes::cutSurface(strip);
+    const ChartMesh chart = extractChart(s, allFaces(s));
+    const ConformalMap map = mapToRectangle(s, chart, {});
+    EXPECT_TRUE(map.valid) << length;
+    EXPECT_LT(map.extent.minCoeff(), 2. / length) << "as slender as the chart";
+    EXPECT_GT(map.extent.minCoeff(), 0.5 / length);
+    EXPECT_LT(map.densityRatio, 10) << length;
+  }
+}
+
 TEST(ConformalMap, IsHarmonicInsideACurvedChart)
 {
-  TriangleSurface half = shapes::sphere(1, 4);
-  half.triangles.erase(
-    std::remove_if(half.triangles.begin(), half.triangles.end(),
-      [&](const Triangle& t) {
-        return half.points[t[0]].z() + half.points[t[1]].z() + half.points[t[2]].z() < 0;
-      }),
-    half.triangles.end());
-  half.connect();
+  const TriangleSurface half = halfSphere();
   const CutSurface s = shapes::cutSurface(half);
   const ChartMesh chart = extractChart(s, allFaces(s));
   ASSERT_TRUE(chart.isDisk());

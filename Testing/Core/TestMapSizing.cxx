@@ -29,6 +29,21 @@ TEST(MapSizing, PixelsFollowSamplesAndDensity)
   EXPECT_EQ(stipple::fixedMapSize({ 1., 1e-6 }, 400), (std::array<int, 2>{ 400, 2 }));
 }
 
+TEST(MapSizing, PixelsOfLongRectanglesAreSquare)
+{
+  stipple::MapDemand demand;
+  demand.area = 1.;
+  for (const double ratio : { 0.1, 0.01, 0.001 })
+  {
+    demand.extent = { ratio, 1. };
+    const auto size = stipple::automaticMapSize(demand, 20000.);
+    EXPECT_GE(static_cast<double>(size[0]) * size[1], 0.4 * 40000.);
+    EXPECT_NEAR(size[0] / (ratio * size[1]), 1., 0.15) << ratio;
+  }
+  demand.extent = { 1., 1e-6 };
+  EXPECT_EQ(stipple::automaticMapSize(demand, 20000.), (std::array<int, 2>{ 4096, 4 }));
+}
+
 TEST(MapSizing, TheDensityRatioForgetsTheDensestThousandth)
 {
   // Four equal triangles of the square, three of them of area 1 in space, the last one of area a.

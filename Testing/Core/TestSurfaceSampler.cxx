@@ -553,6 +553,36 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
   }
 }
 
+TEST(SurfaceSampler, PixelsThatAreNotSquareLeaveNoTrace)
+{
+  Fixture f;
+  flatSquare(f.builder, 8);
+  f.take();
+  // How much farther the next sample is in one direction than in the other, over all.
+  const auto bias = [&](double slimness) {
+    const ControlMaps maps(f.surface(), 200, nullptr, slimness);
+    const SurfaceSamples result = f.sample(maps, 1500);
+    const std::vector<Vec2>& places = result.interior[0];
+    Vec2 sum = Vec2::Zero();
+    for (const Vec2& p : places)
+    {
+      Vec2 nearest(1, 1);
+      for (const Vec2& q : places)
+      {
+        if (p != q && (q - p).norm() < nearest.norm())
+        {
+          nearest = q - p;
+        }
+      }
+      sum += nearest.cwiseAbs();
+    }
+    return std::abs(std::log(sum.x() / sum.y()));
+  };
+  EXPECT_LT(bias(1.), 0.3);
+  EXPECT_LT(bias(4.), 0.3);
+  EXPECT_LT(bias(8.), 0.3);
+}
+
 TEST(ChordDistance, IsThatFromTheNearestSegmentInSpace)
 {
   Fixture f;
