@@ -84,7 +84,7 @@ struct AtlasConstants
   /// Triangles of two regions: less have no smooth line to offer, and cutting them again and again
   /// would never end.
   static constexpr int LeastForSeam = 500;
-  /// Share of an edge at most: lines and cuts that pass closer to a vertex go there, so that no thin
+  /// Share of an edge: lines and cuts that pass closer to a vertex go there, so that no thin
   /// triangle is left.
   static constexpr double NearestToVertex = 0.05;
   /// Edges of a crease that are longer, over the root of the area, are crossed at an end.

@@ -220,11 +220,6 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   {
     tryAll();
   }
-  // Slivers flip triangles; with Delaunay ones instead of them, few charts are left.
-  if (!map.valid && !isAsked(stop) && solver.factorizeDelaunay())
-  {
-    tryAll();
-  }
   if (isAsked(stop))
   {
     return map;
@@ -259,6 +254,22 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   }
   scale(map.uv, best->extent, map.extent);
   measureMap(surface, chart, map);
+  // Slivers flip triangles, and positive weights know no shapes. Delaunay triangles do, and slivers
+  // do them no harm.
+  if (map.fallback && !(map.valid && map.densityRatio <= options.evenEnough) && !isAsked(stop) &&
+    solver.factorizeDelaunay())
+  {
+    const ConformalMap positive = std::move(map);
+    map = {};
+    map.uv.assign(chart.vertices.size(), Vec2::Zero());
+    tryAll();
+    scale(map.uv, best->extent, map.extent);
+    measureMap(surface, chart, map);
+    if (!map.valid || (positive.valid && positive.densityRatio <= map.densityRatio))
+    {
+      map = positive;
+    }
+  }
   return map;
 }
 }

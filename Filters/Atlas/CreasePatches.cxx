@@ -22,9 +22,8 @@ namespace
 class Patches
 {
 public:
-  Patches(const CutSurface& surface, double maximumDensityRatio)
+  explicit Patches(const CutSurface& surface)
     : Surface(surface)
-    , DeepestSleeve(std::log(maximumDensityRatio) / (4 * Constants::Pi))
     , Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
     , Joined(this->Sets.number)
     , Area(this->Sets.number, 0.)
@@ -122,14 +121,13 @@ private:
     }
   }
 
-  /// Whether a patch is the end of another one, which stays and is a sleeve from there on: t times
-  /// as deep as the end's outline is long, where a conformal map is e^(4 pi t) times as dense at
-  /// the end as at the mouth. Along the end of a tube the tube does not turn; around a hole in a
-  /// plane the plane does, by -2 pi.
+  /// Whether a patch is the end of another one, which stays and is a sleeve from there on, deeper
+  /// than any map (cutDeepSleeve()). Along the end of a tube the tube does not turn; around a hole
+  /// in a plane the plane does, by -2 pi.
   bool closesSleeve(int patch, int into, double length) const
   {
     if (this->Area[into] < this->LeastArea[into] ||
-      this->Area[into] <= this->DeepestSleeve * length * length)
+      this->Area[into] <= Constants::DeepSleeve * length * length)
     {
       return false;
     }
@@ -157,7 +155,6 @@ private:
   }
 
   const CutSurface& Surface;
-  double DeepestSleeve; // in lengths of its outline
   FaceSets Sets;
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
@@ -168,9 +165,9 @@ private:
 };
 }
 
-void cutAlongCreases(CutSurface& surface, double maximumDensityRatio)
+void cutAlongCreases(CutSurface& surface)
 {
-  const Patches patch(surface, maximumDensityRatio);
+  const Patches patch(surface);
   for (const Halfedge h : surface.halfedges())
   {
     if (!surface.isBoundary(h) && patch(faceOf(surface.twin[h])) != patch(faceOf(h)))

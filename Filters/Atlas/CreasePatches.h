@@ -10,9 +10,9 @@ namespace stipple
 {
 /// Cuts the surface between its patches: triangles that are connected across edges that are not
 /// sharp. A patch with less than NegligibleArea of its component goes to the neighbour with which
-/// it has most of its outline, unless it is the end of a sleeve (a cap of a tube) so deep that it
-/// would break the bound on the density there. Creases that end inside a patch are not cut.
-STIPPLEFILTERSATLAS_EXPORT void cutAlongCreases(CutSurface& surface, double maximumDensityRatio);
+/// it has most of its outline, unless it is the end of a sleeve (a lid of a tube) so deep that no
+/// map of it can be. Creases that end inside a patch are not cut.
+STIPPLEFILTERSATLAS_EXPORT void cutAlongCreases(CutSurface& surface);
 
 /// Whether a chart can be unrolled with little distortion: by total curvatures W+ < 2 pi and W- it
 /// has a map to the plane that changes lengths by sqrt((2 pi + W-) / (2 pi - W+)) at most (Bonk and

@@ -56,18 +56,6 @@ void CutSurface::link(Halfedge h, Halfedge t)
   }
 }
 
-double CutSurface::nearestCrossing(Halfedge h, double most) const
-{
-  double area = this->faceArea(faceOf(h));
-  if (this->twin[h].valid())
-  {
-    area = std::min(area, this->faceArea(faceOf(this->twin[h])));
-  }
-  // As if the edge were twice as long as the triangle is high, where it is longer.
-  const double squaredLength = this->edge(h).squaredNorm();
-  return most * std::min(1., 4 * area / squaredLength);
-}
-
 Halfedge CutSurface::nextOnBoundary(Halfedge h) const
 {
   Halfedge g = nextHalfedge(h);

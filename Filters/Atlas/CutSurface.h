@@ -47,10 +47,6 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   /// edge between their other corners: h then runs from the corner over it, its twin back.
   void flipEdge(Halfedge h);
 
-  /// Share of an edge, at most `most`: a line that crosses it closer to a vertex goes through that,
-  /// so that no triangle is left much thinner than those beside the edge.
-  double nearestCrossing(Halfedge h, double most) const;
-
   /// The halfedge after h on the boundary of h's chart.
   Halfedge nextOnBoundary(Halfedge h) const;
   /// Cuts around the tail of h, two or more at the surface's boundary.

@@ -220,7 +220,7 @@ private:
     const double toB = orient2(p, target, b);
     const double t = toA + toB > 0 ? toA / (toA + toB) : 0.;
     const Halfedge across = nextHalfedge(g);
-    const double nearest = this->Surface.nearestCrossing(across, Constants::NearestToVertex);
+    const double nearest = Constants::NearestToVertex;
     if (t < nearest || t > 1 - nearest)
     {
       const Halfedge along = t < nearest ? g : previousHalfedge(g);

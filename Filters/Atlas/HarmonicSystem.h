@@ -29,9 +29,9 @@ public:
   /// obey the maximum principle.
   bool factorize(const std::vector<char>& positiveAt = {});
 
-  /// The same with the intrinsic Delaunay triangulation of the chart, whose weights are not negative:
-  /// values obey the maximum principle, and slivers do no harm. Interpolated on the chart's own
-  /// triangles they may be less smooth.
+  /// The same with the intrinsic Delaunay triangulation of the chart, whose weights are not
+  /// negative: values obey the maximum principle, and slivers do no harm. Interpolated on the
+  /// chart's own triangles they may be less smooth.
   bool factorizeDelaunay();
 
   /// Overwrites the rows of free vertices with the harmonic extension of the given rows.

@@ -234,8 +234,7 @@ void snapToVertices(
         const Halfedge h = halfedgeOf(mesh.faces[i], k);
         const bool isLong =
           surface.keep[h] == Keep::Edges || (surface.sharp[h] && surface.edgeLength(h) > longEdge);
-        const double nearest =
-          isLong ? 0.5 : surface.nearestCrossing(h, Constants::NearestToVertex);
+        const double nearest = isLong ? 0.5 : Constants::NearestToVertex;
         const double at = a / (a - b);
         if (at < nearest)
         {

@@ -108,7 +108,7 @@ TriangleSurface boxOnBox(int n, double side)
 TEST(CreasePatches, AreTheFacesOfACube)
 {
   CutSurface surface = creased(shapes::cube(6));
-  cutAlongCreases(surface, 100.);
+  cutAlongCreases(surface);
   const std::vector<std::vector<Face>> patches = chartFaces(surface);
   ASSERT_EQ(patches.size(), 6U);
   for (const std::vector<Face>& patch : patches)
@@ -127,7 +127,7 @@ TEST(CreasePatches, CreasesThatEndInsideAreNotCut)
   {
     surface.setSharp(Halfedge(h), true);
   }
-  cutAlongCreases(surface, 100.);
+  cutAlongCreases(surface);
   EXPECT_EQ(std::count(surface.cut.begin(), surface.cut.end(), 1), 0);
 }
 
@@ -136,11 +136,11 @@ TEST(CreasePatches, NegligibleOnesGoToTheNeighbourWithMostOfTheirOutline)
   // A large small box has faces of its own: 6 of the large one's, and 5.
   CutSurface large = creased(boxOnBox(7, 0.3));
   ASSERT_EQ(large.topology().euler, 2);
-  cutAlongCreases(large, 100.);
+  cutAlongCreases(large);
   EXPECT_EQ(chartFaces(large).size(), 11U);
   // Of side .03 each face has 1.5e-4 of the area, all five have less than a thousandth.
   CutSurface small = creased(boxOnBox(7, 0.03));
-  cutAlongCreases(small, 100.);
+  cutAlongCreases(small);
   const std::vector<std::vector<Face>> patches = chartFaces(small);
   EXPECT_EQ(patches.size(), 6U);
   const double total = small.area();
@@ -162,7 +162,7 @@ TEST(CreasePatches, LidsOfTubesStayHoweverSmall)
   for (const double height : { 4., 700., 5000. })
   {
     CutSurface surface = creased(shapes::cylinder(1, height, 16, 40));
-    cutAlongCreases(surface, 100.);
+    cutAlongCreases(surface);
     EXPECT_EQ(chartFaces(surface).size(), 3U) << height;
   }
 }
