@@ -22,7 +22,10 @@ std::array<int, 2> withAspect(const Vec2& extent, int longer, int least)
 }
 } // namespace
 
-double densityRatio(const MapChart& chart, double fraction)
+namespace
+{
+/// densityRatio() for some fractions, ascending.
+std::vector<double> densityRatios(const MapChart& chart, const std::vector<double>& fractions)
 {
   struct Density
   {
@@ -44,24 +47,32 @@ double densityRatio(const MapChart& chart, double fraction)
       densities.push_back({ space / plane, space });
     }
   }
+  std::vector<double> ratios(fractions.size(), 1.);
   if (densities.empty() || area3D <= 0.)
   {
-    return 1.;
+    return ratios;
   }
   std::sort(densities.begin(), densities.end(),
     [](const Density& a, const Density& b) { return a.value > b.value; });
   double above = 0.;
-  double quantile = densities.front().value;
-  for (const Density& d : densities)
+  auto d = densities.begin();
+  double quantile = d->value;
+  for (std::size_t i = 0; i < fractions.size(); ++i)
   {
-    quantile = d.value;
-    above += d.area;
-    if (above > fraction * area3D)
+    for (; d != densities.end() && above <= fractions[i] * area3D; ++d)
     {
-      break;
+      quantile = d->value;
+      above += d->area;
     }
+    ratios[i] = std::max(1., quantile * area2D / area3D);
   }
-  return std::max(1., quantile * area2D / area3D);
+  return ratios;
+}
+}
+
+double densityRatio(const MapChart& chart, double fraction)
+{
+  return densityRatios(chart, { fraction }).front();
 }
 
 MapDemand demandOf(const MapChart& chart)
@@ -72,13 +83,33 @@ MapDemand demandOf(const MapChart& chart)
   {
     demand.area += area;
   }
-  demand.densityRatio = densityRatio(chart);
+  std::vector<double> fractions;
+  for (double fraction = NegligibleFraction; fraction < 1.; fraction *= 2.)
+  {
+    fractions.push_back(fraction);
+  }
+  demand.coarseRatios = densityRatios(chart, fractions);
+  demand.densityRatio = demand.coarseRatios.front();
+  demand.coarseRatios.erase(demand.coarseRatios.begin());
   return demand;
+}
+
+double MapDemand::ratioFor(double samples) const
+{
+  double ratio = this->densityRatio;
+  double fraction = 2. * NegligibleFraction;
+  for (auto next = this->coarseRatios.begin();
+       next != this->coarseRatios.end() && fraction * samples <= MissedSample;
+       ++next, fraction *= 2.)
+  {
+    ratio = *next;
+  }
+  return ratio;
 }
 
 std::array<int, 2> automaticMapSize(const MapDemand& demand, double samples)
 {
-  const double pixels = 2. * std::max(0., samples) * demand.densityRatio;
+  const double pixels = 2. * std::max(0., samples) * demand.ratioFor(samples);
   const double ratio =
     std::min(demand.extent.x(), demand.extent.y()) / std::max(demand.extent.x(), demand.extent.y());
   const double needed = std::sqrt(pixels / ratio);
@@ -102,7 +133,13 @@ std::vector<std::array<int, 2>> automaticMapSizes(
   for (const MapDemand& demand : demands)
   {
     area += demand.area;
-    largestRatio = std::max(largestRatio, demand.densityRatio);
+  }
+  const auto share = [&](const MapDemand& demand) {
+    return area > 0. ? samples * demand.area / area : 0.;
+  };
+  for (const MapDemand& demand : demands)
+  {
+    largestRatio = std::max(largestRatio, demand.ratioFor(share(demand)));
   }
   const double most = std::max(MostPixels, 32. * samples);
   std::vector<std::array<int, 2>> sizes(demands.size());
@@ -112,8 +149,9 @@ std::vector<std::array<int, 2>> automaticMapSizes(
     for (std::size_t i = 0; i < demands.size(); ++i)
     {
       MapDemand demand = demands[i];
-      demand.densityRatio = std::min(demand.densityRatio, ratio);
-      sizes[i] = automaticMapSize(demand, area > 0. ? samples * demand.area / area : 0.);
+      demand.densityRatio = std::min(demand.ratioFor(share(demand)), ratio);
+      demand.coarseRatios.clear();
+      sizes[i] = automaticMapSize(demand, share(demand));
       pixels += static_cast<double>(sizes[i][0]) * sizes[i][1];
     }
     if (pixels <= most || ratio <= 1.)

@@ -18,11 +18,22 @@ struct MapDemand
   Vec2 extent = Vec2::Ones(); ///< of the rectangle
   double area = 0.;           ///< in space
   double densityRatio = 1.;   ///< see densityRatio()
+  /// The same for larger fractions: 2, 4, 8 ... thousandths, up to half of the surface and more.
+  std::vector<double> coarseRatios;
+
+  /// What a chart with so many samples asks for: what holds less than MissedSample of one may be as
+  /// dense as it likes.
+  double ratioFor(double samples) const;
 };
+/// A chart of few samples does not feel what is denser than its pixels and wants less than this.
+constexpr double MissedSample = 0.05;
+
+constexpr double NegligibleFraction = 0.001;
 
 /// The density (A3D / A2D) that all but a fraction of the chart's surface stays below, over the
 /// chart's mean density. At least 1.
-STIPPLEFILTERSMAPS_EXPORT double densityRatio(const MapChart& chart, double fraction = 0.001);
+STIPPLEFILTERSMAPS_EXPORT double densityRatio(
+  const MapChart& chart, double fraction = NegligibleFraction);
 
 STIPPLEFILTERSMAPS_EXPORT MapDemand demandOf(const MapChart& chart);
 

@@ -47,8 +47,9 @@ namespace
 /// knows no lengths but pixels. 1 at least.
 Vec2 enlargement(const ControlImage& image, double factor)
 {
-  const double shape =
-    image.extent.x() / image.width * image.height / image.extent.y(); // width over height
+  const double shape = image.extent.x() / image.width * image.height / image.extent.y(); // width
+                                                                                         // over
+                                                                                         // height
   if (std::abs(std::log(shape)) < std::log(Constants::SquareEnough))
   {
     return { factor, factor };
@@ -115,8 +116,10 @@ double InteriorSampler::upsampling(const ControlImage& image, double scale, cons
   double aboveHalf = 0;
   double aboveOne = 0;
   int factor = most;
-  while (factor > 1 && aboveHalf + crowded[factor] <= Constants::CrowdedShare * total &&
-    aboveOne + overfull[factor] <= Constants::OverfullShare * total)
+  const double mayCrowd = std::max(Constants::CrowdedShare * total, Constants::MissedSample);
+  const double mayOverfill = std::max(Constants::OverfullShare * total, Constants::MissedSample);
+  while (factor > 1 && aboveHalf + crowded[factor] <= mayCrowd &&
+    aboveOne + overfull[factor] <= mayOverfill)
   {
     aboveHalf += crowded[factor];
     aboveOne += overfull[factor];

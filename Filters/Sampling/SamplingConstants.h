@@ -36,6 +36,8 @@ struct SamplingConstants
   static constexpr int LargestUpsampling = 16;
   static constexpr double LargestRasterSize = 512. * 1024 * 1024;
   static constexpr double MostKeptPixels = 128. * 1024 * 1024;
+  /// vtkGeometryMapRenderer's maps have at most so many pixels along a side.
+  static constexpr int LargestMapSize = 16384;
   /// No pixel wants more than half a sample, unless a few would cost more than this factor squared
   /// in pixels: a spike of the control. Then at most these shares of a chart's samples may fall to
   /// pixels that want more than half a sample, and more than a whole one. Up to one, halftoning is
@@ -44,6 +46,8 @@ struct SamplingConstants
   static constexpr double LargestForAll = 2.;
   static constexpr double CrowdedShare = 0.05;
   static constexpr double OverfullShare = 0.005;
+  /// Or so much of a sample, in charts of a few.
+  static constexpr double MissedSample = 0.05;
   /// A pixel's longer side over the shorter one up to which it counts as a square.
   static constexpr double SquareEnough = 1.5;
   /// A segment touches the pixels whose middles are nearer to it, in pixels.

@@ -249,15 +249,19 @@ Status Sampling::makeSamplers()
     const ControlImage& image = this->Images[c];
     this->Samplers.emplace_back(this->Domain, static_cast<int>(c), image, this->Valid.graphs[c],
       this->Valid.samples, this->Scale);
-    const double factor = InteriorSampler::upsampling(image, this->Scale, this->Mass[c]);
-    if (!InteriorSampler::withinLimits(image, factor))
+    double factor = InteriorSampler::upsampling(image, this->Scale, this->Mass[c]);
+    const double mapSize = std::ceil(factor * std::max(image.width, image.height));
+    if (!InteriorSampler::withinLimits(image, factor) && mapSize <= Constants::LargestMapSize)
     {
       return Status::error("The control image of chart " + std::to_string(c) + " (" +
         std::to_string(image.width) + " x " + std::to_string(image.height) +
         " pixels) is too small for its share of " + std::to_string(this->Number) +
-        " samples: set MapSize to at least " +
-        std::to_string(static_cast<int>(std::ceil(factor * std::max(image.width, image.height)))) +
-        ".");
+        " samples: set MapSize to at least " + std::to_string(static_cast<int>(mapSize)) + ".");
+    }
+    // Where no map would do, error diffusion hands on what a pixel cannot take.
+    while (factor > 1. && !InteriorSampler::withinLimits(image, factor))
+    {
+      factor = std::max(1., std::floor(0.5 * factor));
     }
     this->Factor[c] = factor;
     pixels += image.numberOfPixels() * factor * factor;

@@ -29,6 +29,22 @@ TEST(MapSizing, PixelsFollowSamplesAndDensity)
   EXPECT_EQ(stipple::fixedMapSize({ 1., 1e-6 }, 400), (std::array<int, 2>{ 400, 2 }));
 }
 
+TEST(MapSizing, AFewSamplesNeedFewPixelsHoweverDenseAMap)
+{
+  // A fifth of the surface in a millionth of the map.
+  MapChart chart;
+  chart.uv = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1e-3, 1e-3 }, { 2e-3, 1e-3 },
+    { 1e-3, 2e-3 } };
+  chart.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 } };
+  chart.area = { 1.f, 1.f, 0.5f };
+  const stipple::MapDemand demand = stipple::demandOf(chart);
+  EXPECT_GT(demand.densityRatio, 1e5);
+  EXPECT_EQ(demand.ratioFor(1000.), demand.densityRatio);
+  EXPECT_EQ(demand.ratioFor(1.), demand.densityRatio) << "a fifth of a sample is missed";
+  EXPECT_LT(demand.ratioFor(0.1), 2.) << "a fiftieth is not";
+  EXPECT_EQ(stipple::automaticMapSize(demand, 0.1), (std::array<int, 2>{ 32, 32 }));
+}
+
 TEST(MapSizing, PixelsOfLongRectanglesAreSquare)
 {
   stipple::MapDemand demand;
