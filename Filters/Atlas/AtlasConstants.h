@@ -66,12 +66,15 @@ struct AtlasConstants
   static constexpr double LeastTurnOfSlender = Pi / 3;
   /// Length of a rectangle over its width: as many pixels as a map may have along its longer side.
   static constexpr double LongestRectangle = 4096;
+  /// The same of a chart that is not long.
+  static constexpr double LongRectangle = 8;
   /// A map's energy over twice its area, 1 if it is conformal: up to here the map whose density is
   /// most even is the best one. A map to a rectangle 8 times as long as it should be has 4.
   static constexpr double MostStretch = 4;
-  /// Length over width from which on a chart gets short sides at its ends: rectangles up to there
-  /// are tried all around. Places on half of its boundary by which the ends are found.
-  static constexpr double LongChart = 4;
+  /// Length over width from which on a chart gets short sides at its ends: twice LongRectangle, a
+  /// factor that does no harm. (From 4 on, limbs of scans were mapped so, at twice the time, and no
+  /// better.) Places on half of its boundary by which the ends are found.
+  static constexpr double LongChart = 16;
   static constexpr int PlacesOnFold = 32;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;

@@ -126,8 +126,8 @@ void openToDisk(ChartRegions& regions, int region, const ChartPartitionOptions& 
       return;
     }
     regions.splitChords(region);
-    const ConformalMap map = mapToRectangle(surface, regions.mesh(region),
-      { options.square, options.maximumDensityRatio }, regions.stop());
+    const ConformalMap map =
+      mapToRectangle(surface, regions.mesh(region), { options.square }, regions.stop());
     if (map.valid && map.densityRatio <= options.maximumDensityRatio)
     {
       return;
@@ -335,8 +335,8 @@ public:
           {
             FlatChart& chart = this->Charts[changed[i]];
             chart.mesh = this->Regions.mesh(changed[i]);
-            chart.map = mapToRectangle(this->Regions.surface(), chart.mesh,
-              { this->Options.square, this->Options.maximumDensityRatio }, this->Regions.stop());
+            chart.map = mapToRectangle(
+              this->Regions.surface(), chart.mesh, { this->Options.square }, this->Regions.stop());
           }
         });
       if (this->Regions.isStopped())
@@ -553,8 +553,8 @@ private:
     std::vector<Face> faces = this->Regions.faces(a);
     faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
     this->Merged.mesh = extractChart(surface, std::move(faces));
-    this->Merged.map = mapToRectangle(surface, this->Merged.mesh,
-      { this->Options.square, this->Options.maximumDensityRatio }, this->Regions.stop());
+    this->Merged.map =
+      mapToRectangle(surface, this->Merged.mesh, { this->Options.square }, this->Regions.stop());
     for (const Halfedge h : seam->halfedges)
     {
       surface.setCut(h, true);

@@ -184,6 +184,8 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
 
   // One factorization serves every boundary, so several rectangles are tried.
   const std::vector<RectanglePlacement> placements = layout.placements(options.square);
+  const bool isLong = std::any_of(
+    placements.begin(), placements.end(), [](const RectanglePlacement& p) { return p.fits; });
   const RectanglePlacement* best = nullptr;
   const auto solve = [&](const RectanglePlacement& placement, std::vector<Vec2>& uv) {
     layout.place(placement, uv);
@@ -199,13 +201,17 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
         return;
       }
       solve(placement, uv);
-      const Vec2 energies = dirichletEnergies(surface, area, chart, uv);
-      const Vec2 extent =
-        placement.fits ? fittingExtent(energies, placement.extent) : placement.extent;
-      const Vec2 scaled = energies.cwiseProduct(extent.cwiseQuotient(placement.extent).cwiseAbs2());
-      const double stretch = 0.5 * scaled.sum() / (extent.x() * extent.y());
-      const double cost =
-        meanDensity(area, chart, uv) * std::max(1., stretch / Constants::MostStretch);
+      double cost = meanDensity(area, chart, uv);
+      Vec2 extent = placement.extent;
+      if (isLong)
+      {
+        const Vec2 energies = dirichletEnergies(surface, area, chart, uv);
+        extent = placement.fits ? fittingExtent(energies, placement.extent) : placement.extent;
+        const Vec2 scaled =
+          energies.cwiseProduct(extent.cwiseQuotient(placement.extent).cwiseAbs2());
+        const double stretch = 0.5 * scaled.sum() / (extent.x() * extent.y());
+        cost *= std::max(1., stretch / Constants::MostStretch);
+      }
       if (cost < least)
       {
         least = cost;
@@ -217,6 +223,11 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
     map.valid = best && isValid(chart, map.uv);
   };
   if (solver.factorize())
+  {
+    tryAll();
+  }
+  // What is long has long slivers, as a rule, which flip; Delaunay triangles in their place do not.
+  if (!map.valid && isLong && !isAsked(stop) && solver.factorizeDelaunay())
   {
     tryAll();
   }
@@ -254,22 +265,6 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   }
   scale(map.uv, best->extent, map.extent);
   measureMap(surface, chart, map);
-  // Slivers flip triangles, and positive weights know no shapes. Delaunay triangles do, and slivers
-  // do them no harm.
-  if (map.fallback && !(map.valid && map.densityRatio <= options.evenEnough) && !isAsked(stop) &&
-    solver.factorizeDelaunay())
-  {
-    const ConformalMap positive = std::move(map);
-    map = {};
-    map.uv.assign(chart.vertices.size(), Vec2::Zero());
-    tryAll();
-    scale(map.uv, best->extent, map.extent);
-    measureMap(surface, chart, map);
-    if (!map.valid || (positive.valid && positive.densityRatio <= map.densityRatio))
-    {
-      map = positive;
-    }
-  }
   return map;
 }
 }

@@ -14,8 +14,7 @@ constexpr double NegligibleArea = 1e-3;
 
 struct ConformalMapOptions
 {
-  bool square = false;   ///< map to the unit square, not to the rectangle that suits the chart best
-  double evenEnough = 0; ///< densityRatio up to which a fallback is as good as another map
+  bool square = false; ///< map to the unit square, not to the rectangle that suits the chart best
 };
 
 struct ConformalMap
@@ -31,10 +30,9 @@ struct ConformalMap
 
 /// Maps the chart's boundary to the rectangle by arc length and its interior by the cotangent
 /// Laplacian (Eck et al. 1995; Pinkall and Polthier 1993). Where that flips a triangle, cotangents
-/// are clamped to positive values, for which the map is one-to-one (Tutte 1963; Floater 2003), or
-/// the chart's intrinsic Delaunay triangulation takes the place of its own if that map is valid,
-/// too, and less dense. The boundary needs four vertices or more. A map that is stopped is not
-/// valid.
+/// are clamped to positive values, for which the map is one-to-one (Tutte 1963; Floater 2003); in a
+/// long chart, the intrinsic Delaunay triangulation is tried before. The boundary needs four
+/// vertices or more. A map that is stopped is not valid.
 STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(const TriangleSurface& surface,
   const ChartMesh& chart, const ConformalMapOptions& options, const Stop& stop = {});
 

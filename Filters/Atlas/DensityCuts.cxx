@@ -219,18 +219,17 @@ private:
     const double toA = orient2(p, a, target);
     const double toB = orient2(p, target, b);
     const double t = toA + toB > 0 ? toA / (toA + toB) : 0.;
-    const Halfedge across = nextHalfedge(g);
-    const double nearest = Constants::NearestToVertex;
-    if (t < nearest || t > 1 - nearest)
+    if (t < Constants::NearestToVertex || t > 1 - Constants::NearestToVertex)
     {
-      const Halfedge along = t < nearest ? g : previousHalfedge(g);
+      const Halfedge along = t < Constants::NearestToVertex ? g : previousHalfedge(g);
       if (this->Surface.cut[along])
       {
         return {};
       }
       this->Regions.cutOpen(along);
-      return t < nearest ? nextHalfedge(g) : along;
+      return t < Constants::NearestToVertex ? nextHalfedge(g) : along;
     }
+    const Halfedge across = nextHalfedge(g);
     this->split(across, t);
     this->Regions.cutOpen(nextHalfedge(across));
     return nextHalfedge(across);

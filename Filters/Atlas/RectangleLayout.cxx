@@ -113,23 +113,27 @@ Vec3 RectangleLayout::pointAt(double fraction) const
   return (1 - t) * this->Outline[i] + t * this->Outline[(i + 1) % this->Outline.size()];
 }
 
-double RectangleLayout::foldOfLong(double precision) const
+std::optional<double> RectangleLayout::foldOfLong(double length, double width) const
 {
+  const auto across = [&](double end, int i) {
+    const double t = 0.5 * (i + 0.5) / Constants::PlacesOnFold;
+    return (this->pointAt(end + t) - this->pointAt(end - t)).norm();
+  };
   const auto misfit = [&](double end) {
     double sum = 0;
     for (int i = 0; i < Constants::PlacesOnFold; ++i)
     {
-      const double t = 0.5 * (i + 0.5) / Constants::PlacesOnFold;
-      sum += (this->pointAt(end + t) - this->pointAt(end - t)).norm();
+      sum += across(end, i);
     }
     return sum;
   };
   // All around, then between the neighbours of the best, closer and closer.
+  const double precision = 0.125 * width / this->ArcLength.back();
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
-  double step = 0.5 / Constants::PlacesOnFold;
   double from = 0;
-  for (int tried = Constants::PlacesOnFold;; tried = 9, from = best - step, step *= 0.25)
+  double step = 0.5 / Constants::PlacesOnFold;
+  for (int tried = Constants::PlacesOnFold; step > 0.25 * precision; tried = 9)
   {
     for (int i = 0; i < tried; ++i)
     {
@@ -141,11 +145,17 @@ double RectangleLayout::foldOfLong(double precision) const
         best = end;
       }
     }
-    if (step <= precision)
+    from = best - step;
+    step *= 0.25;
+  }
+  for (int i = 0; i < Constants::PlacesOnFold; ++i)
+  {
+    if (across(best, i) * Constants::LongChart > length)
     {
-      return best;
+      return {};
     }
   }
+  return best;
 }
 
 std::vector<RectanglePlacement> RectangleLayout::placementsOfLong() const
@@ -160,8 +170,13 @@ std::vector<RectanglePlacement> RectangleLayout::placementsOfLong() const
   {
     return {};
   }
+  const std::optional<double> fold = this->foldOfLong(length, width);
+  if (!fold)
+  {
+    return {};
+  }
+  const double end = *fold;
   const double half = 0.5 * width / perimeter;
-  const double end = this->foldOfLong(0.25 * half);
   RectanglePlacement placement;
   placement.corner = { end + half, end + 0.5 - half, end + 0.5 + half, end + 1 - half };
   placement.extent = Vec2(1, 1);
@@ -209,11 +224,10 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
       }
     }
   }
-  if (!square)
-  {
-    const std::vector<RectanglePlacement> longOnes = this->placementsOfLong();
-    placements.insert(placements.end(), longOnes.begin(), longOnes.end());
-  }
+  const std::vector<RectanglePlacement> ofLong =
+    square ? std::vector<RectanglePlacement>() : this->placementsOfLong();
+  const bool isLong = !ofLong.empty();
+  placements.insert(placements.end(), ofLong.begin(), ofLong.end());
   if (corners.size() < 4)
   {
     corners = this->cornersOfSlender();
@@ -249,7 +263,12 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
   choices.resize(std::min(choices.size(), Constants::MostChoices));
   for (const Choice& c : choices)
   {
-    placements.push_back({ c.at, Vec2(1, 1), !square });
+    const double width = (c.at[1] - c.at[0]) + (c.at[3] - c.at[2]);
+    const double height = (c.at[2] - c.at[1]) + (1 + c.at[0] - c.at[3]);
+    const double aspect = square
+      ? 1.
+      : std::clamp(width / height, 1 / Constants::LongRectangle, Constants::LongRectangle);
+    placements.push_back({ c.at, aspect > 1 ? Vec2(1, 1 / aspect) : Vec2(aspect, 1), isLong });
   }
   return placements;
 }

@@ -6,6 +6,8 @@
 
 #include "ChartMesh.h"
 
+#include <optional>
+
 namespace stipple
 {
 /// A rectangle and where its corners sit on the boundary, counterclockwise, as fractions of the
@@ -14,7 +16,7 @@ struct RectanglePlacement
 {
   std::array<double, 4> corner;
   Vec2 extent; ///< width and height; the larger is 1
-  /// Whether another extent is as good: that with which the map is closest to conformal.
+  /// Whether the extent is to be the one with which the map is closest to conformal: long charts'.
   bool fits = false;
 };
 
@@ -43,9 +45,9 @@ private:
   /// The corners of a chart that has four, as near to each other as they are; else none.
   std::vector<Corner> cornersOfSlender() const;
   /// Where a long chart ends, as a fraction of the boundary (the other end is half of it away): its
-  /// boundary, folded there, lies upon itself, at a distance of the chart's width on average, which
-  /// is known but for `precision`.
-  double foldOfLong(double precision) const;
+  /// boundary, folded there, lies upon itself but for the chart's width. None if that is not small
+  /// everywhere: a wide chart that is cut open has a long boundary, too.
+  std::optional<double> foldOfLong(double length, double width) const;
   /// A place on the boundary, by a fraction of it.
   Vec3 pointAt(double fraction) const;
   /// Of a long chart, whose area and perimeter are those of such a rectangle; its corners as they

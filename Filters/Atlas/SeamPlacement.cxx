@@ -346,34 +346,6 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
   return both;
 }
 
-/// Whether a function is largest or smallest at a vertex where it is not given: its lines are then
-/// closed curves about it.
-bool hasExtremum(
-  const ChartMesh& mesh, const std::vector<char>& given, const std::vector<double>& value)
-{
-  std::vector<char> isLess(value.size(), 0); // than at some neighbour
-  std::vector<char> isMore(value.size(), 0);
-  for (const Triangle& t : mesh.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const double difference = value[t[nextCorner(k)]] - value[t[k]];
-      isLess[t[k]] |= difference >= 0;
-      isMore[t[k]] |= difference <= 0;
-      isLess[t[nextCorner(k)]] |= difference <= 0;
-      isMore[t[nextCorner(k)]] |= difference >= 0;
-    }
-  }
-  for (std::size_t v = 0; v < value.size(); ++v)
-  {
-    if (!given[v] && !(isLess[v] && isMore[v]))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
 /// the line that has it on the first side; empty if it can't be computed or is stopped.
 std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& both,
@@ -385,26 +357,19 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
     sides.leaveOutFar(*areaFraction);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given);
-  const auto solve = [&](bool factorized) {
-    std::vector<double> value = sides.Value;
-    if (factorized)
-    {
-      using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      system.solve(Eigen::Map<Matrix>(value.data(), static_cast<Eigen::Index>(value.size()), 1));
-    }
-    return factorized ? value : std::vector<double>();
-  };
   if (isAsked(stop))
   {
     return {};
   }
-  std::vector<double> value = solve(system.factorize());
-  // Slivers can cost the cotangent Laplacian its definiteness, and its maximum principle.
-  if ((value.empty() || hasExtremum(both.mesh, sides.Given, value)) && !isAsked(stop))
+  // Slivers can cost the cotangent Laplacian its definiteness.
+  if (!system.factorize() && !system.factorizeDelaunay())
   {
-    value = solve(system.factorizeDelaunay());
+    return {};
   }
-  return value;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  system.solve(
+    Eigen::Map<Matrix>(sides.Value.data(), static_cast<Eigen::Index>(sides.Value.size()), 1));
+  return std::move(sides.Value);
 }
 
 /// Who owns which triangle, as sides for ChartRegions::shareOut in its present order.
