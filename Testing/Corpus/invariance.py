@@ -32,7 +32,7 @@ import tempfile
 
 import numpy as np
 
-SHARE = 0.1
+SHARE = 0.2
 ANGLE = 5.0
 DISTANCE = 1.5
 
