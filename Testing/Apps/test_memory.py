@@ -13,10 +13,9 @@ import unittest
 
 from stipple_program import STIPPLE, ProgramTest
 
-PER_TRIANGLE = 2.5  # kB of a triangle of the input
-PER_POINT = 5.0  # kB of a point of the result
+PER_TRIANGLE = 2.0  # kB of a triangle of the input
+PER_POINT = 4.0  # kB of a point of the result
 
-# Address space: of libraries, and with it, of the loader alone.
 MEGABYTE = 1 << 20
 
 
