@@ -32,6 +32,8 @@ stipple_quietly "$folder/build.log" cmake --build "$folder"
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS="suppressions=$PWD/Testing/Fuzz/thread.supp"
+# VTK's own threads, which ThreadSanitizer sees start and end; oneTBB's it does not.
+[ "$sanitizers" != thread ] || export VTK_SMP_BACKEND_IN_USE=STDThread
 unset DISPLAY WAYLAND_DISPLAY XAUTHORITY
 failed=0
 # shellcheck disable=SC2086 # words on purpose

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "Guarded.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -43,7 +48,14 @@ int Program::perform(const std::function<Status()>& work) const
   }
   catch (const std::exception& exception)
   {
-    return this->complain(std::string("internal error: ") + exception.what(), Failed);
+    return lacksThreads(exception)
+      ? this->complain("out of memory, or of threads", Failed)
+      : this->complain(std::string("internal error: ") + exception.what(), Failed);
   }
+}
+
+void useThreads(int most)
+{
+  vtkSMPTools::Initialize(std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, most));
 }
 }

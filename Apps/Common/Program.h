@@ -40,6 +40,10 @@ public:
 private:
   std::string Name;
 };
+
+/// So many threads, or all cores if these are fewer: oneTBB ignores what is beyond, and says so on
+/// stderr. Once in a program, before anything else is done by several threads.
+void useThreads(int most);
 }
 
 #endif

@@ -110,6 +110,7 @@ void addRegions(const std::string& array, const std::vector<int>& ids,
 void addObjRegions(const std::string& file, vtkPolyData* mesh)
 {
   std::ifstream stream(file, std::ios::binary);
+  stream.exceptions(std::ios::badbit); // where memory ends, lines don't
   NamedRegions groups;
   NamedRegions objects;
   NamedRegions materials;
@@ -168,6 +169,7 @@ void addStlSolids(const std::string& file, vtkPolyData* mesh)
   }
   std::vector<std::string> names;
   std::ifstream stream(file, std::ios::binary);
+  stream.exceptions(std::ios::badbit); // where memory ends, lines don't
   for (std::string text; std::getline(stream, text);)
   {
     const Line line = parse(text);

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 namespace stipple
 {
 std::string contentOf(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
+  std::string content; // a stream of strings would end early, and say nothing, where memory ends
+  char block[1 << 16];
+  while (stream.read(block, sizeof(block)), stream.gcount() > 0)
+  {
+    content.append(block, static_cast<std::size_t>(stream.gcount()));
+  }
+  return content;
 }
 
 std::string printable(std::string_view text, std::size_t most)

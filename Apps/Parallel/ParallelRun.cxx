@@ -5,12 +5,12 @@
 #include "BlockFiles.h"
 #include "BlockwiseRemesher.h"
 #include "MeshFile.h"
+#include "Program.h"
 
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,7 +29,7 @@ void startThreads(const OptionValues& o, const RankMessages& ranks)
   const int asked = o.has("threads") ? o.integer("threads") : 0;
   const int share =
     static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, ranks.size());
-  vtkSMPTools::Initialize(asked > 0 ? asked : std::max(1, share));
+  useThreads(asked > 0 ? asked : std::max(1, share));
 }
 
 /// Memory, in MB, of a rank without a surface, and of the blocks that remain for as long as one is

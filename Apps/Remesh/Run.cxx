@@ -9,6 +9,7 @@
 #include "OutputFiles.h"
 #include "Picture.h"
 #include "PolyDataConversion.h"
+#include "Program.h"
 #include "Report.h"
 #include "SavedFiles.h"
 #include "Session.h"
@@ -25,7 +26,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRemeshOptimizer.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <chrono>
@@ -361,7 +361,7 @@ Status run(const OptionValues& given)
 {
   if (given.has("threads"))
   {
-    vtkSMPTools::Initialize(given.integer("threads"));
+    useThreads(given.integer("threads"));
   }
   if (Status status = checkOutputs(given); !status.ok())
   {

@@ -4,10 +4,8 @@
 #ifndef stipple_FilterExecution_h
 #define stipple_FilterExecution_h
 
+#include "Guarded.h"
 #include "ReportingThread.h"
-
-#include <exception>
-#include <new>
 
 class vtkAlgorithm;
 
@@ -27,21 +25,12 @@ int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCo
 template <typename Work>
 int execute(vtkAlgorithm* filter, unsigned long& errorCode, const Work& work)
 {
-  const auto guarded = [&work](const Progress& progress) -> Status {
-    try
-    {
-      return work(progress);
-    }
-    catch (const std::bad_alloc&)
-    {
-      return Status::error("There is not enough memory.");
-    }
-    catch (const std::exception& exception)
-    {
-      return Status::internal(exception.what());
-    }
-  };
-  return endAfter(runReporting(progressOf(filter), guarded), filter, errorCode);
+  // Twice, for the thread may not start.
+  const Status outcome = guarded([&] {
+    return runReporting(progressOf(filter),
+      [&work](const Progress& progress) { return guarded([&] { return work(progress); }); });
+  });
+  return endAfter(outcome, filter, errorCode);
 }
 }
 

@@ -4,12 +4,10 @@
 #ifndef stipple_RankMessages_h
 #define stipple_RankMessages_h
 
-#include "Progress.h"
+#include "Guarded.h"
 #include "StippleFiltersParallelModule.h"
 
 #include <cstring>
-#include <exception>
-#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -19,25 +17,6 @@ class vtkMultiProcessController;
 namespace stipple
 {
 using Bytes = std::vector<char>;
-
-/// Does what one rank does by itself: what it throws is a failure that can be told to the others,
-/// who would wait for it forever.
-template <typename Work>
-Status guarded(const Work& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Status::error("There is not enough memory.");
-  }
-  catch (const std::exception& exception)
-  {
-    return Status::internal(exception.what());
-  }
-}
 
 class STIPPLEFILTERSPARALLEL_EXPORT RankMessages
 {

@@ -346,7 +346,16 @@ std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples
 Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& target,
   const Progress& progress, std::vector<NearestPlace>& nearest)
 {
-  vtkSmartPointer<vtkPolyData> data = toPolyData(target.points, target.triangles);
+  // VTK's locators have tolerances of their own: at 1e-9 they look at all cells. A power of two
+  // changes no digit.
+  const double diagonal = target.boundingBoxDiagonal();
+  const double unit = diagonal > 0 && diagonal < 1e-3 ? std::ldexp(1., -std::ilogb(diagonal)) : 1.;
+  std::vector<Vec3> points = target.points;
+  for (Vec3& p : points)
+  {
+    p *= unit;
+  }
+  vtkSmartPointer<vtkPolyData> data = toPolyData(points, target.triangles);
   data->BuildCells();
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(data);
@@ -361,11 +370,13 @@ Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& ta
       vtkGenericCell* cell = cells.Local();
       for (vtkIdType i = begin; i < end; ++i)
       {
+        const Vec3 place = unit * samples[i];
         double closest[3];
         vtkIdType cellId;
         int subId;
-        locator->FindClosestPoint(
-          samples[i].data(), closest, cell, cellId, subId, nearest[i].squaredDistance);
+        double squared = 0;
+        locator->FindClosestPoint(place.data(), closest, cell, cellId, subId, squared);
+        nearest[i].squaredDistance = squared / (unit * unit);
         nearest[i].face = static_cast<int>(cellId);
       }
     });

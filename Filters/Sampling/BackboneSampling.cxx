@@ -60,8 +60,9 @@ BackboneDensity densityAlong(const SamplingDomain& domain, const std::vector<Con
 {
   const double length = domain.traces()[backbone].length();
   const double root = std::sqrt(scale);
-  // Keeps the integral invertible where nothing is wanted, and is worth a billionth of a sample.
-  const double least = length > 0 ? 1e-9 / length : 0.;
+  // Keeps the integral (in samples / root) invertible where nothing is wanted; worth a billionth of
+  // a sample, and no more than a millionth of one on the smallest of surfaces.
+  const double least = length > 0 ? std::min(1e-9, 1e-6 / root) / length : 0.;
   if (domain.graph().backbones[backbone].keep == Keep::Edges)
   {
     return { { 0, length }, { 0, least * length }, { 1 }, { 0 } };

@@ -14,6 +14,21 @@
 #include <memory>
 #include <string>
 
+#include <sys/mman.h>
+
+namespace
+{
+/// Whether a limit (ulimit -v) leaves the address space that drivers need at least. Mesa and LLVM
+/// end the program, or use a null pointer, where an allocation fails; with less than 120 MB they
+/// did so at nearly every step.
+bool hasRoomForDrivers()
+{
+  constexpr std::size_t Room = std::size_t(256) << 20;
+  void* space = mmap(nullptr, Room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return space != MAP_FAILED && munmap(space, Room) == 0;
+}
+}
+
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
 struct vtkHeadlessRenderWindow::Internals
@@ -74,11 +89,16 @@ bool vtkHeadlessRenderWindow::CreateContext()
   this->OpenGLSupportResult = 0;
   std::string reasonOSMesa;
   std::string reasonEGL;
-  if (this->Platform != EGL)
+  const bool room = hasRoomForDrivers();
+  if (!room)
+  {
+    reasonOSMesa = "there is not enough memory for its drivers";
+  }
+  if (room && this->Platform != EGL)
   {
     this->Internal->Context = stipple::HeadlessContext::createOSMesa(reasonOSMesa);
   }
-  if (!this->Internal->Context && this->Platform != OSMESA)
+  if (room && !this->Internal->Context && this->Platform != OSMESA)
   {
     this->Internal->Context = stipple::HeadlessContext::createEGL(reasonEGL);
   }

@@ -110,6 +110,26 @@ TEST(MeshDistance, ParallelGrids)
   EXPECT_TRUE(d.sameTopology);
 }
 
+TEST(MeshDistance, IsTheSamePercentageOfTinySurfaces)
+{
+  const auto scaled = [](TriangleSurface surface, int power) {
+    for (Vec3& p : surface.points)
+    {
+      p *= std::ldexp(1., power);
+    }
+    return surface;
+  };
+  const MeshDistance d = measureDistance(shapes::grid(7, 0.1), shapes::grid(10), 2000);
+  for (const int power : { -40, -30, -11, 30 })
+  {
+    const MeshDistance other =
+      measureDistance(scaled(shapes::grid(7, 0.1), power), scaled(shapes::grid(10), power), 2000);
+    EXPECT_NEAR(other.hausdorffPercent, d.hausdorffPercent, 1e-9 * d.hausdorffPercent);
+    EXPECT_NEAR(other.rmsPercent, d.rmsPercent, 1e-9 * d.rmsPercent);
+    EXPECT_NEAR(other.ofPoint[3], std::ldexp(d.ofPoint[3], power), 1e-9 * other.ofPoint[3]);
+  }
+}
+
 TEST(MeshDistance, SeesWhatIsMissingOnEitherSide)
 {
   TriangleSurface half = shapes::grid(10);

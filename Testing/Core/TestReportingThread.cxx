@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an algorithm says of its end, and work that reports and stops.
 #include "FilterExecution.h"
+#include "Guarded.h"
 #include "ReportingThread.h"
 
 #include "vtkCallbackCommand.h"
@@ -15,7 +16,10 @@
 #include <algorithm>
 #include <functional>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -55,6 +59,28 @@ TEST(Status, HasACodeASentenceAndANumber)
   EXPECT_TRUE(Status::aborted().isAbort());
   EXPECT_FALSE(few.isAbort());
   EXPECT_EQ(Status::internal("A fault.").code(), StatusCode::Internal);
+}
+
+TEST(Guarded, WhatIsThrownIsASentence)
+{
+  EXPECT_TRUE(guarded([] { return Status::success(); }).ok());
+  EXPECT_TRUE(guarded([] { return Status::aborted(); }).isAbort());
+  const Status memory = guarded([]() -> Status { throw std::bad_alloc(); });
+  EXPECT_EQ(memory.code(), StatusCode::BadInput);
+  EXPECT_EQ(memory.message(), "There is not enough memory.");
+  const Status fault = guarded([]() -> Status { throw std::runtime_error("a fault"); });
+  EXPECT_EQ(fault.code(), StatusCode::Internal);
+  EXPECT_EQ(fault.message(), "a fault");
+  // As std::async says that it has no thread, and as oneTBB does.
+  const std::error_code again = std::make_error_code(std::errc::resource_unavailable_try_again);
+  for (const Status& status :
+    { guarded([&]() -> Status { throw std::system_error(again); }), guarded([&]() -> Status {
+       throw std::runtime_error("pthread_create has failed: " + again.message());
+     }) })
+  {
+    EXPECT_EQ(status.code(), StatusCode::BadInput);
+    EXPECT_NE(status.message().find("thread"), std::string::npos);
+  }
 }
 
 TEST(ReportingThread, ReportsWhileItWorksAndStopsIt)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """remesh, atlas and maps."""
 import contextlib
+import os
 import pickle
 from dataclasses import dataclass, field
 
@@ -169,7 +170,8 @@ def _threads(number):
         yield
         return
     before = vtkSMPTools.GetEstimatedNumberOfThreads()
-    vtkSMPTools.Initialize(TABLE["threads"].number(number, "threads"))
+    # What is beyond the cores oneTBB ignores, and says so on stderr.
+    vtkSMPTools.Initialize(min(TABLE["threads"].number(number, "threads"), len(os.sched_getaffinity(0))))
     try:
         yield
     finally:
