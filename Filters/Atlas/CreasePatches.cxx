@@ -40,6 +40,7 @@ public:
       const double area = surface.faceArea(f);
       this->Area[this->Sets.of[f]] += area;
       whole[components.of[f]] += area;
+      this->Whole += area;
     }
     for (const Face f : surface.faces())
     {
@@ -121,12 +122,12 @@ private:
     }
   }
 
-  /// Whether a patch is the end of another one, which stays and is a sleeve from there on, deeper
-  /// than any map (cutDeepSleeve()). Along the end of a tube the tube does not turn; around a hole
-  /// in a plane the plane does, by -2 pi.
+  /// Whether a patch is the end of another one, which is large and a sleeve from there on, deeper
+  /// than any map (cutDeepSleeve()). Along the end of a tube the tube does not
+  /// turn; around a hole in a plane the plane does, by -2 pi.
   bool closesSleeve(int patch, int into, double length) const
   {
-    if (this->Area[into] < this->LeastArea[into] ||
+    if (this->Area[into] < Constants::LeastSleeve * this->Whole ||
       this->Area[into] <= Constants::DeepSleeve * length * length)
     {
       return false;
@@ -159,6 +160,7 @@ private:
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
+  double Whole = 0;                            // area of the surface
   std::vector<std::vector<Halfedge>> Rim;      // what is not inside it, or was not
   std::map<std::pair<int, int>, double> Angle; // by point on a rim and patch
   std::vector<std::map<int, double>> Beside;   // length of the common outline, by neighbour

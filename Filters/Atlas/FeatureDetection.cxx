@@ -19,6 +19,14 @@ struct Edge
   bool strong;
 };
 
+/// The bounding box's diagonal; of slender surfaces, which are far longer than what is on them, 16
+/// times the mean girth.
+double sizeOf(const CutSurface& surface)
+{
+  const double diagonal = surface.boundingBoxDiagonal();
+  return diagonal > 0 ? std::min(diagonal, 16 * surface.area() / diagonal) : 0.;
+}
+
 /// Candidates for sharp edges, thinned step by step.
 class Candidates
 {
@@ -26,7 +34,7 @@ public:
   Candidates(const CutSurface& surface, const FeatureDetectionOptions& options)
     : Surface(surface)
     , Options(options)
-    , Size(std::min(surface.boundingBoxDiagonal(), std::sqrt(surface.area())))
+    , Size(sizeOf(surface))
   {
     const double strong = options.angle * Pi / 180;
     const double weak = strong * options.weakFraction;
@@ -279,7 +287,7 @@ private:
 
   const CutSurface& Surface;
   const FeatureDetectionOptions& Options;
-  double Size; ///< of the surface; slender ones are far longer than what is on them
+  double Size;                  ///< of the surface
   std::vector<double> Dihedral; // by halfedge, radians
   std::vector<Edge> Edges;
   std::vector<std::vector<int>> At; // edges at every point
