@@ -50,9 +50,8 @@ struct AtlasConstants
 
   /// By which a face may be unrolled: lengths change by its root at most.
   static constexpr double MostSquaredStretch = 2;
-  /// Share of the surface that a sleeve has at least whose negligible end is a chart, which takes
-  /// points that the small parts of large surfaces don't have: o_pizza's strands, 5,000 points.
-  static constexpr double LeastSleeve = 0.05;
+  /// Radians, over its inner points: what has more is no sleeve.
+  static constexpr double MostCurvatureOfSleeve = Pi / 2;
 
   // Conformal maps (HarmonicSystem, RectangleLayout, ConformalMap).
 

@@ -28,6 +28,7 @@ public:
     , Joined(this->Sets.number)
     , Area(this->Sets.number, 0.)
     , LeastArea(this->Sets.number, 0.)
+    , Curvature(this->Sets.number, 0.)
     , Rim(this->Sets.number)
     , Beside(this->Sets.number)
   {
@@ -40,7 +41,6 @@ public:
       const double area = surface.faceArea(f);
       this->Area[this->Sets.of[f]] += area;
       whole[components.of[f]] += area;
-      this->Whole += area;
     }
     for (const Face f : surface.faces())
     {
@@ -57,13 +57,28 @@ public:
         }
       }
     }
+    std::vector<double> defect(surface.points.size(), 2 * Constants::Pi);
+    std::vector<int> patchOf(surface.points.size(), -1);
     for (const Halfedge h : surface.halfedges())
     {
-      if (const int v = surface.tail(h).index(); onRim[v])
+      const int v = surface.tail(h).index();
+      const Vec3 a = surface.edge(h);
+      const Vec3 b = -surface.edge(previousHalfedge(h));
+      const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+      defect[v] -= angle;
+      patchOf[v] = this->Sets.of[faceOf(h)];
+      if ((onRim[v] & 1) != 0)
       {
-        const Vec3 a = surface.edge(h);
-        const Vec3 b = -surface.edge(previousHalfedge(h));
-        this->Angle[{ v, this->Sets.of[faceOf(h)] }] += std::atan2(a.cross(b).norm(), a.dot(b));
+        this->Angle[{ v, patchOf[v] }] += angle;
+      }
+      onRim[v] |= surface.isBoundary(h) ? 2 : 0;
+      onRim[surface.head(h).index()] |= surface.isBoundary(h) ? 2 : 0;
+    }
+    for (std::size_t v = 0; v < defect.size(); ++v)
+    {
+      if (!onRim[v] && patchOf[v] >= 0)
+      {
+        this->Curvature[patchOf[v]] += std::abs(defect[v]);
       }
     }
     this->joinNegligible();
@@ -122,12 +137,12 @@ private:
     }
   }
 
-  /// Whether a patch is the end of another one, which is large and a sleeve from there on, deeper
+  /// Whether a patch is the end of another one, which is a sleeve, can be unrolled, and is deeper
   /// than any map (cutDeepSleeve()). Along the end of a tube the tube does not
   /// turn; around a hole in a plane the plane does, by -2 pi.
   bool closesSleeve(int patch, int into, double length) const
   {
-    if (this->Area[into] < Constants::LeastSleeve * this->Whole ||
+    if (this->Curvature[into] > Constants::MostCurvatureOfSleeve ||
       this->Area[into] <= Constants::DeepSleeve * length * length)
     {
       return false;
@@ -160,6 +175,7 @@ private:
   std::vector<int> Joined; // the patch it has gone to, or itself
   std::vector<double> Area;
   std::vector<double> LeastArea;
+  std::vector<double> Curvature;               // total of its inner points
   double Whole = 0;                            // area of the surface
   std::vector<std::vector<Halfedge>> Rim;      // what is not inside it, or was not
   std::map<std::pair<int, int>, double> Angle; // by point on a rim and patch
