@@ -4,6 +4,7 @@
 
 #include "MeshFile.h"
 #include "PolyDataConversion.h"
+#include "SessionEdits.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -38,7 +39,7 @@ Status makeSession(const OptionValues& o, Session& session)
     return Status::error("the session '" + o.text("session") + "' names no model: say which FILE");
   }
   const int points = o.has("points") ? o.integer("points") : session.integer("points");
-  session.set("points", points > 0 ? points : DefaultPoints);
+  session.set("points", points > 0 || pointsFollow(session) ? points : DefaultPoints);
   return Status::success();
 }
 

@@ -8,6 +8,7 @@
 #include "OutputFiles.h"
 #include "PolyDataConversion.h"
 #include "SceneActors.h"
+#include "SessionEdits.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -81,6 +82,7 @@ Viewer::Viewer(
   : Input(document.input)
   , Diagonal(document.input->GetLength())
   , Solid(isSolid(document.input))
+  , Area(fromPolyData(document.input).area())
   , Now(document.session)
   , Saved(document.session)
   , Files(document.files)
@@ -90,7 +92,7 @@ Viewer::Viewer(
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(document.input)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
-      arraysOf(document.input), document.image != nullptr)
+      arraysOf(document.input))
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -105,9 +107,11 @@ Viewer::Viewer(
     this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
-  , Sampler(document.image, CurveBars)
-  , Worker(document.input, document.image)
+  , Sampler(CurveBars)
+  , Worker(document.input)
 {
+  this->Pictures[this->Now.text("importance_image")] = document.image;
+  this->usePicture();
   this->Sheet.setHint("Where samples go, unfolded; the brush paints here too.");
   this->Curve.setHint(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
@@ -250,7 +254,7 @@ void Viewer::tick()
   if (this->PreviewIsOld && this->HasAtlas)
   {
     this->PreviewIsOld = false;
-    this->Sampler.start(this->Now);
+    this->Sampler.start(this->sampledSession());
   }
   if (this->MeshWanted && Clock::now() >= this->MeshAt)
   {
@@ -353,6 +357,10 @@ bool Viewer::takePreview()
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
     this->showVertices();
+    if (pointsFollow(this->Now))
+    {
+      this->showSession();
+    }
   }
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before);
@@ -420,8 +428,30 @@ void Viewer::startMeshing()
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
 }
 
+Session Viewer::sampledSession() const
+{
+  Session session = this->Now;
+  if (session.number("max_deviation") > 0 && this->Mesh)
+  {
+    session.set("points", static_cast<double>(this->Mesh->mesh->GetNumberOfPoints()));
+  }
+  return session;
+}
+
+void Viewer::usePicture()
+{
+  const std::string& file = this->Now.text("importance_image");
+  if (file != this->PictureInUse)
+  {
+    this->PictureInUse = file;
+    this->Sampler.setImage(this->Pictures[file]);
+    this->Worker.setImage(this->Pictures[file]);
+  }
+}
+
 void Viewer::changed(bool rests)
 {
+  this->usePicture();
   this->PreviewIsOld = true;
   this->Problem.clear();
   this->say("");
@@ -434,8 +464,12 @@ void Viewer::changed(bool rests)
 
 void Viewer::showSession()
 {
-  this->Controls.show(
-    this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
+  const int points = this->Shown ? static_cast<int>(this->Shown->samples->GetNumberOfPoints()) : 0;
+  // Of equilateral triangles that are alike.
+  const double number = points > 0 ? points : this->Now.number("points");
+  this->Controls.show(this->Now, this->View, points,
+    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / number) : 0);
+  this->Controls.setUndo(this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));
   const bool marks = this->BeforeSide.setMarks(this->Now);

@@ -28,9 +28,11 @@
 #include "vtkNew.h"
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 
+class vtkImageData;
 class vtkRenderWindowInteractor;
 
 namespace stipple
@@ -94,6 +96,8 @@ public:
   void openFile() override;
   void saveMeshAs() override;
   void saveFigures() override;
+  void chooseArray(const std::string& option, int points) override;
+  void choosePicture() override;
 
   // PointerHandler
   bool press(const Pointer& pointer) override;
@@ -109,6 +113,10 @@ private:
   // The session and what follows from it
   void changed(bool rests);
   void showSession();
+  /// The session with as many points as the mesh of it had, where only a mesh can tell.
+  [[nodiscard]] Session sampledSession() const;
+  /// Hands the session's picture to the workers, if it is another one.
+  void usePicture();
   void takeResults();
   /// Whether there was a new one.
   bool takePreview();
@@ -168,6 +176,9 @@ private:
   vtkSmartPointer<vtkPolyData> Input;
   double Diagonal;
   bool Solid;
+  double Area;
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Pictures; ///< that were read, by file
+  std::string PictureInUse;
   Session Now;
   Session Saved;    ///< as it was opened, or written last
   Session EditBase; ///< before the edit that goes on

@@ -105,6 +105,10 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "n")
   {
+    if (this->Controls.scroll(1000))
+    {
+      this->Window.renew();
+    }
     this->Controls.points().focus();
     this->setFocus(&this->Controls.points());
     this->Window.touch(ViewerWindow::PanelPart);

@@ -32,7 +32,7 @@ std::unique_ptr<PreviewResult> wait(PreviewWorker& worker)
 
 TEST(PreviewWorker, SamplesExactly)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   EXPECT_TRUE(worker.idle());
   worker.start(withPoints(321));
@@ -47,7 +47,7 @@ TEST(PreviewWorker, SamplesExactly)
 
 TEST(PreviewWorker, TheLatestWins)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   constexpr int Asked = 100;
   for (int i = 0; i < Asked; ++i)
@@ -61,7 +61,7 @@ TEST(PreviewWorker, TheLatestWins)
 
 TEST(PreviewWorker, TellsWhyThereAreNoSamples)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   worker.start(withPoints(1));
   const auto result = wait(worker);
@@ -76,7 +76,7 @@ TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
 {
   const SamplingInput coarse = sphereAtlas(12);
   const SamplingInput fine = sphereAtlas(32);
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(coarse);
   worker.start(withPoints(300));
   worker.setAtlas(fine);
@@ -89,7 +89,7 @@ TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
 TEST(PreviewWorker, EndsWhileItWorks)
 {
   const SamplingInput atlas = sphereAtlas(64);
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(atlas);
   Session session = withPoints(2000);
   session.set("gradation", 0.05);

@@ -149,12 +149,12 @@ class Sliders(ViewTest):
 
     def test_preset_and_pattern(self):
         """Below what an 800 pixels high window shows; the wheel leads there."""
-        down = [("MouseWheelBackwardEvent", 1150, 300)] * 5
-        for place, entry, value in (((1154, 54), "pattern", "quads"), ((1154, 85), "preset", "adaptive"), ((1228, 85), "preset", "rib")):
+        down = [("MouseWheelBackwardEvent", 1150, 300)] * 20
+        for place, entry, value in (((1144, 539), "pattern", "quads"), ((1144, 569), "preset", "adaptive"), ((1226, 569), "preset", "rib")):
             with self.subTest(value):
                 self.assertEqual(self.session(*down, *self.click(place))[entry], value)
         # And back up, where everything is as before.
-        up = [("MouseWheelForwardEvent", 1150, 300)] * 5
+        up = [("MouseWheelForwardEvent", 1150, 300)] * 20
         before, after = self.shots((FANDISK, "--points", 300), self.recorded(("MouseMoveEvent", 1150, 300)), self.recorded(*down, *up))
         np.testing.assert_array_equal(after, before)
 
