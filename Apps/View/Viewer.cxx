@@ -5,8 +5,8 @@
 
 #include "CameraMoves.h"
 #include "HelpText.h"
+#include "ListPage.h"
 #include "OutputFiles.h"
-#include "PolyDataConversion.h"
 #include "SceneActors.h"
 #include "SessionEdits.h"
 
@@ -45,20 +45,6 @@ constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
-/// One closed surface that faces outwards: half of its triangles need not be drawn.
-bool isSolid(vtkPolyData* input)
-{
-  TriangleSurface surface = fromPolyData(input);
-  surface.connect();
-  const SurfaceTopology topology = surface.topology();
-  double volume = 0;
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
-  {
-    volume += surface.point(f, 0).dot(surface.point(f, 1).cross(surface.point(f, 2)));
-  }
-  return topology.manifold && topology.components == 1 && topology.boundaryLoops == 0 && volume > 0;
-}
-
 std::vector<std::string> arraysOf(vtkPolyData* input)
 {
   std::vector<std::string> names;
@@ -81,8 +67,8 @@ Viewer::Viewer(
   ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document)
   : Input(document.input)
   , Diagonal(document.input->GetLength())
-  , Solid(isSolid(document.input))
-  , Area(fromPolyData(document.input).area())
+  , Solid(document.solid)
+  , Area(document.area)
   , Now(document.session)
   , Saved(document.session)
   , Files(document.files)
@@ -90,7 +76,7 @@ Viewer::Viewer(
   , Interactor(interactor)
   , BeforeSide(this->Window.renderer(ViewerWindow::Before), document.input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
-  , Picker(document.input)
+  , Picker(document.picker)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
       arraysOf(document.input))
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
@@ -256,7 +242,7 @@ void Viewer::tick()
     this->PreviewIsOld = false;
     this->Sampler.start(this->sampledSession());
   }
-  if (this->MeshWanted && Clock::now() >= this->MeshAt)
+  if (this->MeshWanted && !this->Starts && Clock::now() >= this->MeshAt)
   {
     this->startMeshing();
   }
@@ -291,8 +277,8 @@ void Viewer::tick()
 bool Viewer::atRest()
 {
   const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
-  return this->WantedFile.empty() && !this->MeshWanted && this->Worker.idle() && !previewIsDue &&
-    this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
+  return this->WantedFile.empty() && (!this->MeshWanted || this->Starts) && this->Worker.idle() &&
+    !previewIsDue && this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
     !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
 }
 
@@ -381,11 +367,35 @@ bool Viewer::showsVertices() const
   return this->Shown && this->meshIsCurrent() && !this->AtlasIsNewer && this->Mesh->dots;
 }
 
+void Viewer::setReading(const std::string& file)
+{
+  this->Reading = std::filesystem::path(file).filename().string();
+  if (this->Starts && !file.empty())
+  {
+    this->show(std::make_shared<ListPage>("Reading " + this->Reading + " ...",
+      "It opens as soon as it is read.",
+      std::vector<ListPage::Entry>{
+        { "Escape", "Open something else", "", [this] { this->giveUpReading(); } },
+        { "q", "Quit", "", [this] { this->askToQuit(); } } }));
+  }
+  this->say("");
+}
+
+void Viewer::giveUpReading()
+{
+  this->GivenUp = true;
+  if (this->Starts)
+  {
+    this->showStart();
+  }
+}
+
 Activity Viewer::activity()
 {
   using Mesh = Activity::Mesh;
   Activity now;
   now.progress = this->Worker.busy() ? std::floor(200 * this->Worker.progress()) / 200 : 0;
+  now.reading = this->Reading;
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;

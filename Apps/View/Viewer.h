@@ -31,6 +31,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 class vtkImageData;
 class vtkRenderWindowInteractor;
@@ -52,6 +53,12 @@ public:
   void resize();
   /// The file that was asked for since this was called last; empty: none.
   [[nodiscard]] std::string takeWantedFile();
+  /// The name of a file that is read beside the window; empty: no more.
+  void setReading(const std::string& file);
+  /// Whether the user has given it up since this was called last.
+  [[nodiscard]] bool takeGivenUp() { return std::exchange(this->GivenUp, false); }
+  /// Whether there is paint, points, edges or a curve that is in no session's file.
+  [[nodiscard]] bool hasUnsavedWork() const;
   /// Says what went wrong.
   void complain(const std::string& sentence);
   /// The page of a window without a file, with what went wrong, if anything.
@@ -137,7 +144,7 @@ private:
   // Pages over the window
   void show(std::shared_ptr<Page> page);
   void closePage();
-  [[nodiscard]] bool hasUnsavedWork() const;
+  void giveUpReading();
   /// Does it, after a question if there is unsaved work. `title` is the question.
   void askFirst(
     const std::string& title, const std::string& answer, const std::function<void()>& action);
@@ -187,6 +194,8 @@ private:
   ViewState View;
   ViewerFiles Files;
   std::string WantedFile;
+  std::string Reading; ///< the file
+  bool GivenUp = false;
   bool Starts = false; ///< nothing was chosen on the start page yet
 
   ViewerWindow& Window;
@@ -195,7 +204,7 @@ private:
   vtkNew<vtkViewerStyle> Style;
   BeforeScene BeforeSide;
   AfterScene AfterSide;
-  SurfacePicker Picker;
+  std::shared_ptr<const SurfacePicker> Picker;
   Panel Controls;
   ControlSheet Sheet;
   CurveEditor Curve;

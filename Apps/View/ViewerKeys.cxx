@@ -125,6 +125,10 @@ bool Viewer::key(const KeyStroke& stroke)
     {
       this->changeView([](ViewState& v) { v.help = false; });
     }
+    else if (!this->Reading.empty())
+    {
+      this->giveUpReading();
+    }
     else if (this->Worker.busy() || this->MeshWanted)
     {
       this->Worker.cancel();

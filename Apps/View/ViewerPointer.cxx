@@ -234,7 +234,7 @@ bool Viewer::pick(const Pointer& pointer, PickedPlace& place)
   const Layout& layout = this->Window.layout();
   const bool before = layout.before.has(pointer.x, pointer.y);
   return (before || layout.after.has(pointer.x, pointer.y)) &&
-    this->Picker.pick(this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After),
+    this->Picker->pick(this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After),
       pointer.x, pointer.y, place);
 }
 
@@ -306,7 +306,7 @@ std::vector<std::array<vtkIdType, 2>> Viewer::edgesAt(const PickedPlace& place, 
 {
   if (path && this->LastTagged >= 0)
   {
-    return this->Picker.shortestPath(this->LastTagged, place.point);
+    return this->Picker->shortestPath(this->LastTagged, place.point);
   }
   return { place.edge };
 }
