@@ -54,4 +54,20 @@ void setBand(Session& session, int end, double value)
   band[0] = std::min(band[0], 0.9 * band[1]);
   session.setList("band_pass", band);
 }
+
+void spreadStrokes(Session& session, const Vec3& position, double radius, double widest)
+{
+  constexpr double Wider = 1.15; // a dab of the brush
+  auto strokes = session.rows<5>("strokes");
+  for (auto& stroke : strokes)
+  {
+    const double wider = std::min(Wider, widest / stroke[3]);
+    if (wider > 1 && (Vec3(stroke.data()) - position).norm() < radius)
+    {
+      stroke[3] *= wider;
+      stroke[4] /= wider * wider;
+    }
+  }
+  session.setRows("strokes", strokes);
+}
 }

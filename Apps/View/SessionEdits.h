@@ -4,6 +4,7 @@
 #ifndef stipple_SessionEdits_h
 #define stipple_SessionEdits_h
 
+#include "Geometry.h"
 #include "Session.h"
 
 namespace stipple
@@ -22,6 +23,10 @@ void setArray(Session& session, const std::string& option, const std::string& ar
 
 /// One end of the band, 0 (finest) or 1 (coarsest), in percent; without a coarsest there is none.
 void setBand(Session& session, int end, double value);
+
+/// Strokes whose middle is in a ball become wider and fainter, as much paint as before, and none
+/// wider than `widest`.
+void spreadStrokes(Session& session, const Vec3& position, double radius, double widest);
 }
 
 #endif

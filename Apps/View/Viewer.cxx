@@ -185,10 +185,14 @@ void Viewer::open()
 void Viewer::resize()
 {
   const Rect before = this->Window.layout().before;
-  if (!this->Window.resize())
+  if (this->Window.resize())
   {
-    return;
+    this->takePlaces(before);
   }
+}
+
+void Viewer::takePlaces(const Rect& before)
+{
   this->placeControls();
   vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
   if (this->Fitted == placeOf(camera))
@@ -205,12 +209,29 @@ void Viewer::resize()
 
 void Viewer::resetCamera()
 {
-  const Rect& view = this->Window.layout().before;
-  aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
-    40 * this->Window.layout().scale / view.h);
-  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
-  this->updateZoom();
-  this->Window.touch(ViewerWindow::Views);
+  const auto [x, y, z] = ViewFrom;
+  this->View.zUp ? this->lookFrom(Vec3(x, -z, y), Vec3::UnitZ())
+                 : this->lookFrom(Vec3(x, y, z), Vec3::UnitY());
+}
+
+void Viewer::lookAlong(int axis)
+{
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  const Vec3 positive = Vec3::Unit(axis);
+  const bool turns = positive.dot(Vec3(camera->GetDirectionOfProjection())) < -0.9999;
+  const int up = this->View.zUp ? 2 : 1;
+  // Seen from above, what was in front is below.
+  const Vec3 upward = axis != up ? Vec3::Unit(up) : (up == 1 ? Vec3(0, 0, -1) : Vec3(0, 1, 0));
+  this->lookFrom(turns ? Vec3(-positive) : positive, turns && axis == up ? Vec3(-upward) : upward);
+}
+
+void Viewer::lookFrom(const Vec3& from, const Vec3& up)
+{
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(from.data());
+  camera->SetViewUp(up.data());
+  this->fitCamera();
 }
 
 void Viewer::fitCamera()

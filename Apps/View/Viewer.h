@@ -30,6 +30,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -86,6 +87,8 @@ public:
   void resetCamera();
   /// From where it looks, the whole model.
   void fitCamera();
+  /// The whole model from the positive side of an axis, or, if that is so already, from the other.
+  void lookAlong(int axis);
   /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
   void askToQuit();
   /// Opens another file; asks first likewise.
@@ -154,7 +157,12 @@ private:
   void connect();
   void placeControls();
   void updateZoom();
+  /// Controls and model take the places that the window has for them; its view before was so.
+  void takePlaces(const Rect& before);
+  void lookFrom(const Vec3& from, const Vec3& up);
   void paintView(Canvas& canvas, bool before);
+  /// What the colors of a view stand for, if there are any.
+  [[nodiscard]] std::optional<ColorBar> barOf(bool before) const;
   void showStale();
   void paintStrip(Canvas& canvas);
   void paintStatus(Canvas& canvas);
@@ -164,6 +172,8 @@ private:
   void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
+  /// The line between both models in one view.
+  [[nodiscard]] bool isOverWipe(const Pointer& pointer) const;
   /// What a click would touch: the brush's outline, a point's, edges.
   void showTool(const Pointer& pointer);
   /// The edge there, or the way to it from the last one.
@@ -213,6 +223,7 @@ private:
   Painted ShownStrip;
   std::shared_ptr<Page> Asked; ///< what is over the window; null mostly
   Control* Captured = nullptr;
+  bool Wiping = false;   ///< the line between both models in one view is dragged
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;

@@ -95,6 +95,20 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     this->changeView([&key](ViewState& v) { v.wireframe = key == "w"; });
   }
+  else if (key == "X" || key == "Y" || key == "Z")
+  {
+    this->lookAlong(key[0] - 'X');
+  }
+  else if (key == "u")
+  {
+    this->View.zUp = !this->View.zUp;
+    this->resetCamera();
+    this->say(this->View.zUp ? "z is up." : "y is up.");
+  }
+  else if (key == "o")
+  {
+    this->changeView([](ViewState& v) { v.oneView = !v.oneView; });
+  }
   else if (key == "r")
   {
     this->fitCamera();
