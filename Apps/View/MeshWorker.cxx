@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshWorker.h"
 
+#include "LostFeatures.h"
 #include "Messages.h"
 #include "PolyDataConversion.h"
 #include "SurfaceDeviation.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -156,6 +158,16 @@ void MeshWorker::perform(const Session& session)
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
   result->figures = measureFigures(result->mesh);
+  if (session.text("pattern") != "quads")
+  {
+    result->figures.simplifiedFeatures =
+      this->Remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
+  }
+  if (result->figures.simplifiedFeatures > 0)
+  {
+    result->lost = lostFeatures(
+      vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)), result->lines);
+  }
   if (!this->inspect(*result))
   {
     return;

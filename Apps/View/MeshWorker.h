@@ -40,6 +40,7 @@ struct MeshResult
   Session session; ///< that it was made with
   vtkSmartPointer<vtkPolyData> mesh;
   vtkSmartPointer<vtkPolyData> lines;
+  vtkSmartPointer<vtkPolyData> lost; ///< sharp lines of the input that it has not; null: none
   MeshFigures figures;
   MeshColors colors;
   std::shared_ptr<const MeshDots> dots; ///< on the charts that were handed over last

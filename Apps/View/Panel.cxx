@@ -224,8 +224,8 @@ void Panel::addShow(Commands& commands)
   this->Displays->setHints(
     { "d: samples; once the mesh is there, its vertices.", "d: the surface with its edges.",
       "d: the pieces that it is cut into.", "d: how many samples are wanted where." });
-  this->Overlays->setHints(
-    { "l: features red, boundaries blue.", "m: where the surface is cut, dark." });
+  this->Overlays->setHints({ "l: features red, boundaries blue; violet: simplified in the mesh.",
+    "m: where the surface is cut, dark." });
   this->heading("Show");
   this->row({ this->Displays }, 27);
   this->row({ this->Overlays }, 27, 18);

@@ -102,8 +102,10 @@ Viewer::Viewer(
   this->Curve.setHint(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
-  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle.");
+  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
+                        "Simplified features are violet in the views.");
   this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
+  this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->connect();
   this->showSession();
 }
@@ -331,11 +333,12 @@ void Viewer::takeResults()
     this->Mesh = std::move(mesh);
     this->AtlasIsNewer = false;
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
+    this->AfterSide.setLost(this->Mesh->lost);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showStale();
     this->Problem.clear();
-    this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+    this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
     {
       this->saveMesh();

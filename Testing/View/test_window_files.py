@@ -207,6 +207,24 @@ class Files(ViewTest):
             red = (pixels[..., 0] > 180) & (pixels[..., 1] < 60) & (alpha == 255)
             self.assertGreater(red.mean(), 0.004, "feature lines as wide as in the window")
 
+    def test_figures_have_legends_where_there_are_colors(self):
+        self.play("d", "d", "d", "c", "Control+e", model=("part.off", "--points", 400))
+        for name in ("before", "after"):
+            reader = vtkPNGReader()
+            reader.SetFileName(str(self.work / f"part-figure-{name}.png"))
+            reader.Update()
+            columns, rows, _ = reader.GetOutput().GetDimensions()
+            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 4).astype(int)
+            # The bar goes from one end of the colors to the other, with numbers below and a title above.
+            bar = pixels[118, 80:860]
+            self.assertTrue((bar[..., 3] == 255).all())
+            ends = bar[[5, -20], :3]
+            self.assertGreater(abs(ends[0][0] - ends[1][0]), 100)
+            self.assertGreater((bar[..., :3].min(axis=1) > 200).sum(), 20, "nearly white in the middle")
+            for words in (pixels[40:85, 60:900], pixels[140:200, 60:500]):
+                self.assertGreater((words[..., 3] > 128).sum(), 500)
+                self.assertGreater((words[..., 3] == 0).mean(), 0.6, "no ground")
+
     def test_recent_files_are_offered(self):
         environment = dict(self.environment)
         previous = {key: os.environ.get(key) for key in ("XDG_STATE_HOME",)}
