@@ -158,15 +158,15 @@ void MeshWorker::perform(const Session& session)
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
   result->figures = measureFigures(result->mesh);
-  if (session.text("pattern") != "quads")
-  {
-    result->figures.simplifiedFeatures =
-      this->Remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
-  }
-  if (result->figures.simplifiedFeatures > 0)
+  const int simplified = session.text("pattern") == "quads"
+    ? 0
+    : this->Remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
+  if (simplified > 0)
   {
     result->lost = lostFeatures(
       vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)), result->lines);
+    // Most are points that moved along one; where all lines are kept, nobody need care.
+    result->figures.simplifiedFeatures = result->lost->GetNumberOfLines() > 0 ? simplified : 0;
   }
   if (!this->inspect(*result))
   {

@@ -20,6 +20,11 @@ namespace
 /// What takes longer is left for a session that came after it.
 constexpr std::chrono::milliseconds Patience(500);
 
+/// Seconds of sampling, up to which samples are relaxed as well; a mean that the newest has so much
+/// of.
+constexpr double QuickPace = 0.045;
+constexpr double NewestShare = 0.25;
+
 /// Each image with copies of these arrays and no other.
 vtkSmartPointer<vtkPartitionedDataSetCollection> copyOfImages(
   vtkPartitionedDataSetCollection* images, std::initializer_list<const char*> arrays)
@@ -116,6 +121,7 @@ void PreviewWorker::perform(const Session& session)
   if (this->Atlas)
   {
     this->Sampling.setAtlas(*this->Atlas);
+    this->Relaxation = std::make_unique<SampleRelaxation>(this->Atlas->charts, this->Atlas->graph);
     this->HistogramOf.clear();
   }
   auto result = this->sample(session);
@@ -142,6 +148,10 @@ std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
   {
     result->samples = vtkSmartPointer<vtkPolyData>::New();
     result->samples->DeepCopy(this->Sampling.samples());
+    // Where a frame has time for it; one slow frame among others changes nothing.
+    const double own = std::chrono::duration<double>(Clock::now() - begin).count();
+    this->Pace += NewestShare * (own - this->Pace);
+    result->dots = this->Pace < QuickPace ? this->Relaxation->relax(result->samples) : nullptr;
     result->halftones = copyOfImages(this->Sampling.halftones(), { "Halftone", "FaceIndex" });
     result->controls =
       copyOfImages(this->Sampling.controls(), { "Control", "AreaDistortion", "FaceIndex" });

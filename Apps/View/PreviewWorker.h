@@ -7,6 +7,7 @@
 
 #include "MeshWorker.h"
 #include "Preview.h"
+#include "SampleRelaxation.h"
 
 #include <chrono>
 
@@ -17,6 +18,7 @@ struct PreviewResult
   Session session;     ///< that it was made with
   std::string problem; ///< why there are no samples, a sentence; empty if there are
   vtkSmartPointer<vtkPolyData> samples;
+  std::shared_ptr<const MeshDots> dots; ///< the samples as they are shown; null: as they are
   vtkSmartPointer<vtkPartitionedDataSetCollection> halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> controls;
   std::vector<double> histogram; ///< Preview::importanceHistogram()
@@ -52,7 +54,9 @@ private:
   void perform(const Session& session) override;
   std::unique_ptr<PreviewResult> sample(const Session& session);
 
-  Preview Sampling; ///< the thread's
+  Preview Sampling;                             ///< the thread's
+  std::unique_ptr<SampleRelaxation> Relaxation; ///< the thread's
+  double Pace = 0;                              ///< the thread's: seconds that sampling takes
   int Bars;
   std::string HistogramOf;              ///< the thread's: the importance of
   std::vector<double> Histogram;        ///< the thread's

@@ -362,7 +362,8 @@ bool Viewer::takePreview()
   this->PreviewProblem = preview->problem;
   if (preview->problem.empty())
   {
-    this->BeforeSide.setPreview(preview->samples, preview->halftones, preview->controls);
+    this->BeforeSide.setPreview(
+      preview->samples, preview->halftones, preview->controls, preview->dots);
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
