@@ -40,10 +40,10 @@ private:
   void show(const Document& document);
   void takeDocument();
 
+  DocumentReader Reader; ///< first: the window need not wait for what it still reads
   ViewerWindow Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   std::unique_ptr<Viewer> Now;
-  DocumentReader Reader;
   bool ReadsFirst = false; ///< what the command line names
   Session Agreed;          ///< that may be left for what is read
   Status First = Status::success();
