@@ -31,6 +31,10 @@ std::string Activity::sentence() const
   {
     return this->sampleProblem;
   }
+  if (!this->reading.empty())
+  {
+    return "Reading " + this->reading + " ...; Esc gives it up.";
+  }
   if (this->savesMesh && this->works())
   {
     return this->meshFile + " will be written when the mesh is done.";
@@ -51,8 +55,8 @@ std::string Activity::sentence() const
 bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
-    return std::tie(
-      a.mesh, a.progress, a.savesMesh, a.sampling, a.meshFile, a.sampleProblem, a.meshProblem);
+    return std::tie(a.reading, a.mesh, a.progress, a.savesMesh, a.sampling, a.meshFile,
+      a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);
 }

@@ -26,6 +26,7 @@ struct Activity
   double progress = 0;       ///< 0 to 1 of what showsBar()
   bool savesMesh = false;    ///< the mesh is written when it is done
   bool sampling = false;     ///< the samples on the left are not those of the session
+  std::string reading;       ///< the file that is opened next
   std::string meshFile;      ///< that is written then
   std::string sampleProblem; ///< why there are none for the session; empty mostly
   std::string meshProblem;   ///< why it failed

@@ -20,6 +20,7 @@ namespace stipple
 namespace
 {
 constexpr Color MarkMagenta = { { 0.85, 0.05, 0.75 } };
+constexpr Color LostViolet = { { 0.45, 0.15, 0.85 } };
 }
 
 AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
@@ -42,6 +43,8 @@ AfterScene::AfterScene(vtkRenderer* renderer, bool solid)
       lineActor(none, type == 0 ? FeatureRed : (type == 1 ? BoundaryBlue : Ink), 1);
     renderer->AddActor(this->Lines[type]);
   }
+  this->Lost = lineActor(none, LostViolet, 1);
+  renderer->AddActor(this->Lost);
   this->Mark = lineActor(none, MarkMagenta, 1);
   renderer->AddActor(this->Mark);
 }
@@ -65,6 +68,18 @@ void AfterScene::setMesh(vtkPolyData* mesh, vtkPolyData* lines, const MeshColors
       ->SetInputData(backbonesOfType(lines, type));
   }
   this->showRightActors();
+}
+
+void AfterScene::setLost(vtkPolyData* lines)
+{
+  vtkNew<vtkPolyData> none;
+  static_cast<vtkPolyDataMapper*>(this->Lost->GetMapper())->SetInputData(lines ? lines : none);
+  this->showRightActors();
+}
+
+vtkActor* AfterScene::lost()
+{
+  return this->Lost;
 }
 
 void AfterScene::paintTriangles()
@@ -142,6 +157,9 @@ void AfterScene::showRightActors()
     this->Lines[type]->SetVisibility(on && lines && lines->GetNumberOfLines() > 0);
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
+  auto* lost = vtkPolyData::SafeDownCast(this->Lost->GetMapper()->GetInput());
+  this->Lost->SetVisibility(this->View.features && lost->GetNumberOfLines() > 0);
+  this->Lost->GetProperty()->SetLineWidth(4.5F * this->LineWidth);
   this->Mark->GetProperty()->SetLineWidth(4 * this->LineWidth);
   this->Mesh->SetVisibility(!this->View.wireframe);
   this->Wires->SetVisibility(this->View.wireframe);

@@ -26,6 +26,10 @@ public:
 
   /// `colors`, a number a cell, is not kept alive.
   void setMesh(vtkPolyData* mesh, vtkPolyData* lines, const MeshColors& colors);
+  /// Features of the input that the mesh has not; null: none.
+  void setLost(vtkPolyData* lines);
+  /// Those, to be shown in another view as well.
+  vtkActor* lost();
   /// A cell that stands out; -1: none.
   void setMarked(int cell);
   int marked() const { return this->Marked; }
@@ -47,6 +51,7 @@ private:
   vtkSmartPointer<vtkActor> Mesh;
   vtkSmartPointer<vtkActor> Wires;    ///< the mesh's edges alone
   vtkSmartPointer<vtkActor> Lines[3]; ///< sharp, boundary, seam
+  vtkSmartPointer<vtkActor> Lost;     ///< features that the mesh has not
   vtkSmartPointer<vtkActor> Mark;     ///< the outline of the marked cell
 };
 }

@@ -9,6 +9,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <filesystem>
 #include <thread>
 
 namespace stipple
@@ -18,20 +19,41 @@ namespace
 constexpr int TickMilliseconds = 10;
 }
 
-Application::Application(const Document& document, int width, int height)
+Application::Application(int width, int height)
   : Window(width, height)
 {
   this->Interactor->SetRenderWindow(this->Window.window());
   // VTK's style asks for a frame after every event; a turn draws one for all of them.
   this->Interactor->EnableRenderOff();
-  this->Now = std::make_unique<Viewer>(this->Window, this->Interactor, document);
 }
 
 Application::~Application() = default;
 
-void Application::open()
+Status Application::open(const OptionValues& options, std::chrono::milliseconds patience)
 {
-  this->Now->open();
+  const std::string name = options.text(options.has("session") ? "session" : "model");
+  this->Reader.start(name, [options](Document& d) { return readDocument(options, d); });
+  if (const auto read = this->Reader.take(patience))
+  {
+    if (read->status.ok())
+    {
+      this->show(read->document);
+      this->openWindow();
+    }
+    return read->status;
+  }
+  Document example;
+  const Status status = readDocument(OptionValues(), example);
+  this->ReadsFirst = true;
+  this->show(example);
+  this->openWindow();
+  this->Now->showStart();
+  this->Now->setReading(name);
+  return status;
+}
+
+void Application::openWindow()
+{
   this->Interactor->Initialize();
   setLeastSize(this->Window.window(), LeastWidth, LeastHeight);
   this->Now->resize(); // a window manager may have given another size
@@ -43,28 +65,8 @@ void Application::open()
   this->Interactor->CreateRepeatingTimer(TickMilliseconds);
 }
 
-void Application::run()
+void Application::show(const Document& document)
 {
-  this->Interactor->Start();
-}
-
-void Application::turn()
-{
-  this->Now->tick();
-  if (const std::string file = this->Now->takeWantedFile(); !file.empty())
-  {
-    this->read(file);
-  }
-}
-
-void Application::read(const std::string& file)
-{
-  Document document;
-  if (const Status status = readDocument(file, document); !status.ok())
-  {
-    this->Now->complain(status.message());
-    return;
-  }
   this->Now.reset();
   this->Window.clear();
   this->Now = std::make_unique<Viewer>(this->Window, this->Interactor, document);
@@ -73,16 +75,71 @@ void Application::read(const std::string& file)
   {
     this->Now->hideTimes();
   }
-  if (this->Remembers)
+}
+
+Status Application::run()
+{
+  if (this->First.ok())
   {
-    addRecentFile(file);
+    this->Interactor->Start();
+  }
+  return this->First;
+}
+
+void Application::turn()
+{
+  this->Now->tick();
+  if (const std::string file = this->Now->takeWantedFile(); !file.empty())
+  {
+    this->Agreed = this->Now->session();
+    this->Reader.start(file, [file](Document& d) { return readDocument(file, d); });
+    this->Now->setReading(file);
+  }
+  if (this->Now->takeGivenUp())
+  {
+    this->Reader.giveUp();
+    this->ReadsFirst = false;
+    this->Now->setReading("");
+  }
+  this->takeDocument();
+}
+
+void Application::takeDocument()
+{
+  const auto read = this->Reader.take(std::chrono::milliseconds(0));
+  if (!read)
+  {
+    return;
+  }
+  this->Now->setReading("");
+  const bool first = std::exchange(this->ReadsFirst, false);
+  if (!read->status.ok() && first)
+  {
+    this->First = read->status;
+    this->Interactor->TerminateApp();
+    return;
+  }
+  if (!read->status.ok())
+  {
+    this->Now->complain(read->status.message());
+    return;
+  }
+  if (this->Now->session() != this->Agreed && this->Now->hasUnsavedWork())
+  {
+    this->Now->askToOpen(read->name); // painted meanwhile
+    return;
+  }
+  this->show(read->document);
+  if (this->Remembers && !first)
+  {
+    addRecentFile(read->name);
   }
 }
 
 void Application::settle()
 {
   // No turn comes after the question: a mesh that it took would be drawn, but not smoothly.
-  while (!this->Now->atRest())
+  while (this->Reader.busy() || !this->Now->atRest())
   {
     this->turn();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -4,6 +4,7 @@
 #ifndef stipple_Application_h
 #define stipple_Application_h
 
+#include "DocumentReader.h"
 #include "Viewer.h"
 
 namespace stipple
@@ -11,16 +12,16 @@ namespace stipple
 class Application
 {
 public:
-  /// A window of so many pixels, not open yet, with a document.
-  Application(const Document& document, int width, int height);
+  /// A window of so many pixels, not open yet.
+  Application(int width, int height);
   ~Application();
   Application(const Application&) = delete;
   Application& operator=(const Application&) = delete;
 
-  /// Opens the window.
-  void open();
-  /// Handles events until the window is closed.
-  void run();
+  /// Opens the window with what options name, read beside it if that takes longer than so.
+  [[nodiscard]] Status open(const OptionValues& options, std::chrono::milliseconds patience);
+  /// Handles events until the window is closed. An error: what was to be opened first cannot be.
+  [[nodiscard]] Status run();
   /// One turn of the loop; a file that was asked for is opened after it.
   void turn();
   /// Turns until all is at rest.
@@ -35,11 +36,17 @@ public:
   void rememberFiles() { this->Remembers = true; }
 
 private:
-  void read(const std::string& file);
+  void openWindow();
+  void show(const Document& document);
+  void takeDocument();
 
+  DocumentReader Reader; ///< first: the window need not wait for what it still reads
   ViewerWindow Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   std::unique_ptr<Viewer> Now;
+  bool ReadsFirst = false; ///< what the command line names
+  Session Agreed;          ///< that may be left for what is read
+  Status First = Status::success();
   bool TimesHidden = false;
   bool Remembers = false;
 };

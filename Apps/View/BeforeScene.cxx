@@ -163,9 +163,9 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
 }
 
 void BeforeScene::setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
-  vtkPartitionedDataSetCollection* controls)
+  vtkPartitionedDataSetCollection* controls, std::shared_ptr<const MeshDots> dots)
 {
-  this->Vertices.reset();
+  this->Vertices = std::move(dots);
   this->Sampling = samples;
   this->Halftones = halftones;
   this->Controls = controls;

@@ -32,9 +32,10 @@ public:
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
-  /// New samples: both outputs of the sampler, and the control images.
+  /// New samples: both outputs of the sampler, the control images, and dots to be shown in place of
+  /// the samples, if any.
   void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
-    vtkPartitionedDataSetCollection* controls);
+    vtkPartitionedDataSetCollection* controls, std::shared_ptr<const MeshDots> dots);
   /// The dots of a mesh that is there, instead of samples; until the next preview.
   void setVertices(std::shared_ptr<const MeshDots> vertices);
   void setView(const ViewState& view, float lineWidth);

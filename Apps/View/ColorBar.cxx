@@ -42,13 +42,16 @@ ColorBar densityBar()
     "samples per area, times the mean" };
 }
 
-void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar)
+void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar, bool ground)
 {
   const float s = canvas.scale();
   const float width = std::min(220 * s, view.w - 40 * s);
   const Rect place{ view.x + 20 * s, view.y + 28 * s, width, 10 * s };
-  canvas.fill(
-    { place.x - 12 * s, place.y - 22 * s, width + 24 * s, 54 * s }, { 255, 255, 255, 205 });
+  if (ground)
+  {
+    canvas.fill(
+      { place.x - 12 * s, place.y - 22 * s, width + 24 * s, 54 * s }, { 255, 255, 255, 205 });
+  }
   canvas.text(place.x, place.top() + 11 * s, bar.title, { 11, shades::Word });
   for (int i = 0; i < Steps; ++i)
   {

@@ -8,6 +8,7 @@
 #include "ViewState.h"
 
 #include <functional>
+#include <string>
 
 namespace stipple
 {
@@ -34,6 +35,9 @@ public:
   virtual void openFile() = 0;
   virtual void saveMeshAs() = 0;
   virtual void saveFigures() = 0;
+  /// Asks which of the input's arrays an option is to name; `points`: see setArray().
+  virtual void chooseArray(const std::string& option, int points) = 0;
+  virtual void choosePicture() = 0;
 };
 }
 

@@ -28,6 +28,12 @@ struct KeyStroke
   bool control = false;
 };
 
+/// What people call a key.
+inline std::string nameOfKey(const std::string& symbol)
+{
+  return symbol == "Return" ? "Enter" : (symbol == "Escape" ? "Esc" : symbol);
+}
+
 class Control
 {
 public:

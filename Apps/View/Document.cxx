@@ -4,6 +4,8 @@
 
 #include "MeshFile.h"
 #include "PolyDataConversion.h"
+#include "SessionEdits.h"
+#include "SurfacePicker.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -38,8 +40,20 @@ Status makeSession(const OptionValues& o, Session& session)
     return Status::error("the session '" + o.text("session") + "' names no model: say which FILE");
   }
   const int points = o.has("points") ? o.integer("points") : session.integer("points");
-  session.set("points", points > 0 ? points : DefaultPoints);
+  session.set("points", points > 0 || pointsFollow(session) ? points : DefaultPoints);
   return Status::success();
+}
+
+/// One closed surface that faces outwards: half of its triangles need not be drawn.
+bool isSolid(const TriangleSurface& surface)
+{
+  const SurfaceTopology topology = surface.topology();
+  double volume = 0;
+  for (int f = 0; f < surface.numberOfFaces(); ++f)
+  {
+    volume += surface.point(f, 0).dot(surface.point(f, 1).cross(surface.point(f, 2)));
+  }
+  return topology.manifold && topology.components == 1 && topology.boundaryLoops == 0 && volume > 0;
 }
 
 ViewerFiles filesOf(const OptionValues& o, const Session& session)
@@ -82,6 +96,11 @@ Status readDocument(const OptionValues& options, Document& document)
     }
   }
   read.files = filesOf(options, read.session);
+  TriangleSurface surface = fromPolyData(read.input);
+  surface.connect();
+  read.solid = isSolid(surface);
+  read.area = surface.area();
+  read.picker = std::make_shared<SurfacePicker>(read.input);
   document = read;
   return Status::success();
 }

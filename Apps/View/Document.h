@@ -9,6 +9,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 
 class vtkImageData;
@@ -16,6 +17,8 @@ class vtkPolyData;
 
 namespace stipple
 {
+class SurfacePicker;
+
 /// Where "save mesh", "picture", "session" and "figures" write.
 struct ViewerFiles
 {
@@ -31,6 +34,10 @@ struct Document
   vtkSmartPointer<vtkImageData> image; ///< the importance image, or null
   Session session;                     ///< "model" names the input; empty for the example
   ViewerFiles files;
+  // What takes time on a large surface:
+  std::shared_ptr<const SurfacePicker> picker;
+  bool solid = false; ///< one closed surface that faces outwards: its back is never seen
+  double area = 0;    ///< of the input
 };
 
 /// Reads what "model" or "session" of the options of stipple-view name; neither is the example.

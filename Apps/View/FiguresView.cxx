@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <vector>
 
 namespace stipple
 {
@@ -67,14 +68,18 @@ void FiguresView::paint(Canvas& canvas)
   }
   const Shade words = this->Stale ? shades::Faint : shades::Word;
   const MeshQuality& q = this->Figures.quality;
-  const std::pair<const char*, std::string> rows[] = { { "points", grouped(q.numberOfPoints) },
+  std::vector<std::pair<const char*, std::string>> rows = { { "points", grouped(q.numberOfPoints) },
     { "triangles", grouped(q.numberOfTriangles) }, { "quality, mean", printed("%.3f", q.averageQ) },
     { "angle, least", printed("%.1f\u00b0", q.minimumAngle) },
     { "angle, mean least", printed("%.1f\u00b0", q.averageMinimumAngle) },
     { "valence 6", printed("%.1f %%", q.percentValence6) },
     { "valence 5 to 7", printed("%.1f %%", q.percentValence567) } };
+  if (this->Figures.simplifiedFeatures > 0)
+  {
+    rows.emplace_back("simplified features", grouped(this->Figures.simplifiedFeatures));
+  }
   const float column = 0.52F * this->Box.w;
-  const float step = std::min(24 * s, this->Box.h / 7.F);
+  const float step = std::min(24 * s, this->Box.h / static_cast<float>(rows.size()));
   float y = this->Box.top() - 0.5F * step;
   for (const auto& row : rows)
   {

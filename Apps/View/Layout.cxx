@@ -15,7 +15,7 @@ constexpr float LeastStrip = 800;   ///< below this width what the strip shows w
 constexpr float NarrowView = 0.45F; ///< width over height; narrower ones lie above each other
 }
 
-Layout makeLayout(int width, int height)
+Layout makeLayout(int width, int height, bool oneView)
 {
   // The panel's controls fit a window 800 pixels high; they grow with it.
   const float s = std::clamp(std::min(height / 800.F, width / 1280.F), LeastScale, 2.F);
@@ -37,7 +37,12 @@ Layout makeLayout(int width, int height)
   const float viewBottom = statusHeight + stripHeight;
   const float viewHeight = h - viewBottom;
   const float half = std::floor(0.5F * left);
-  if (half < NarrowView * viewHeight)
+  if (oneView)
+  {
+    l.before = { 0, viewBottom, left, viewHeight };
+    l.after = l.before;
+  }
+  else if (half < NarrowView * viewHeight)
   {
     const float lower = std::floor(0.5F * viewHeight);
     l.before = { 0, viewBottom + lower, left, viewHeight - lower };

@@ -28,7 +28,8 @@ struct Layout
   Rect status;  ///< one line at the bottom
 };
 
-[[nodiscard]] Layout makeLayout(int width, int height);
+/// `oneView`: both views are in the same place.
+[[nodiscard]] Layout makeLayout(int width, int height, bool oneView = false);
 }
 
 #endif

@@ -103,18 +103,15 @@ void findBeyond(const NearestTriangle& nearest, const AtlasSurface& surface, con
 }
 }
 
-MeshDots placeOnCharts(vtkPolyData* mesh, const Atlas& atlas)
+MeshDots placeOnCharts(
+  const std::vector<PlacedDot>& places, const AtlasSurface& surface, const NearestTriangle& nearest)
 {
-  const AtlasSurface& surface = atlas.surface();
-  const TriangleSurface triangles = fromPolyData(mesh);
-  const std::vector<double> areas = areasOfVertices(triangles);
-  const NearestTriangle nearest(surface);
-  const vtkIdType n = mesh->GetNumberOfPoints();
+  const auto n = static_cast<vtkIdType>(places.size());
   MeshDots dots;
   dots.samples = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->DeepCopy(mesh->GetPoints());
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(n);
   dots.samples->SetPoints(points);
   auto* chart = addArray<vtkIntArray>(dots.samples, "ChartId", 1, n);
   auto* cell = addArray<vtkIntArray>(dots.samples, "ChartCellId", 1, n);
@@ -122,23 +119,23 @@ MeshDots placeOnCharts(vtkPolyData* mesh, const Atlas& atlas)
   auto* uv = addArray<vtkDoubleArray>(dots.samples, "UV", 2, n);
   auto* density = addArray<vtkDoubleArray>(dots.samples, "Density", 1, n);
   kind->FillValue(0);
-  std::vector<std::vector<DotBeyond>> beyond(static_cast<std::size_t>(n));
-  vtkSMPTools::For(0, n, [&](vtkIdType begin, vtkIdType end) {
+  std::vector<std::vector<DotBeyond>> beyond(places.size());
+  vtkSMPTools::For(0, n, 256, [&](vtkIdType begin, vtkIdType end) {
     int hint = -1;
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const auto place = static_cast<std::size_t>(i);
-      const Vec3& position = triangles.points[place];
-      hint = nearest.find(position, hint).face;
+      const PlacedDot& place = places[static_cast<std::size_t>(i)];
+      hint = place.face >= 0 ? place.face : hint;
+      hint = place.onFace ? hint : nearest.find(place.position, hint).face;
       const Face face(hint);
-      const double area = areas[place];
+      points->SetPoint(i, place.position.data());
       chart->SetValue(i, surface.faceChart[face].index());
       cell->SetValue(i, surface.chartCell(face));
-      const Vec2 parameter = parameterAt(surface, face, position);
+      const Vec2 parameter = parameterAt(surface, face, place.position);
       uv->SetTypedTuple(i, parameter.data());
-      density->SetValue(i, area > 0 ? 1 / area : 0);
-      findBeyond(nearest, surface, position, face, Reach * std::sqrt(area), static_cast<int>(i),
-        beyond[place]);
+      density->SetValue(i, place.area > 0 ? 1 / place.area : 0);
+      findBeyond(nearest, surface, place.position, face, Reach * std::sqrt(place.area),
+        static_cast<int>(i), beyond[static_cast<std::size_t>(i)]);
     }
   });
   for (const auto& some : beyond)
@@ -146,5 +143,17 @@ MeshDots placeOnCharts(vtkPolyData* mesh, const Atlas& atlas)
     dots.beyond.insert(dots.beyond.end(), some.begin(), some.end());
   }
   return dots;
+}
+
+MeshDots placeOnCharts(vtkPolyData* mesh, const Atlas& atlas)
+{
+  const TriangleSurface triangles = fromPolyData(mesh);
+  const std::vector<double> areas = areasOfVertices(triangles);
+  std::vector<PlacedDot> places;
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    places.push_back({ triangles.points[i], areas[i] });
+  }
+  return placeOnCharts(places, atlas.surface(), NearestTriangle(atlas.surface()));
 }
 }

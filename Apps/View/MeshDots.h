@@ -15,6 +15,8 @@ class vtkPolyData;
 
 namespace stipple
 {
+class NearestTriangle;
+
 /// Where a dot reaches into a chart that is not its own.
 struct DotBeyond
 {
@@ -32,7 +34,18 @@ struct MeshDots
   std::vector<DotBeyond> beyond;
 };
 
-/// `mesh` has triangles; each vertex goes to the place on the charts that is nearest to it.
+struct PlacedDot
+{
+  Vec3 position;       ///< goes to the nearest place on the surface
+  double area = 0;     ///< of the surface that belongs to it
+  int face = -1;       ///< of the atlas, near to it; -1: not known
+  bool onFace = false; ///< it is on that face
+};
+
+[[nodiscard]] MeshDots placeOnCharts(
+  const std::vector<PlacedDot>& dots, const AtlasSurface& surface, const NearestTriangle& nearest);
+
+/// `mesh` has triangles; its vertices.
 [[nodiscard]] MeshDots placeOnCharts(vtkPolyData* mesh, const Atlas& atlas);
 }
 

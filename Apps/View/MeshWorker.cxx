@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshWorker.h"
 
+#include "LostFeatures.h"
 #include "Messages.h"
 #include "PolyDataConversion.h"
 #include "SurfaceDeviation.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -51,47 +53,32 @@ vtkSmartPointer<T> copyOf(vtkDataObject* data)
 }
 }
 
-MeshWorker::MeshWorker(vtkPolyData* input, vtkImageData* importanceImage)
+MeshWorker::MeshWorker(vtkPolyData* input)
   : Remesher(vtkSmartPointer<vtkGeometryRemesher>::New())
 {
   this->Remesher->SetInputData(copyOf<vtkPolyData>(input));
   this->Remesher->GetMapRenderer()->SetBackendToCPU(); // OpenGL belongs to the window's thread
-  if (importanceImage)
-  {
-    this->Remesher->GetControlMap()->SetImportanceImage(copyOf<vtkImageData>(importanceImage));
-  }
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
   observer->SetCallback(&MeshWorker::onEvent);
   this->Remesher->AddObserver(vtkCommand::ProgressEvent, observer);
   this->Remesher->AddObserver(vtkGeometryRemesher::StageEndEvent, observer);
-  this->Thread = std::thread(&MeshWorker::work, this);
+  this->begin();
 }
 
 MeshWorker::~MeshWorker()
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Quit = true;
-    this->Next.reset();
-    this->StopAsked = AtOnce;
-  }
-  this->Wake.notify_all();
-  this->Thread.join();
+  this->end();
 }
 
 void MeshWorker::start(const Session& session)
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Next = std::make_unique<Session>(session);
-    this->StopAsked =
-      std::max<int>(this->StopAsked, sameMaps(this->Current, session) ? BeforeTheMesh : AtOnce);
-    this->Mesh.reset();
-    this->Error.clear();
-    this->Busy = true;
-  }
-  this->Wake.notify_all();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->StopAsked =
+    std::max<int>(this->StopAsked, sameMaps(this->Current, session) ? BeforeTheMesh : AtOnce);
+  this->Mesh.reset();
+  this->Error.clear();
+  this->setNext(session);
 }
 
 void MeshWorker::relax()
@@ -134,32 +121,21 @@ std::string MeshWorker::takeError()
   return error;
 }
 
-void MeshWorker::work()
+void MeshWorker::prepare(const Session& session)
 {
-  lowerPriority();
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  while (!this->Quit)
-  {
-    if (!this->Next)
-    {
-      this->Busy = false;
-      this->Wake.wait(lock, [this] { return this->Next || this->Quit; });
-      continue;
-    }
-    this->Current = *this->Next;
-    this->Next.reset();
-    this->StopAsked = GoOn;
-    this->Fraction = 0.;
-    this->Busy = true;
-    const Session session = this->Current;
-    lock.unlock();
-    this->perform(session);
-    lock.lock();
-  }
+  this->Current = session;
+  this->StopAsked = GoOn;
+  this->Fraction = 0.;
+}
+
+void MeshWorker::takeImage(vtkImageData* image)
+{
+  this->Remesher->GetControlMap()->SetImportanceImage(image);
 }
 
 void MeshWorker::perform(const Session& session)
 {
+  lowerPriority();
   const double begin = vtkTimerLog::GetUniversalTime();
   ErrorCollector errors(this->Remesher);
   applyOptions(session, this->Remesher);
@@ -182,6 +158,16 @@ void MeshWorker::perform(const Session& session)
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
   result->figures = measureFigures(result->mesh);
+  const int simplified = session.text("pattern") == "quads"
+    ? 0
+    : this->Remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
+  if (simplified > 0)
+  {
+    result->lost = lostFeatures(
+      vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)), result->lines);
+    // Most are points that moved along one; where all lines are kept, nobody need care.
+    result->figures.simplifiedFeatures = result->lost->GetNumberOfLines() > 0 ? simplified : 0;
+  }
   if (!this->inspect(*result))
   {
     return;

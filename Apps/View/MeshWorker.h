@@ -1,26 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole pipeline in a thread of its own. No VTK object is ever in two threads: the thread has
-// its own copy of the input, and what it hands over are copies that it forgets.
+// The whole pipeline in a thread of its own. The thread has its own copy of the input, and what it
+// hands over are copies that it forgets.
 #ifndef stipple_MeshWorker_h
 #define stipple_MeshWorker_h
 
 #include "MeshColors.h"
 #include "MeshDots.h"
 #include "MeshFigures.h"
-#include "Session.h"
+#include "SessionWorker.h"
 
-#include "vtkSmartPointer.h"
-
-#include <atomic>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 
 class vtkGeometryRemesher;
-class vtkImageData;
 class vtkObject;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
@@ -48,20 +40,19 @@ struct MeshResult
   Session session; ///< that it was made with
   vtkSmartPointer<vtkPolyData> mesh;
   vtkSmartPointer<vtkPolyData> lines;
+  vtkSmartPointer<vtkPolyData> lost; ///< sharp lines of the input that it has not; null: none
   MeshFigures figures;
   MeshColors colors;
   std::shared_ptr<const MeshDots> dots; ///< on the charts that were handed over last
   double seconds = 0;
 };
 
-class MeshWorker
+class MeshWorker : public SessionWorker
 {
 public:
-  /// Both are copied.
-  MeshWorker(vtkPolyData* input, vtkImageData* importanceImage);
-  ~MeshWorker(); ///< stops what runs
-  MeshWorker(const MeshWorker&) = delete;
-  MeshWorker& operator=(const MeshWorker&) = delete;
+  /// The input is copied.
+  explicit MeshWorker(vtkPolyData* input);
+  ~MeshWorker() override; ///< stops what runs
 
   /// Meshes this next; what runs is stopped, unless it still makes charts or maps that the new
   /// session needs as well.
@@ -92,8 +83,10 @@ private:
     AtOnce
   };
   static void onEvent(vtkObject* caller, unsigned long event, void* self, void* callData);
-  void work();
-  void perform(const Session& session);
+  void stop() override { this->StopAsked = AtOnce; }
+  void prepare(const Session& session) override;
+  void takeImage(vtkImageData* image) override;
+  void perform(const Session& session) override;
   void publishAtlas();
   bool inspect(MeshResult& result);
 
@@ -102,18 +95,12 @@ private:
   std::unique_ptr<NearestTriangle> NearestInput; ///< the thread's; made when first needed
   unsigned long PublishedTime = 0;               ///< the thread's
   Session Current;                               ///< written under the mutex
-  std::mutex Mutex;
-  std::condition_variable Wake;
-  std::unique_ptr<Session> Next;
   std::unique_ptr<AtlasResult> Atlas;
   std::unique_ptr<MeshResult> Mesh;
   std::string Error;
-  bool Quit = false;
   std::atomic<int> StopAsked{ GoOn };
-  std::atomic<bool> Busy{ false };
   std::atomic<bool> MapsDone{ false }; ///< of what runs
   std::atomic<double> Fraction{ 0. };
-  std::thread Thread; ///< last: begins when the rest is there
 };
 }
 

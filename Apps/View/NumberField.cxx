@@ -9,11 +9,11 @@
 
 namespace stipple
 {
-NumberField::NumberField(std::string label, int low, int high, Commit commit)
+NumberField::NumberField(std::string label, const Range& range, Commit commit)
   : Label(std::move(label))
-  , Low(low)
-  , High(high)
+  , Limits(range)
   , OnCommit(std::move(commit))
+  , Typed(range.whole)
 {
 }
 
@@ -24,19 +24,27 @@ void NumberField::paint(Canvas& canvas)
   canvas.text(this->Box.x, middle, this->Label);
   const float width = 0.46F * this->Box.w;
   const Rect field{ this->Box.right() - width, this->Box.y, width, this->Box.h };
-  canvas.box(field, shades::Card, this->Focused ? shades::Accent : shades::Line, 4,
-    this->Focused ? 1.5F : 1);
+  const bool typed = this->Typed.on();
+  canvas.box(field, shades::Card, typed ? shades::Accent : shades::Line, 4, typed ? 1.5F : 1);
   const float right = field.right() - 8 * s;
-  const std::string text = this->Focused ? this->Typed : grouped(this->Value);
+  if (!typed && this->Limits.automatic && this->Value == 0)
+  {
+    const TextLook quiet{ 12, shades::Faint, Align::Right };
+    canvas.text(right, middle, canvas.fitted(this->Automatic, width - 12 * s, quiet), quiet);
+    return;
+  }
+  const std::string text = typed ? this->Typed.text()
+    : this->Limits.whole         ? grouped(static_cast<long long>(this->Value))
+                                 : shortestText(this->Value);
   const TextLook look{ 13, shades::Word, Align::Right, true };
-  if (this->Focused && this->Fresh)
+  if (typed && this->Typed.fresh())
   {
     const float w = canvas.textWidth(text, look);
     canvas.fill(
       { right - w - 2 * s, field.y + 5 * s, w + 4 * s, field.h - 10 * s }, shades::AccentSoft);
   }
   canvas.text(right, middle, text, look);
-  if (this->Focused)
+  if (typed)
   {
     canvas.rule(right + 2 * s, field.y + 6 * s, right + 2 * s, field.top() - 6 * s, shades::Accent);
   }
@@ -44,69 +52,61 @@ void NumberField::paint(Canvas& canvas)
 
 void NumberField::focus()
 {
-  this->Focused = true;
-  this->Fresh = true;
-  this->Typed = std::to_string(this->Value);
+  this->Typed.begin(
+    this->Limits.automatic && this->Value == 0 ? std::string() : shortestText(this->Value));
 }
 
 bool NumberField::press(const Pointer& pointer)
 {
   if (pointer.secondary)
   {
+    if (this->Limits.automatic)
+    {
+      this->commit(0);
+    }
     return false;
   }
   this->focus();
   return true;
 }
 
-void NumberField::finish(bool accept)
+void NumberField::commit(double value)
 {
-  if (!this->Focused)
+  if (value != this->Value)
   {
-    return;
-  }
-  this->Focused = false;
-  int value = 0;
-  if (accept && parseInteger(this->Typed, 0, 2'000'000'000, value))
-  {
-    value = std::clamp(value, this->Low, this->High);
-    if (value != this->Value)
-    {
-      this->OnCommit(value);
-    }
+    this->OnCommit(value);
   }
 }
 
-void NumberField::blur()
+void NumberField::finish(bool accept)
 {
-  this->finish(true);
+  if (!this->Typed.on())
+  {
+    return;
+  }
+  this->Typed.finish();
+  const std::string& text = this->Typed.text();
+  double value = 0;
+  const bool number = parseNumber(text, value);
+  if (!accept || (!number && (!text.empty() || !this->Limits.automatic)))
+  {
+    return;
+  }
+  this->commit(this->Limits.automatic && value == 0
+      ? 0
+      : std::clamp(value, this->Limits.low, this->Limits.high));
 }
 
 bool NumberField::key(const KeyStroke& stroke)
 {
-  if (!this->Focused || stroke.control)
+  if (!this->Typed.on() || stroke.control)
   {
     return false;
   }
-  if (stroke.symbol == "Return" || stroke.symbol == "KP_Enter" || stroke.symbol == "Tab")
+  if (const TypedNumber::End end = this->Typed.key(stroke); end != TypedNumber::End::None)
   {
-    this->finish(true);
+    this->finish(end == TypedNumber::End::Accepted);
   }
-  else if (stroke.symbol == "Escape")
-  {
-    this->finish(false);
-  }
-  else if (stroke.symbol == "BackSpace" || stroke.symbol == "Delete")
-  {
-    this->Typed =
-      this->Fresh ? "" : this->Typed.substr(0, this->Typed.size() - !this->Typed.empty());
-    this->Fresh = false;
-  }
-  else if (stroke.letter >= '0' && stroke.letter <= '9' && (this->Fresh || this->Typed.size() < 8))
-  {
-    this->Typed = (this->Fresh ? "" : this->Typed) + stroke.letter;
-    this->Fresh = false;
-  }
-  return true; // no other key does anything else meanwhile
+  return true;
 }
 }

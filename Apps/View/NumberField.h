@@ -3,40 +3,51 @@
 #ifndef stipple_NumberField_h
 #define stipple_NumberField_h
 
-#include "Control.h"
+#include "TypedNumber.h"
 
 #include <functional>
 
 namespace stipple
 {
-/// A whole number that is typed: a click, the digits, Return. Escape gives up.
+/// A number that is typed: a click, the digits, Return. Escape gives up.
 class NumberField : public Control
 {
 public:
-  using Commit = std::function<void(int)>;
+  struct Range
+  {
+    double low = 0;
+    double high = 0;
+    bool whole = true;
+    /// 0, or nothing typed, is outside the range and means something else; the right button goes
+    /// back to it.
+    bool automatic = false;
+  };
+  using Commit = std::function<void(double)>;
 
-  NumberField(std::string label, int low, int high, Commit commit);
+  NumberField(std::string label, const Range& range, Commit commit);
 
-  void setValue(int value) { this->Value = value; }
+  void setValue(double value) { this->Value = value; }
+  void setLabel(const std::string& label) { this->Label = label; }
+  /// What is shown for 0 where that is automatic.
+  void setAutomatic(const std::string& word) { this->Automatic = word; }
   void focus();
 
   void paint(Canvas& canvas) override;
   bool press(const Pointer& pointer) override;
-  bool wantsKeys() const override { return this->Focused; }
+  bool wantsKeys() const override { return this->Typed.on(); }
   bool key(const KeyStroke& stroke) override;
-  void blur() override;
+  void blur() override { this->finish(true); }
 
 private:
   void finish(bool accept);
+  void commit(double value);
 
   std::string Label;
-  int Low;
-  int High;
+  Range Limits;
   Commit OnCommit;
-  int Value = 0;
-  bool Focused = false;
-  bool Fresh = false; ///< nothing typed yet: the first digit replaces the number
-  std::string Typed;
+  double Value = 0;
+  std::string Automatic;
+  TypedNumber Typed;
 };
 }
 

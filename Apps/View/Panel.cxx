@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
+#include "SessionEdits.h"
 #include "ViewOptions.h"
 
 #include <algorithm>
@@ -38,25 +39,18 @@ double rounded(double value)
 }
 }
 
-template <typename T, typename... Arguments>
-T* Panel::make(Arguments&&... arguments)
-{
-  auto control = std::make_unique<T>(std::forward<Arguments>(arguments)...);
-  T* result = control.get();
-  this->Owned.push_back(std::move(control));
-  return result;
-}
-
-Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arrays, bool hasImage)
+Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arrays)
   : Model(std::move(model))
   , Arrays(std::move(arrays))
 {
-  this->addSampling(commands, hasImage);
+  this->addSampling(commands);
   this->addFeatures(commands);
   this->addPointer(commands);
   this->addShow(commands);
   this->addCommands(commands);
   this->addMesh(commands);
+  this->addSizes(commands);
+  this->addInputs(commands);
 }
 
 void Panel::heading(const std::string& text)
@@ -69,53 +63,46 @@ void Panel::row(std::vector<Control*> controls, float height, float space)
   this->Rows.push_back({ std::move(controls), "", height, space });
 }
 
-void Panel::addSampling(Commands& commands, bool hasImage)
+void Panel::addSampling(Commands& commands)
 {
   this->Number =
-    this->make<NumberField>("Number of points", 1, MostPoints, [&commands](int points) {
-      commands.edit([points](Session& s) { s.set("points", points); }, true);
+    this->make<NumberField>("", NumberField::Range{ 1, MostPoints }, [&commands](double points) {
+      commands.edit([points](Session& s) { setPoints(s, points); }, true);
     });
   Slider::Range range{ 100, SliderPoints };
   range.logarithmic = true;
   this->PointsSlider = this->make<Slider>(
     "", range, [](double) { return std::string(); },
-    [&commands](double value, bool rests) {
+    [this, &commands](double value, bool rests) {
       const int points = static_cast<int>(rounded(value));
       // A press that moves nothing keeps a number that was typed.
       commands.edit(
-        [points, value](Session& s) {
-          if (std::abs(value - s.number("points")) >= 1)
+        [this, points, value](Session& s) {
+          if (std::abs(value - this->Points) >= 1)
           {
-            s.set("points", points);
+            setPoints(s, points);
           }
         },
         rests);
     });
   this->Importance = this->make<Choice>(Choice::Kind::One,
-    std::vector<std::string>{
-      "uniform", "mean", "Gauss", "min", "max", "total", "L2", hasImage ? "image" : "array" },
-    4, [this, &commands, hasImage](int word) {
-      commands.edit(
-        [this, word, hasImage](Session& s) {
-          if (word < ArrayWord)
-          {
-            s.set("importance", findOption("importance")->choices[word]);
-            return;
-          }
-          s.set("importance", hasImage ? "image" : "array");
-          if (!hasImage)
-          {
-            // One more press, the next array.
-            const auto now =
-              std::find(this->Arrays.begin(), this->Arrays.end(), s.text("importance_array"));
-            s.set("importance_array",
-              now == this->Arrays.end() || now + 1 == this->Arrays.end() ? this->Arrays.front()
-                                                                         : *(now + 1));
-          }
-        },
-        true);
+    std::vector<std::string>{ "uniform", "mean", "Gauss", "min", "max", "total", "L2", "array" }, 4,
+    [this, &commands](int word) {
+      if (word == ArrayWord && this->HasPicture)
+      {
+        commands.edit([](Session& s) { s.set("importance", "image"); }, true);
+      }
+      else if (word == ArrayWord)
+      {
+        commands.chooseArray("importance_array", this->Points);
+      }
+      else
+      {
+        commands.edit(
+          [word](Session& s) { s.set("importance", findOption("importance")->choices[word]); },
+          true);
+      }
     });
-  this->Importance->setEnabled(ArrayWord, hasImage || !this->Arrays.empty());
   this->Gamma = this->make<Slider>("Gamma", Slider::Range{ 0, 3, 1, false, 0.01 }, format("%.2f"),
     [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("gamma", value); }, rests);
@@ -141,8 +128,7 @@ void Panel::addSampling(Commands& commands, bool hasImage)
       "More samples where the larger principal curvature is large.",
       "More samples where the surface bends: both principal curvatures, squared and added.",
       "The density that approximates the surface best (L2): fewest points for an error.",
-      hasImage ? "The density is that of the picture."
-               : "The density is that of an array of the file; one more click, the next array." });
+      "The density is that of a picture, or of an array of the file that is chosen." });
   this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
     std::string(SliderHint));
   this->Gradation->setHint(
@@ -238,8 +224,8 @@ void Panel::addShow(Commands& commands)
   this->Displays->setHints(
     { "d: samples; once the mesh is there, its vertices.", "d: the surface with its edges.",
       "d: the pieces that it is cut into.", "d: how many samples are wanted where." });
-  this->Overlays->setHints(
-    { "l: features red, boundaries blue.", "m: where the surface is cut, dark." });
+  this->Overlays->setHints({ "l: features red, boundaries blue; violet: simplified in the mesh.",
+    "m: where the surface is cut, dark." });
   this->heading("Show");
   this->row({ this->Displays }, 27);
   this->row({ this->Overlays }, 27, 18);
@@ -284,31 +270,6 @@ void Panel::addCommands(Commands& commands)
     "Ctrl+E: both views alone, 2000 pixels high, transparent." });
   this->row({ this->Coloring }, 25);
   this->row({ files }, 25, 14);
-}
-
-Choice* Panel::optionChoice(Commands& commands, const char* option, std::vector<std::string> words)
-{
-  const int columns = static_cast<int>(words.size());
-  return this->make<Choice>(
-    Choice::Kind::One, std::move(words), columns, [&commands, option](int word) {
-      commands.edit(
-        [option, word](Session& s) { s.set(option, findOption(option)->choices[word]); }, true);
-    });
-}
-
-void Panel::addMesh(Commands& commands)
-{
-  this->Preset = this->optionChoice(commands, "preset", { "uniform", "adaptive", "rib" });
-  this->Preset->setHints(
-    { "Triangles that are alike, whatever the importance.", "Triangles that follow the importance.",
-      "They follow the importance, with two neighbours on each side of features." });
-  this->Pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
-  this->Pattern->setHints(
-    { "A mesh of triangles.", "Quads, regular in every chart; they are not optimised.",
-      "Triangles split 1 to 4; the number of points is the base mesh's." });
-  this->heading("Mesh");
-  this->row({ this->Preset }, 27);
-  this->row({ this->Pattern }, 27);
 }
 
 void Panel::setBox(const Rect& box, float scale)
@@ -366,22 +327,27 @@ void Panel::place()
   }
 }
 
-void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRedo)
+void Panel::show(const Session& s, const ViewState& v, int points, double edge)
 {
-  this->Number->setValue(s.integer("points"));
-  Slider::Range range{ 100, std::max<double>(SliderPoints, s.number("points")) };
+  const bool follows = pointsFollow(s);
+  this->Points = follows && points > 0 ? points : s.integer("points");
+  this->Number->setLabel(follows ? "Points that follow" : "Number of points");
+  this->Number->setValue(this->Points);
+  Slider::Range range{ 100, std::max<double>(SliderPoints, this->Points) };
   range.logarithmic = true;
   this->PointsSlider->setRange(range);
-  this->PointsSlider->setValue(s.number("points"));
+  this->PointsSlider->setValue(this->Points);
+  this->showOptions(s);
+  this->EdgeLength->setAutomatic(edge > 0 ? "now " + format("%.3g")(edge) : "");
   const std::string& importance = s.text("importance");
   const auto& names = findOption("importance")->choices;
   const auto kind =
     static_cast<int>(std::find(names.begin(), names.end(), importance) - names.begin());
+  this->HasPicture = !s.text("importance_image").empty();
   this->Importance->choose(std::min(kind, ArrayWord));
-  if (importance == "array")
-  {
-    this->Importance->setWord(ArrayWord, s.text("importance_array"));
-  }
+  this->Importance->setWord(ArrayWord,
+    importance == "array" ? s.text("importance_array") : (this->HasPicture ? "image" : "array"));
+  this->Importance->setEnabled(ArrayWord, this->HasPicture || !this->Arrays.empty());
   const bool uniform = importance == "uniform";
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {
@@ -401,17 +367,14 @@ void Panel::show(const Session& s, const ViewState& v, bool canUndo, bool canRed
   this->Displays->choose(static_cast<int>(v.display));
   this->Overlays->setOn(0, v.features);
   this->Overlays->setOn(1, v.seams);
-  this->Undoing->setEnabled(0, canUndo);
-  this->Undoing->setEnabled(1, canRedo);
   this->Undoing->setOn(2, v.help);
   this->Coloring->choose(static_cast<int>(v.coloring));
-  for (const auto& [choice, option] :
-    { std::pair(this->Preset, "preset"), std::pair(this->Pattern, "pattern") })
-  {
-    const auto& words = findOption(option)->choices;
-    choice->choose(
-      static_cast<int>(std::find(words.begin(), words.end(), s.text(option)) - words.begin()));
-  }
+}
+
+void Panel::setUndo(bool canUndo, bool canRedo)
+{
+  this->Undoing->setEnabled(0, canUndo);
+  this->Undoing->setEnabled(1, canRedo);
 }
 
 void Panel::paint(Canvas& canvas, bool upper)

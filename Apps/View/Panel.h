@@ -19,12 +19,15 @@ class Panel
 {
 public:
   /// `model` is shown; `arrays` can be importances.
-  Panel(Commands& commands, std::string model, std::vector<std::string> arrays, bool hasImage);
+  Panel(Commands& commands, std::string model, std::vector<std::string> arrays);
 
   void setBox(const Rect& box, float scale);
   /// Moves what does not fit into the box by notches of the wheel; true if it looks different then.
   bool scroll(int notches);
-  void show(const Session& session, const ViewState& view, bool canUndo, bool canRedo);
+  /// `points` is how many there are where they follow; 0: not known yet. `edge` is the length that
+  /// the number of points stands for.
+  void show(const Session& session, const ViewState& view, int points, double edge);
+  void setUndo(bool canUndo, bool canRedo);
   /// What looks as before is left, unless the canvas is empty. In two halves: VTK's painter keeps
   /// 50 words, and makes each anew in every frame if there are more.
   void paint(Canvas& canvas, bool upper);
@@ -41,16 +44,25 @@ private:
     float space; ///< below
   };
   template <typename T, typename... Arguments>
-  T* make(Arguments&&... arguments);
+  T* make(Arguments&&... arguments)
+  {
+    this->Owned.push_back(std::make_unique<T>(std::forward<Arguments>(arguments)...));
+    return static_cast<T*>(this->Owned.back().get());
+  }
   void place();
   bool isSeen(const Rect& box) const;
-  void addSampling(Commands& commands, bool hasImage);
+  void addSampling(Commands& commands);
   void addFeatures(Commands& commands);
   void addPointer(Commands& commands);
   void addShow(Commands& commands);
   void addCommands(Commands& commands);
   void addMesh(Commands& commands);
+  void addSizes(Commands& commands);
+  void addInputs(Commands& commands);
   Choice* optionChoice(Commands& commands, const char* option, std::vector<std::string> words);
+  NumberField* optionField(Commands& commands, const char* option, const char* label);
+  Choice* arrayChoice(Commands& commands, const char* option, const char* label);
+  void showOptions(const Session& session);
   void heading(const std::string& text);
   void row(std::vector<Control*> controls, float height, float space = 4);
 
@@ -65,6 +77,8 @@ private:
   std::vector<Row> Rows;
   std::vector<std::pair<Rect, std::string>> Headings;
 
+  int Points = 0; ///< that are shown
+  bool HasPicture = false;
   NumberField* Number = nullptr;
   Slider* PointsSlider = nullptr;
   Choice* Importance = nullptr;
@@ -81,8 +95,21 @@ private:
   Choice* Overlays = nullptr;
   Choice* Undoing = nullptr;
   Choice* Coloring = nullptr;
-  Choice* Preset = nullptr;
-  Choice* Pattern = nullptr;
+  NumberField* EdgeLength = nullptr;
+  Choice* Picture = nullptr;
+  Slider* Finest = nullptr;
+  Slider* Coarsest = nullptr;
+
+  // By options:
+  struct ArrayChoice
+  {
+    std::string option;
+    std::string label;
+    Choice* choice;
+  };
+  std::vector<std::pair<std::string, Choice*>> OptionChoices;
+  std::vector<std::pair<std::string, NumberField*>> OptionFields;
+  std::vector<ArrayChoice> ArrayChoices;
 };
 }
 

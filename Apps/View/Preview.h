@@ -37,8 +37,8 @@ public:
   /// Called while it works; it may set the AbortExecute of the filter that calls it.
   void observeProgress(vtkCommand* command);
 
-  /// Samples anew what changed; `points` is the exact number.
-  [[nodiscard]] Status update(const Session& session, int points);
+  /// Samples anew what changed.
+  [[nodiscard]] Status update(const Session& session);
 
   /// Of the last update that succeeded.
   vtkPartitionedDataSetCollection* controls();

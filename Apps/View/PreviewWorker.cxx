@@ -20,6 +20,11 @@ namespace
 /// What takes longer is left for a session that came after it.
 constexpr std::chrono::milliseconds Patience(500);
 
+/// Seconds of sampling, up to which samples are relaxed as well; a mean that the newest has so much
+/// of.
+constexpr double QuickPace = 0.045;
+constexpr double NewestShare = 0.25;
+
 /// Each image with copies of these arrays and no other.
 vtkSmartPointer<vtkPartitionedDataSetCollection> copyOfImages(
   vtkPartitionedDataSetCollection* images, std::initializer_list<const char*> arrays)
@@ -45,32 +50,19 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> copyOfImages(
 }
 }
 
-PreviewWorker::PreviewWorker(vtkImageData* importanceImage, int bars)
+PreviewWorker::PreviewWorker(int bars)
   : Bars(bars)
 {
-  if (importanceImage)
-  {
-    vtkNew<vtkImageData> copy;
-    copy->DeepCopy(importanceImage);
-    this->Sampling.setImportanceImage(copy);
-  }
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
   observer->SetCallback(&PreviewWorker::onProgress);
   this->Sampling.observeProgress(observer);
-  this->Thread = std::thread(&PreviewWorker::work, this);
+  this->begin();
 }
 
 PreviewWorker::~PreviewWorker()
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Quit = true;
-    this->Next.reset();
-    this->Stop = true;
-  }
-  this->Wake.notify_all();
-  this->Thread.join();
+  this->end();
 }
 
 void PreviewWorker::setAtlas(const SamplingInput& atlas)
@@ -83,18 +75,14 @@ void PreviewWorker::setAtlas(const SamplingInput& atlas)
 
 void PreviewWorker::start(const Session& session)
 {
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const auto now = Clock::now();
+  this->Asked = this->Busy ? this->Asked : now;
+  if (this->Busy && now - this->Started > Patience)
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto now = Clock::now();
-    this->Asked = this->Busy ? this->Asked : now;
-    if (this->Busy && now - this->Started > Patience)
-    {
-      this->Stop = true;
-    }
-    this->Next = std::make_unique<Session>(session);
-    this->Busy = true;
+    this->Stop = true;
   }
-  this->Wake.notify_all();
+  this->setNext(session);
 }
 
 bool PreviewWorker::idle()
@@ -115,43 +103,42 @@ std::unique_ptr<PreviewResult> PreviewWorker::take()
   return std::move(this->Done);
 }
 
-void PreviewWorker::work()
+void PreviewWorker::prepare(const Session&)
 {
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  while (!this->Quit)
+  this->Atlas = std::move(this->NextAtlas);
+  this->Stop = false;
+  this->Started = Clock::now();
+}
+
+void PreviewWorker::takeImage(vtkImageData* image)
+{
+  this->Sampling.setImportanceImage(image);
+  this->HistogramOf.clear();
+}
+
+void PreviewWorker::perform(const Session& session)
+{
+  if (this->Atlas)
   {
-    if (!this->Next)
-    {
-      this->Busy = false;
-      this->Wake.wait(lock, [this] { return this->Next || this->Quit; });
-      continue;
-    }
-    const std::unique_ptr<Session> session = std::move(this->Next);
-    const std::unique_ptr<SamplingInput> atlas = std::move(this->NextAtlas);
-    this->Stop = false;
-    this->Started = Clock::now();
-    lock.unlock();
-    if (atlas)
-    {
-      this->Sampling.setAtlas(*atlas);
-      this->HistogramOf.clear();
-    }
-    auto result = this->perform(*session);
-    lock.lock();
-    if (!this->Stop)
-    {
-      this->Done = std::move(result);
-      this->Asked = Clock::now();
-    }
+    this->Sampling.setAtlas(*this->Atlas);
+    this->Relaxation = std::make_unique<SampleRelaxation>(this->Atlas->charts, this->Atlas->graph);
+    this->HistogramOf.clear();
+  }
+  auto result = this->sample(session);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->Stop)
+  {
+    this->Done = std::move(result);
+    this->Asked = Clock::now();
   }
 }
 
-std::unique_ptr<PreviewResult> PreviewWorker::perform(const Session& session)
+std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
 {
   const auto begin = Clock::now();
   auto result = std::make_unique<PreviewResult>();
   result->session = session;
-  const Status status = this->Sampling.update(session, session.integer("points"));
+  const Status status = this->Sampling.update(session);
   if (this->Stop)
   {
     return result;
@@ -161,6 +148,10 @@ std::unique_ptr<PreviewResult> PreviewWorker::perform(const Session& session)
   {
     result->samples = vtkSmartPointer<vtkPolyData>::New();
     result->samples->DeepCopy(this->Sampling.samples());
+    // Where a frame has time for it; one slow frame among others changes nothing.
+    const double own = std::chrono::duration<double>(Clock::now() - begin).count();
+    this->Pace += NewestShare * (own - this->Pace);
+    result->dots = this->Pace < QuickPace ? this->Relaxation->relax(result->samples) : nullptr;
     result->halftones = copyOfImages(this->Sampling.halftones(), { "Halftone", "FaceIndex" });
     result->controls =
       copyOfImages(this->Sampling.controls(), { "Control", "AreaDistortion", "FaceIndex" });

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The preview in a thread of its own: a smooth gradation or a band-pass of a large model takes
-// longer than a frame. Sessions that come while it samples are one, the latest. No VTK object is
-// ever in two threads.
+// longer than a frame.
 #ifndef stipple_PreviewWorker_h
 #define stipple_PreviewWorker_h
 
 #include "MeshWorker.h"
 #include "Preview.h"
+#include "SampleRelaxation.h"
 
 #include <chrono>
 
@@ -18,20 +18,19 @@ struct PreviewResult
   Session session;     ///< that it was made with
   std::string problem; ///< why there are no samples, a sentence; empty if there are
   vtkSmartPointer<vtkPolyData> samples;
+  std::shared_ptr<const MeshDots> dots; ///< the samples as they are shown; null: as they are
   vtkSmartPointer<vtkPartitionedDataSetCollection> halftones;
   vtkSmartPointer<vtkPartitionedDataSetCollection> controls;
   std::vector<double> histogram; ///< Preview::importanceHistogram()
   double seconds = 0;
 };
 
-class PreviewWorker
+class PreviewWorker : public SessionWorker
 {
 public:
-  /// `importanceImage` is copied; it may be null. Histograms have so many bars.
-  PreviewWorker(vtkImageData* importanceImage, int bars);
-  ~PreviewWorker(); ///< stops what runs
-  PreviewWorker(const PreviewWorker&) = delete;
-  PreviewWorker& operator=(const PreviewWorker&) = delete;
+  /// Histograms have so many bars.
+  explicit PreviewWorker(int bars);
+  ~PreviewWorker() override; ///< stops what runs
 
   /// The charts and maps from now on; what is done for others is not handed over any more.
   void setAtlas(const SamplingInput& atlas);
@@ -49,24 +48,24 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   static void onProgress(vtkObject* caller, unsigned long event, void* self, void* callData);
-  void work();
-  std::unique_ptr<PreviewResult> perform(const Session& session);
+  void stop() override { this->Stop = true; }
+  void prepare(const Session& session) override;
+  void takeImage(vtkImageData* image) override;
+  void perform(const Session& session) override;
+  std::unique_ptr<PreviewResult> sample(const Session& session);
 
-  Preview Sampling; ///< the thread's
+  Preview Sampling;                             ///< the thread's
+  std::unique_ptr<SampleRelaxation> Relaxation; ///< the thread's
+  double Pace = 0;                              ///< the thread's: seconds that sampling takes
   int Bars;
-  std::string HistogramOf;       ///< the thread's: the importance of
-  std::vector<double> Histogram; ///< the thread's
-  std::mutex Mutex;
-  std::condition_variable Wake;
+  std::string HistogramOf;              ///< the thread's: the importance of
+  std::vector<double> Histogram;        ///< the thread's
+  std::unique_ptr<SamplingInput> Atlas; ///< the thread's, where it is another one
   std::unique_ptr<SamplingInput> NextAtlas;
-  std::unique_ptr<Session> Next;
   std::unique_ptr<PreviewResult> Done;
-  Clock::time_point Asked;   ///< the first session that nothing was handed over for
-  Clock::time_point Started; ///< what runs
-  bool Busy = false;
-  bool Quit = false;
+  Clock::time_point Asked;         ///< the first session that nothing was handed over for
+  Clock::time_point Started;       ///< what runs
   std::atomic<bool> Stop{ false }; ///< what runs, at its next report
-  std::thread Thread;
 };
 }
 

@@ -6,15 +6,6 @@
 
 namespace stipple
 {
-namespace
-{
-/// What people call a key.
-std::string nameOf(const std::string& key)
-{
-  return key == "Return" ? "Enter" : (key == "Escape" ? "Esc" : key);
-}
-}
-
 Question::Question(std::string title, std::string sentence, std::vector<Answer> answers)
   : Title(std::move(title))
   , Sentence(std::move(sentence))
@@ -49,7 +40,7 @@ void Question::paint(Canvas& canvas, const Rect& window)
     canvas.box(button, first ? shades::Accent : (under ? shades::Hover : shades::Card),
       first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
     const TextLook look{ 12, first ? shades::Card : shades::Word, Align::Center, first };
-    const std::string text = this->Answers[i].text + " (" + nameOf(this->Answers[i].key) + ")";
+    const std::string text = this->Answers[i].text + " (" + nameOfKey(this->Answers[i].key) + ")";
     canvas.text(button.x + 0.5F * button.w, button.y + 0.5F * button.h,
       canvas.fitted(text, button.w - 8 * s, look), look);
   }

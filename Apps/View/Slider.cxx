@@ -52,16 +52,16 @@ void Slider::paint(Canvas& canvas)
   canvas.text(
     this->Box.x, upper, this->Label, { 12, this->Enabled ? shades::Word : shades::Faint });
   const TextLook look{ 12,
-    !this->Enabled                 ? shades::Faint
-      : this->Held || this->Typing ? shades::Accent
-                                   : shades::Word,
+    !this->Enabled                     ? shades::Faint
+      : this->Held || this->Typed.on() ? shades::Accent
+                                       : shades::Word,
     Align::Right, true };
-  if (this->Typing)
+  if (this->Typed.on())
   {
     const float width = ValueWidth * s;
     canvas.box({ this->Box.right() - width, upper - 9 * s, width + 2 * s, 18 * s }, shades::Card,
       shades::Accent, 3);
-    canvas.text(this->Box.right() - 4 * s, upper, this->Typed, look);
+    canvas.text(this->Box.right() - 4 * s, upper, this->Typed.text(), look);
     const float caret = this->Box.right() - 2 * s;
     canvas.rule(caret, upper - 6 * s, caret, upper + 6 * s, shades::Accent);
   }
@@ -96,8 +96,7 @@ bool Slider::press(const Pointer& pointer)
   }
   if (this->isOverValue(pointer))
   {
-    this->Typing = true;
-    this->Typed.clear();
+    this->Typed.begin();
     return false;
   }
   this->Held = true;
@@ -133,8 +132,8 @@ bool Slider::isOverValue(const Pointer& pointer) const
 void Slider::finish(bool accept)
 {
   double value = 0;
-  const bool typed = this->Typing && accept && parseNumber(this->Typed, value);
-  this->Typing = false;
+  const bool typed = this->Typed.on() && accept && parseNumber(this->Typed.text(), value);
+  this->Typed.finish();
   value = std::clamp(value, this->Limits.low, this->Limits.high);
   if (typed && value != this->Value)
   {
@@ -143,34 +142,16 @@ void Slider::finish(bool accept)
   }
 }
 
-void Slider::blur()
-{
-  this->finish(true);
-}
-
 bool Slider::key(const KeyStroke& stroke)
 {
-  if (!this->Typing || stroke.control)
+  if (!this->Typed.on() || stroke.control)
   {
     return false;
   }
-  if (stroke.symbol == "Return" || stroke.symbol == "KP_Enter" || stroke.symbol == "Tab")
+  if (const TypedNumber::End end = this->Typed.key(stroke); end != TypedNumber::End::None)
   {
-    this->finish(true);
+    this->finish(end == TypedNumber::End::Accepted);
   }
-  else if (stroke.symbol == "Escape")
-  {
-    this->finish(false);
-  }
-  else if (stroke.symbol == "BackSpace" || stroke.symbol == "Delete")
-  {
-    this->Typed = this->Typed.substr(0, this->Typed.size() - !this->Typed.empty());
-  }
-  else if (const char c = stroke.letter;
-           this->Typed.size() < 8 && ((c >= '0' && c <= '9') || c == '.' || c == '-'))
-  {
-    this->Typed += c;
-  }
-  return true; // no other key does anything else meanwhile
+  return true;
 }
 }

@@ -3,7 +3,7 @@
 #ifndef stipple_Slider_h
 #define stipple_Slider_h
 
-#include "Control.h"
+#include "TypedNumber.h"
 
 #include <functional>
 #include <optional>
@@ -42,9 +42,9 @@ public:
   bool press(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
-  bool wantsKeys() const override { return this->Typing; }
+  bool wantsKeys() const override { return this->Typed.on(); }
   bool key(const KeyStroke& stroke) override;
-  void blur() override;
+  void blur() override { this->finish(true); }
 
 protected:
   bool isHandled() const override { return this->Enabled; }
@@ -63,8 +63,7 @@ private:
   double Value = 0;
   std::optional<double> Default;
   bool Held = false;
-  bool Typing = false;
-  std::string Typed;
+  TypedNumber Typed{ false };
   bool Enabled = true;
   float Scale = 1; ///< of the last painting
 };

@@ -10,9 +10,7 @@
 #include "Script.h"
 #include "ViewOptions.h"
 
-#include "vtkImageData.h"
 #include "vtkInteractorEventRecorder.h"
-#include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkVersion.h"
@@ -26,12 +24,20 @@ namespace
 Status useWindow(const Arguments& line, Application& application)
 {
   const OptionValues& o = line.options;
-  application.open();
+  const bool steps = o.has("play") || o.has("shot"); // the program ends after them
+  // Nobody is kept waiting for a small file by a page that says so.
+  constexpr std::chrono::milliseconds Patience(300);
+  constexpr std::chrono::hours Forever(1000);
+  const bool named = o.has("model") || o.has("session");
+  const bool waits = steps || o.has("benchmark") || !named;
+  if (Status status = application.open(o, waits ? Forever : Patience); !status.ok())
+  {
+    return status;
+  }
   if (o.has("benchmark"))
   {
     return runBenchmark(application.viewer(), o.text("benchmark"));
   }
-  const bool steps = o.has("play") || o.has("shot"); // the program ends after them
   if (steps)
   {
     application.hideTimes();
@@ -47,7 +53,7 @@ Status useWindow(const Arguments& line, Application& application)
       }
     }
   }
-  if (!o.has("model") && !o.has("session"))
+  if (!named)
   {
     application.viewer().showStart();
   }
@@ -78,8 +84,9 @@ Status useWindow(const Arguments& line, Application& application)
       recorder->On();
       recorder->Record();
     }
-    application.run();
+    const Status status = application.run();
     recorder->Stop();
+    return status;
   }
   return Status::success();
 }
@@ -96,11 +103,6 @@ Status runViewer(const Arguments& line)
       status = OutputFiles::check(o.text(name));
     }
   }
-  Document document;
-  if (status.ok())
-  {
-    status = readDocument(o, document);
-  }
   if (status.ok())
   {
     status = checkDisplay();
@@ -115,7 +117,7 @@ Status runViewer(const Arguments& line)
     const std::vector<double>& wanted = o.list("size");
     size = { { static_cast<int>(wanted[0]), static_cast<int>(wanted[1]) } };
   }
-  Application application(document, size[0], size[1]);
+  Application application(size[0], size[1]);
   return useWindow(line, application);
 }
 

@@ -5,9 +5,10 @@
 
 #include "CameraMoves.h"
 #include "HelpText.h"
+#include "ListPage.h"
 #include "OutputFiles.h"
-#include "PolyDataConversion.h"
 #include "SceneActors.h"
+#include "SessionEdits.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -44,20 +45,6 @@ constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
-/// One closed surface that faces outwards: half of its triangles need not be drawn.
-bool isSolid(vtkPolyData* input)
-{
-  TriangleSurface surface = fromPolyData(input);
-  surface.connect();
-  const SurfaceTopology topology = surface.topology();
-  double volume = 0;
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
-  {
-    volume += surface.point(f, 0).dot(surface.point(f, 1).cross(surface.point(f, 2)));
-  }
-  return topology.manifold && topology.components == 1 && topology.boundaryLoops == 0 && volume > 0;
-}
-
 std::vector<std::string> arraysOf(vtkPolyData* input)
 {
   std::vector<std::string> names;
@@ -80,7 +67,8 @@ Viewer::Viewer(
   ViewerWindow& window, vtkRenderWindowInteractor* interactor, const Document& document)
   : Input(document.input)
   , Diagonal(document.input->GetLength())
-  , Solid(isSolid(document.input))
+  , Solid(document.solid)
+  , Area(document.area)
   , Now(document.session)
   , Saved(document.session)
   , Files(document.files)
@@ -88,9 +76,9 @@ Viewer::Viewer(
   , Interactor(interactor)
   , BeforeSide(this->Window.renderer(ViewerWindow::Before), document.input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
-  , Picker(document.input)
+  , Picker(document.picker)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
-      arraysOf(document.input), document.image != nullptr)
+      arraysOf(document.input))
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -105,15 +93,19 @@ Viewer::Viewer(
     this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
   })
   , MeshAt(Clock::now())
-  , Sampler(document.image, CurveBars)
-  , Worker(document.input, document.image)
+  , Sampler(CurveBars)
+  , Worker(document.input)
 {
+  this->Pictures[this->Now.text("importance_image")] = document.image;
+  this->usePicture();
   this->Sheet.setHint("Where samples go, unfolded; the brush paints here too.");
   this->Curve.setHint(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
-  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle.");
+  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
+                        "Simplified features are violet in the views.");
   this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
+  this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->connect();
   this->showSession();
 }
@@ -195,10 +187,14 @@ void Viewer::open()
 void Viewer::resize()
 {
   const Rect before = this->Window.layout().before;
-  if (!this->Window.resize())
+  if (this->Window.resize())
   {
-    return;
+    this->takePlaces(before);
   }
+}
+
+void Viewer::takePlaces(const Rect& before)
+{
   this->placeControls();
   vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
   if (this->Fitted == placeOf(camera))
@@ -215,12 +211,29 @@ void Viewer::resize()
 
 void Viewer::resetCamera()
 {
-  const Rect& view = this->Window.layout().before;
-  aimCamera(this->Window.renderer(ViewerWindow::Before), this->Input, view.w / view.h,
-    40 * this->Window.layout().scale / view.h);
-  this->Fitted = placeOf(this->Window.renderer(ViewerWindow::Before)->GetActiveCamera());
-  this->updateZoom();
-  this->Window.touch(ViewerWindow::Views);
+  const auto [x, y, z] = ViewFrom;
+  this->View.zUp ? this->lookFrom(Vec3(x, -z, y), Vec3::UnitZ())
+                 : this->lookFrom(Vec3(x, y, z), Vec3::UnitY());
+}
+
+void Viewer::lookAlong(int axis)
+{
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  const Vec3 positive = Vec3::Unit(axis);
+  const bool turns = positive.dot(Vec3(camera->GetDirectionOfProjection())) < -0.9999;
+  const int up = this->View.zUp ? 2 : 1;
+  // Seen from above, what was in front is below.
+  const Vec3 upward = axis != up ? Vec3::Unit(up) : (up == 1 ? Vec3(0, 0, -1) : Vec3(0, 1, 0));
+  this->lookFrom(turns ? Vec3(-positive) : positive, turns && axis == up ? Vec3(-upward) : upward);
+}
+
+void Viewer::lookFrom(const Vec3& from, const Vec3& up)
+{
+  vtkCamera* camera = this->Window.renderer(ViewerWindow::Before)->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(from.data());
+  camera->SetViewUp(up.data());
+  this->fitCamera();
 }
 
 void Viewer::fitCamera()
@@ -250,9 +263,9 @@ void Viewer::tick()
   if (this->PreviewIsOld && this->HasAtlas)
   {
     this->PreviewIsOld = false;
-    this->Sampler.start(this->Now);
+    this->Sampler.start(this->sampledSession());
   }
-  if (this->MeshWanted && Clock::now() >= this->MeshAt)
+  if (this->MeshWanted && !this->Starts && Clock::now() >= this->MeshAt)
   {
     this->startMeshing();
   }
@@ -287,8 +300,8 @@ void Viewer::tick()
 bool Viewer::atRest()
 {
   const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
-  return this->WantedFile.empty() && !this->MeshWanted && this->Worker.idle() && !previewIsDue &&
-    this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
+  return this->WantedFile.empty() && (!this->MeshWanted || this->Starts) && this->Worker.idle() &&
+    !previewIsDue && this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
     !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
 }
 
@@ -320,11 +333,12 @@ void Viewer::takeResults()
     this->Mesh = std::move(mesh);
     this->AtlasIsNewer = false;
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
+    this->AfterSide.setLost(this->Mesh->lost);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showStale();
     this->Problem.clear();
-    this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+    this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
     {
       this->saveMesh();
@@ -348,11 +362,16 @@ bool Viewer::takePreview()
   this->PreviewProblem = preview->problem;
   if (preview->problem.empty())
   {
-    this->BeforeSide.setPreview(preview->samples, preview->halftones, preview->controls);
+    this->BeforeSide.setPreview(
+      preview->samples, preview->halftones, preview->controls, preview->dots);
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
     this->showVertices();
+    if (pointsFollow(this->Now))
+    {
+      this->showSession();
+    }
   }
   this->StripIsOld = true;
   this->Window.touch(ViewerWindow::Before);
@@ -373,11 +392,35 @@ bool Viewer::showsVertices() const
   return this->Shown && this->meshIsCurrent() && !this->AtlasIsNewer && this->Mesh->dots;
 }
 
+void Viewer::setReading(const std::string& file)
+{
+  this->Reading = std::filesystem::path(file).filename().string();
+  if (this->Starts && !file.empty())
+  {
+    this->show(std::make_shared<ListPage>("Reading " + this->Reading + " ...",
+      "It opens as soon as it is read.",
+      std::vector<ListPage::Entry>{
+        { "Escape", "Open something else", "", [this] { this->giveUpReading(); } },
+        { "q", "Quit", "", [this] { this->askToQuit(); } } }));
+  }
+  this->say("");
+}
+
+void Viewer::giveUpReading()
+{
+  this->GivenUp = true;
+  if (this->Starts)
+  {
+    this->showStart();
+  }
+}
+
 Activity Viewer::activity()
 {
   using Mesh = Activity::Mesh;
   Activity now;
   now.progress = this->Worker.busy() ? std::floor(200 * this->Worker.progress()) / 200 : 0;
+  now.reading = this->Reading;
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;
@@ -420,8 +463,30 @@ void Viewer::startMeshing()
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
 }
 
+Session Viewer::sampledSession() const
+{
+  Session session = this->Now;
+  if (session.number("max_deviation") > 0 && this->Mesh)
+  {
+    session.set("points", static_cast<double>(this->Mesh->mesh->GetNumberOfPoints()));
+  }
+  return session;
+}
+
+void Viewer::usePicture()
+{
+  const std::string& file = this->Now.text("importance_image");
+  if (file != this->PictureInUse)
+  {
+    this->PictureInUse = file;
+    this->Sampler.setImage(this->Pictures[file]);
+    this->Worker.setImage(this->Pictures[file]);
+  }
+}
+
 void Viewer::changed(bool rests)
 {
+  this->usePicture();
   this->PreviewIsOld = true;
   this->Problem.clear();
   this->say("");
@@ -434,8 +499,12 @@ void Viewer::changed(bool rests)
 
 void Viewer::showSession()
 {
-  this->Controls.show(
-    this->Now, this->View, this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
+  const int points = this->Shown ? static_cast<int>(this->Shown->samples->GetNumberOfPoints()) : 0;
+  // Of equilateral triangles that are alike.
+  const double number = points > 0 ? points : this->Now.number("points");
+  this->Controls.show(this->Now, this->View, points,
+    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / number) : 0);
+  this->Controls.setUndo(this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));
   const bool marks = this->BeforeSide.setMarks(this->Now);

@@ -28,9 +28,13 @@
 #include "vtkNew.h"
 
 #include <chrono>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+class vtkImageData;
 class vtkRenderWindowInteractor;
 
 namespace stipple
@@ -50,6 +54,12 @@ public:
   void resize();
   /// The file that was asked for since this was called last; empty: none.
   [[nodiscard]] std::string takeWantedFile();
+  /// The name of a file that is read beside the window; empty: no more.
+  void setReading(const std::string& file);
+  /// Whether the user has given it up since this was called last.
+  [[nodiscard]] bool takeGivenUp() { return std::exchange(this->GivenUp, false); }
+  /// Whether there is paint, points, edges or a curve that is in no session's file.
+  [[nodiscard]] bool hasUnsavedWork() const;
   /// Says what went wrong.
   void complain(const std::string& sentence);
   /// The page of a window without a file, with what went wrong, if anything.
@@ -77,6 +87,8 @@ public:
   void resetCamera();
   /// From where it looks, the whole model.
   void fitCamera();
+  /// The whole model from the positive side of an axis, or, if that is so already, from the other.
+  void lookAlong(int axis);
   /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
   void askToQuit();
   /// Opens another file; asks first likewise.
@@ -94,6 +106,8 @@ public:
   void openFile() override;
   void saveMeshAs() override;
   void saveFigures() override;
+  void chooseArray(const std::string& option, int points) override;
+  void choosePicture() override;
 
   // PointerHandler
   bool press(const Pointer& pointer) override;
@@ -109,6 +123,10 @@ private:
   // The session and what follows from it
   void changed(bool rests);
   void showSession();
+  /// The session with as many points as the mesh of it had, where only a mesh can tell.
+  [[nodiscard]] Session sampledSession() const;
+  /// Hands the session's picture to the workers, if it is another one.
+  void usePicture();
   void takeResults();
   /// Whether there was a new one.
   bool takePreview();
@@ -129,7 +147,7 @@ private:
   // Pages over the window
   void show(std::shared_ptr<Page> page);
   void closePage();
-  [[nodiscard]] bool hasUnsavedWork() const;
+  void giveUpReading();
   /// Does it, after a question if there is unsaved work. `title` is the question.
   void askFirst(
     const std::string& title, const std::string& answer, const std::function<void()>& action);
@@ -139,7 +157,12 @@ private:
   void connect();
   void placeControls();
   void updateZoom();
+  /// Controls and model take the places that the window has for them; its view before was so.
+  void takePlaces(const Rect& before);
+  void lookFrom(const Vec3& from, const Vec3& up);
   void paintView(Canvas& canvas, bool before);
+  /// What the colors of a view stand for, if there are any.
+  [[nodiscard]] std::optional<ColorBar> barOf(bool before) const;
   void showStale();
   void paintStrip(Canvas& canvas);
   void paintStatus(Canvas& canvas);
@@ -149,6 +172,8 @@ private:
   void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
+  /// The line between both models in one view.
+  [[nodiscard]] bool isOverWipe(const Pointer& pointer) const;
   /// What a click would touch: the brush's outline, a point's, edges.
   void showTool(const Pointer& pointer);
   /// The edge there, or the way to it from the last one.
@@ -168,6 +193,9 @@ private:
   vtkSmartPointer<vtkPolyData> Input;
   double Diagonal;
   bool Solid;
+  double Area;
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Pictures; ///< that were read, by file
+  std::string PictureInUse;
   Session Now;
   Session Saved;    ///< as it was opened, or written last
   Session EditBase; ///< before the edit that goes on
@@ -176,6 +204,8 @@ private:
   ViewState View;
   ViewerFiles Files;
   std::string WantedFile;
+  std::string Reading; ///< the file
+  bool GivenUp = false;
   bool Starts = false; ///< nothing was chosen on the start page yet
 
   ViewerWindow& Window;
@@ -184,7 +214,7 @@ private:
   vtkNew<vtkViewerStyle> Style;
   BeforeScene BeforeSide;
   AfterScene AfterSide;
-  SurfacePicker Picker;
+  std::shared_ptr<const SurfacePicker> Picker;
   Panel Controls;
   ControlSheet Sheet;
   CurveEditor Curve;
@@ -193,6 +223,7 @@ private:
   Painted ShownStrip;
   std::shared_ptr<Page> Asked; ///< what is over the window; null mostly
   Control* Captured = nullptr;
+  bool Wiping = false;   ///< the line between both models in one view is dragged
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();
   Control* Focus = nullptr;

@@ -62,6 +62,11 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
   {
     this->Window.showOverlay(this->View.help);
   }
+  const Rect before = this->Window.layout().before;
+  if (this->Window.setOneView(this->View.oneView, this->View.wipe))
+  {
+    this->takePlaces(before);
+  }
   const float lines = this->Window.layout().scale;
   this->BeforeSide.setView(this->View, lines);
   this->AfterSide.setView(this->View, lines);
@@ -168,8 +173,15 @@ void Viewer::saveFigures()
     status = status.ok() ? OutputFiles::check(file) : status;
     if (status.ok())
     {
-      status = this->Window.writeFigure(
-        before ? ViewerWindow::Before : ViewerWindow::After, FigureHeight, files.aside(file));
+      const std::optional<ColorBar> bar = this->barOf(before);
+      const auto legend = [&bar](Canvas& canvas, const Rect& view) {
+        if (bar)
+        {
+          paintColorBar(canvas, view, *bar, false);
+        }
+      };
+      status = this->Window.writeFigure(before ? ViewerWindow::Before : ViewerWindow::After,
+        FigureHeight, legend, files.aside(file));
     }
   }
   if (status.ok())

@@ -95,6 +95,20 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     this->changeView([&key](ViewState& v) { v.wireframe = key == "w"; });
   }
+  else if (key == "X" || key == "Y" || key == "Z")
+  {
+    this->lookAlong(key[0] - 'X');
+  }
+  else if (key == "u")
+  {
+    this->View.zUp = !this->View.zUp;
+    this->resetCamera();
+    this->say(this->View.zUp ? "z is up." : "y is up.");
+  }
+  else if (key == "o")
+  {
+    this->changeView([](ViewState& v) { v.oneView = !v.oneView; });
+  }
   else if (key == "r")
   {
     this->fitCamera();
@@ -105,6 +119,10 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "n")
   {
+    if (this->Controls.scroll(1000))
+    {
+      this->Window.renew();
+    }
     this->Controls.points().focus();
     this->setFocus(&this->Controls.points());
     this->Window.touch(ViewerWindow::PanelPart);
@@ -120,6 +138,10 @@ bool Viewer::key(const KeyStroke& stroke)
     if (this->View.help)
     {
       this->changeView([](ViewState& v) { v.help = false; });
+    }
+    else if (!this->Reading.empty())
+    {
+      this->giveUpReading();
     }
     else if (this->Worker.busy() || this->MeshWanted)
     {

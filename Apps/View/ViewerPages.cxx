@@ -4,11 +4,17 @@
 #include "Viewer.h"
 
 #include "FileChooser.h"
+#include "ListPage.h"
 #include "MeshFile.h"
 #include "Question.h"
 #include "RecentFiles.h"
-#include "StartPage.h"
+#include "SessionEdits.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <algorithm>
@@ -101,10 +107,10 @@ void Viewer::complain(const std::string& sentence)
 void Viewer::showStart(const std::string& problem)
 {
   this->Starts = true;
-  std::vector<StartPage::Entry> entries;
-  entries.push_back({ "o", "Open a file (o)", ".ply .obj .stl .off .vtp .vtk, sessions",
+  std::vector<ListPage::Entry> entries;
+  entries.push_back({ "o", "Open a file", ".ply .obj .stl .off .vtp .vtk, sessions",
     [this] { this->openFile(); } });
-  entries.push_back({ "x", "Try an example (x)", "a ring with waists", [this] {
+  entries.push_back({ "x", "Try an example", "a ring with waists", [this] {
                        this->Starts = false;
                        this->closePage();
                      } });
@@ -117,11 +123,13 @@ void Viewer::showStart(const std::string& problem)
       break;
     }
     const std::filesystem::path path(file);
-    entries.push_back({ key, path.filename().string() + " (" + key + ")",
-      path.parent_path().string(), [this, file] { this->askToOpen(file); } });
+    entries.push_back({ key, path.filename().string(), path.parent_path().string(),
+      [this, file] { this->askToOpen(file); } });
   }
-  entries.push_back({ "q", "Quit (q)", "", [this] { this->quit(); } });
-  this->show(std::make_shared<StartPage>(std::move(entries), problem));
+  entries.push_back({ "q", "Quit", "", [this] { this->quit(); } });
+  this->show(std::make_shared<ListPage>("stipple",
+    "Interactive remeshing of triangle surfaces. Drop a file here, or:", std::move(entries),
+    problem));
 }
 
 void Viewer::openFile()
@@ -153,6 +161,66 @@ void Viewer::saveMeshAs()
       this->closePage();
       this->Files.mesh = file;
       this->saveMesh();
+    },
+    [this] { this->closePage(); }));
+}
+
+void Viewer::chooseArray(const std::string& option, int points)
+{
+  const auto choose = [this, option, points](const std::string& array) {
+    this->closePage();
+    this->edit([&](Session& s) { setArray(s, option, array, points); }, true);
+  };
+  std::vector<ListPage::Entry> entries;
+  entries.push_back({ "0", "none", "", [choose] { choose(""); } });
+  const bool cellsOnly = option == "region_array";
+  const auto add = [&](vtkDataSetAttributes* data, const char* what) {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      // Names do for regions; all else are numbers.
+      if (array->GetName() && (cellsOnly || vtkDataArray::SafeDownCast(array)))
+      {
+        const std::string name = array->GetName();
+        const std::string key = entries.size() < 10 ? std::to_string(entries.size()) : "";
+        entries.push_back({ key, name, what, [choose, name] { choose(name); } });
+      }
+    }
+  };
+  if (!cellsOnly)
+  {
+    add(this->Input->GetPointData(), "of points");
+  }
+  add(this->Input->GetCellData(), "of cells");
+  entries.push_back({ "Escape", "Leave it as it is", "", [this] { this->closePage(); } });
+  this->show(std::make_shared<ListPage>(
+    "Arrays of " + std::filesystem::path(this->Now.text("model")).filename().string(),
+    findOption(option)->help, std::move(entries)));
+}
+
+void Viewer::choosePicture()
+{
+  FileChooser::Wish wish;
+  wish.title = "A picture as the importance";
+  wish.endings = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".vti" };
+  wish.begin = std::filesystem::absolute(this->Files.mesh).parent_path();
+  this->show(std::make_shared<FileChooser>(
+    std::move(wish),
+    [this](const std::string& file) {
+      this->closePage();
+      vtkSmartPointer<vtkImageData> image;
+      if (const Status status = readImage(file, image); !status.ok())
+      {
+        this->say(status.message(), true);
+        return;
+      }
+      this->Pictures[file] = image;
+      this->edit(
+        [&file](Session& s) {
+          s.set("importance_image", file);
+          s.set("importance", std::string("image"));
+        },
+        true);
     },
     [this] { this->closePage(); }));
 }

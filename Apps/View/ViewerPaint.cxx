@@ -49,7 +49,14 @@ void Viewer::paintView(Canvas& canvas, bool before)
 {
   const float s = canvas.scale();
   const Layout& l = this->Window.layout();
-  const Rect& view = before ? l.before : l.after;
+  Rect view = before ? l.before : l.after;
+  if (!before && this->View.oneView)
+  {
+    view.x += this->View.wipe * view.w;
+    view.w *= 1 - this->View.wipe;
+    canvas.fill({ view.x, view.y, 2 * s, view.h }, shades::Accent);
+    canvas.fill({ view.x, view.y + 0.5F * view.h - 22 * s, 8 * s, 44 * s }, shades::Accent);
+  }
   std::string title;
   std::string detail;
   if (before)
@@ -85,27 +92,40 @@ void Viewer::paintView(Canvas& canvas, bool before)
   canvas.text(view.x + Pad * s, y, title, bold);
   const float x = view.x + Pad * s + canvas.textWidth(title, bold);
   canvas.text(x + 10 * s, y, detail, { 12, shades::Quiet });
-  if (before && this->Shown && this->View.display == Display::Density && !this->View.wireframe)
+  if (const auto bar = this->barOf(before))
   {
-    paintColorBar(canvas, view, densityBar());
-  }
-  if (!before && this->Mesh && this->View.coloring != MeshColoring::Plain && !this->View.wireframe)
-  {
-    paintColorBar(canvas, view, scaleOf(this->Mesh->colors, this->View.coloring).bar);
+    paintColorBar(canvas, view, *bar);
   }
   if (!before)
   {
     canvas.text(view.right() - Pad * s, y, this->Doing.note(),
       { 12, this->Doing.works() ? shades::Accent : shades::Alarm, Align::Right, true });
   }
-  if (!before && view.x > 0)
+  if (!before && !this->View.oneView && view.x > 0)
   {
     canvas.rule(view.x + 1, view.y, view.x + 1, view.top(), shades::Line);
   }
-  else if (!before)
+  else if (!before && !this->View.oneView)
   {
     canvas.rule(view.x, view.top() - 1, view.right(), view.top() - 1, shades::Line);
   }
+}
+
+std::optional<ColorBar> Viewer::barOf(bool before) const
+{
+  if (this->View.wireframe)
+  {
+    return {};
+  }
+  if (before && this->Shown && this->View.display == Display::Density)
+  {
+    return densityBar();
+  }
+  if (!before && this->Mesh && this->View.coloring != MeshColoring::Plain)
+  {
+    return scaleOf(this->Mesh->colors, this->View.coloring).bar;
+  }
+  return {};
 }
 
 void Viewer::paintStrip(Canvas& canvas)

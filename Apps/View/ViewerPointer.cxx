@@ -4,6 +4,7 @@
 #include "Viewer.h"
 
 #include "CameraMoves.h"
+#include "SessionEdits.h"
 
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
@@ -81,6 +82,11 @@ bool Viewer::press(const Pointer& pointer)
     this->Window.touch(this->partOf(control));
     return true;
   }
+  if (this->isOverWipe(pointer))
+  {
+    this->Wiping = true;
+    return true;
+  }
   const Layout& layout = this->Window.layout();
   const bool inView =
     layout.before.has(pointer.x, pointer.y) || layout.after.has(pointer.x, pointer.y);
@@ -93,8 +99,22 @@ bool Viewer::press(const Pointer& pointer)
   return !inView;
 }
 
+bool Viewer::isOverWipe(const Pointer& pointer) const
+{
+  constexpr float Reach = 8;
+  const Rect& view = this->Window.layout().after;
+  return this->View.oneView && view.has(pointer.x, pointer.y) &&
+    std::abs(pointer.x - view.x - this->View.wipe * view.w) < Reach * this->Window.layout().scale;
+}
+
 void Viewer::drag(const Pointer& pointer)
 {
+  if (this->Wiping)
+  {
+    const Rect& view = this->Window.layout().after;
+    this->changeView(
+      [&](ViewState& v) { v.wipe = std::clamp((pointer.x - view.x) / view.w, 0.02F, 0.98F); });
+  }
   PickedPlace place;
   if (this->Painting && this->pick(pointer, place))
   {
@@ -110,10 +130,12 @@ void Viewer::drag(const Pointer& pointer)
 
 void Viewer::release(const Pointer& pointer)
 {
+  this->Wiping = false;
   if (this->Painting)
   {
     this->Painting = false;
     this->View.brushErases = false;
+    this->View.brushSmooths = false;
     this->edit([](Session&) {}, true);
   }
   if (this->Captured)
@@ -186,10 +208,15 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   {
     return "";
   }
+  if (this->isOverWipe(pointer))
+  {
+    return "Drag the line: left of it the samples, right of it the mesh; o shows both again.";
+  }
   switch (this->View.tool)
   {
     case Tool::Brush:
-      return std::string("Brush: drag paints, Ctrl erases; [ and ] change its size; y mirrors: ") +
+      return std::string(
+               "Brush: drag paints, Ctrl erases, Shift smooths; [ ] change its size; y mirrors: ") +
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
       return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
@@ -234,7 +261,7 @@ bool Viewer::pick(const Pointer& pointer, PickedPlace& place)
   const Layout& layout = this->Window.layout();
   const bool before = layout.before.has(pointer.x, pointer.y);
   return (before || layout.after.has(pointer.x, pointer.y)) &&
-    this->Picker.pick(this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After),
+    this->Picker->pick(this->Window.renderer(before ? ViewerWindow::Before : ViewerWindow::After),
       pointer.x, pointer.y, place);
 }
 
@@ -252,6 +279,7 @@ void Viewer::useTool(const PickedPlace& place, const Pointer& pointer)
   {
     this->Painting = true;
     this->View.brushErases = pointer.control;
+    this->View.brushSmooths = pointer.shift && !pointer.control;
     this->paint(place.position, true);
   }
 }
@@ -266,17 +294,25 @@ void Viewer::paint(const Vec3& position, bool begins)
   this->LastDab = position;
   const int mirror = this->View.brushMirror;
   const double strength = this->View.brushErases ? -1 : this->View.brushStrength;
+  std::vector<Vec3> places = { position };
+  if (mirror >= 0)
+  {
+    places.push_back(position);
+    places[1][mirror] = 2 * this->Input->GetCenter()[mirror] - position[mirror];
+  }
   this->edit(
     [&](Session& s) {
-      auto strokes = s.list("strokes");
-      strokes.insert(strokes.end(), { position[0], position[1], position[2], radius, strength });
-      if (mirror >= 0)
+      for (const Vec3& place : places)
       {
-        Vec3 other = position;
-        other[mirror] = 2 * this->Input->GetCenter()[mirror] - position[mirror];
-        strokes.insert(strokes.end(), { other[0], other[1], other[2], radius, strength });
+        if (this->View.brushSmooths)
+        {
+          spreadStrokes(s, place, radius, 0.01 * LargestBrush * this->Diagonal);
+          continue;
+        }
+        auto strokes = s.list("strokes");
+        strokes.insert(strokes.end(), { place[0], place[1], place[2], radius, strength });
+        s.setList("strokes", std::move(strokes));
       }
-      s.setList("strokes", std::move(strokes));
     },
     false);
 }
@@ -306,7 +342,7 @@ std::vector<std::array<vtkIdType, 2>> Viewer::edgesAt(const PickedPlace& place, 
 {
   if (path && this->LastTagged >= 0)
   {
-    return this->Picker.shortestPath(this->LastTagged, place.point);
+    return this->Picker->shortestPath(this->LastTagged, place.point);
   }
   return { place.edge };
 }

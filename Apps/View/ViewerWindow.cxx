@@ -13,6 +13,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <cmath>
+#include <functional>
 
 namespace stipple
 {
@@ -42,6 +43,7 @@ ViewerWindow::ViewerWindow(int width, int height)
   {
     addInspectionLights(this->renderer(part));
   }
+  this->renderer(After)->AddViewProp(this->Wipe); // before all others
   this->renderer(After)->SetActiveCamera(this->renderer(Before)->GetActiveCamera());
   this->Places = makeLayout(width, height);
   this->place();
@@ -105,6 +107,8 @@ void ViewerWindow::clear()
     this->Renderers[i]->RemoveAllViewProps();
     this->Items[i].clear();
   }
+  this->renderer(After)->AddViewProp(this->Wipe);
+  this->setOneView(false, 0);
   this->showOverlay(false);
 }
 
@@ -122,13 +126,34 @@ bool ViewerWindow::resize()
   {
     return false;
   }
-  this->Places = makeLayout(size[0], size[1]);
+  this->Places = makeLayout(size[0], size[1], this->OneView);
+  this->place();
+  return true;
+}
+
+bool ViewerWindow::setOneView(bool on, float wipe)
+{
+  this->Wipe->SetShare(on ? wipe : 0);
+  this->renderer(After)->SetErase(!on);
+  if (on == this->OneView)
+  {
+    return false;
+  }
+  this->OneView = on;
+  this->Places = makeLayout(
+    static_cast<int>(this->Places.window.w), static_cast<int>(this->Places.window.h), on);
   this->place();
   return true;
 }
 
 void ViewerWindow::draw(bool calm)
 {
+  if (this->OneView)
+  {
+    // The one lies over the other.
+    this->Dirty |= (this->Dirty & Before) != 0 ? After : 0;
+    this->Rough |= (this->Rough & Before) != 0 ? After : 0;
+  }
   // What lies below the overlay is drawn with it.
   const int parts = this->OverlayOn ? All : this->Dirty & ~Overlay;
   const int smoothed = calm ? this->Rough | (parts & Views) : 0;
@@ -155,7 +180,8 @@ void ViewerWindow::draw(bool calm)
   this->Window->Render();
 }
 
-stipple::Status ViewerWindow::writeFigure(Part view, int height, const std::string& file)
+stipple::Status ViewerWindow::writeFigure(
+  Part view, int height, const Legend& legend, const std::string& file)
 {
   constexpr int Samples = 4;
   const Rect& place = view == Before ? this->Places.before : this->Places.after;
@@ -181,6 +207,10 @@ stipple::Status ViewerWindow::writeFigure(Part view, int height, const std::stri
     }
   }
   renderer->ResetCameraClippingRange();
+  const Rect all{ 0, 0, static_cast<float>(window->GetSize()[0]), static_cast<float>(height) };
+  vtkControlItem::AddTo(renderer, [&](Canvas& canvas) {
+    legend(canvas, all);
+  })->SetPlace(all, this->Places.scale * all.h / place.h);
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);

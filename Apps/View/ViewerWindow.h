@@ -8,6 +8,7 @@
 #include "Layout.h"
 #include "Progress.h"
 #include "vtkControlItem.h"
+#include "vtkWipe.h"
 
 #include "vtkNew.h"
 
@@ -51,6 +52,9 @@ public:
 
   /// Takes the window's size; true if it changed.
   bool resize();
+  /// Both views in one place, the model after right of `wipe`, a share of the width; true if places
+  /// changed.
+  bool setOneView(bool on, float wipe);
   /// Parts to draw next time.
   void touch(int parts) { this->Dirty |= parts; }
   /// All, and nothing of what the window shows is kept.
@@ -60,9 +64,11 @@ public:
   int dirtyParts() const { return this->Dirty; }
   /// Also smooths the lines of views, if calm; that costs time.
   void draw(bool calm);
-  /// A view's model alone, without a word, at another size in pixels and the view's proportions, as
+  /// A view's model alone, with a legend, at another size in pixels and the view's proportions, as
   /// a PNG with a transparent ground; four samples a pixel.
-  [[nodiscard]] stipple::Status writeFigure(Part view, int height, const std::string& file);
+  using Legend = std::function<void(Canvas&, const Rect&)>;
+  [[nodiscard]] stipple::Status writeFigure(
+    Part view, int height, const Legend& legend, const std::string& file);
   /// Views were drawn that are not smooth.
   bool rough() const { return this->Rough != 0; }
 
@@ -79,6 +85,8 @@ private:
   int Kept = 0; ///< parts that are painted over what they show
   int Rough = 0;
   bool OverlayOn = false;
+  bool OneView = false;
+  vtkNew<vtkWipe> Wipe; ///< in the view after
 };
 }
 

@@ -739,6 +739,7 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
 {
   Internals& d = *this->Data;
   control.clear();
+  d.diffusion.setTolerance(o.tolerance);
   d.takeMaps(maps);
   if (Status status = d.readMaps(maps); !status.ok() || d.charts.empty())
   {

@@ -36,6 +36,7 @@ struct ControlMapOptions
   vtkPiecewiseFunction* transfer = nullptr;    ///< null: none
   double gamma = 1.;                           ///< 0 or more
   double gradation = 0.;                       ///< % of the diagonal; 0: none
+  double tolerance = 1e-7;                     ///< see SurfaceDiffusion::setTolerance()
   std::vector<BrushStroke> strokes;
   double minimumDensity = 0.02; ///< part of the largest, 0 to 1
   std::string sizeArray;        ///< lengths of edges, in place of an importance

@@ -44,17 +44,17 @@ struct StepSolver
       return this->cholesky->info() == Eigen::Success;
     }
     this->iterative = std::make_unique<ConjugateGradient>();
-    this->iterative->setTolerance(1e-7);
     this->iterative->compute(this->matrix);
     return this->iterative->info() == Eigen::Success;
   }
-  bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& u) const
+  bool solve(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& u) const
   {
     if (this->cholesky)
     {
       u = this->cholesky->solve(right);
       return true;
     }
+    this->iterative->setTolerance(tolerance);
     u = this->iterative->solveWithGuess(right, u).eval();
     return this->iterative->info() == Eigen::Success;
   }
@@ -312,6 +312,11 @@ void SurfaceDiffusion::setDomain(
   }
 }
 
+void SurfaceDiffusion::setTolerance(double tolerance)
+{
+  this->Tolerance = tolerance;
+}
+
 Status SurfaceDiffusion::smooth(
   const std::vector<float*>& values, double sigma, const Progress& progress)
 {
@@ -348,7 +353,7 @@ Status SurfaceDiffusion::smooth(
       return Status::aborted();
     }
     const Eigen::VectorXd right = d.mass.cwiseProduct(u);
-    if (!solver->solve(right, u))
+    if (!solver->solve(right, this->Tolerance, u))
     {
       return failure;
     }

@@ -29,6 +29,10 @@ public:
   /// The surface is borrowed.
   void setDomain(const AtlasSurface& surface, const std::vector<ControlImage>& images);
 
+  /// The heat equation counts as solved where what is left is so small, over its right side. The
+  /// default is the strictest that is of use to floats.
+  void setTolerance(double tolerance);
+
   /// Smooths values[c], the pixels of chart c, in place; sigma > 0 in the surface's unit of length.
   /// Negative values and NaN count as zero. What is made for a sigma is kept for the next call with
   /// the same one.
@@ -38,6 +42,7 @@ public:
 private:
   struct Internals;
   std::unique_ptr<Internals> Data;
+  double Tolerance = 1e-7;
 };
 }
 

@@ -217,6 +217,7 @@ int vtkControlMap::RequestData(
   options.transfer = this->TransferFunction;
   options.gamma = this->Gamma;
   options.gradation = this->Gradation;
+  options.tolerance = this->SmoothingTolerance;
   options.minimumDensity = this->MinimumDensity;
   options.sizeArray = this->SizeArrayName ? this->SizeArrayName : "";
   options.curvaturePoints = this->CurvaturePoints;
@@ -271,6 +272,7 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "TransferFunction: " << this->TransferFunction << "\n";
   os << indent << "Gradation: " << this->Gradation << "\n";
+  os << indent << "SmoothingTolerance: " << this->SmoothingTolerance << "\n";
   os << indent << "Strokes: " << this->GetNumberOfStrokes() << "\n";
   os << indent << "MinimumDensity: " << this->MinimumDensity << "\n";
   os << indent << "SizeArrayName: " << (this->SizeArrayName ? this->SizeArrayName : "(none)")

@@ -155,6 +155,30 @@ TEST(SurfaceDiffusion, StepIsTheErrorFunctionThroughoutAllCharts)
   }
 }
 
+TEST(SurfaceDiffusion, ATolerancesErrorIsNotSeen)
+{
+  Pixels exact;
+  Pixels quick;
+  quick.diffusion.setTolerance(1e-3);
+  for (Pixels* p : { &exact, &quick })
+  {
+    flatCharts(p->builder, 24);
+    p->take(80);
+    p->fill([](const Vec3& q) { return q.x() > 0.4375 ? 1. : 0.; });
+    p->smooth(0.06);
+  }
+  float most = 0;
+  for (std::size_t c = 0; c < exact.values.size(); ++c)
+  {
+    for (std::size_t i = 0; i < exact.values[c].size(); ++i)
+    {
+      most = std::max(most, std::abs(exact.values[c][i] - quick.values[c][i]));
+    }
+  }
+  EXPECT_LT(most, 0.004) << "a grey of 256";
+  EXPECT_GT(most, 1e-6) << "it is used";
+}
+
 TEST(SurfaceDiffusion, FollowsTheSurfaceNotSpace)
 {
   // A torus of one chart that borders on itself: heat goes round by both seams.

@@ -39,7 +39,7 @@ inline vtkSmartPointer<vtkPolyData> sphere(int resolution)
 
 inline SamplingInput sphereAtlas(int resolution)
 {
-  MeshWorker worker(sphere(resolution), nullptr);
+  MeshWorker worker(sphere(resolution));
   worker.start(withPoints(500));
   std::unique_ptr<AtlasResult> atlas;
   while (!(atlas = worker.takeAtlas()))

@@ -33,7 +33,7 @@ const Made& made()
   static const Made result = [] {
     Made m;
     m.input = sphere(32);
-    MeshWorker worker(m.input, nullptr);
+    MeshWorker worker(m.input);
     worker.start(withPoints(400));
     while (!m.mesh)
     {

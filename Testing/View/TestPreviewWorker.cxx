@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <thread>
+#include <vector>
 
 namespace stipple
 {
@@ -32,7 +34,7 @@ std::unique_ptr<PreviewResult> wait(PreviewWorker& worker)
 
 TEST(PreviewWorker, SamplesExactly)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   EXPECT_TRUE(worker.idle());
   worker.start(withPoints(321));
@@ -47,7 +49,7 @@ TEST(PreviewWorker, SamplesExactly)
 
 TEST(PreviewWorker, TheLatestWins)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   constexpr int Asked = 100;
   for (int i = 0; i < Asked; ++i)
@@ -61,7 +63,7 @@ TEST(PreviewWorker, TheLatestWins)
 
 TEST(PreviewWorker, TellsWhyThereAreNoSamples)
 {
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(sphereAtlas(24));
   worker.start(withPoints(1));
   const auto result = wait(worker);
@@ -76,7 +78,7 @@ TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
 {
   const SamplingInput coarse = sphereAtlas(12);
   const SamplingInput fine = sphereAtlas(32);
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(coarse);
   worker.start(withPoints(300));
   worker.setAtlas(fine);
@@ -86,10 +88,62 @@ TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
   EXPECT_EQ(result->samples->GetNumberOfPoints(), 301);
 }
 
+namespace
+{
+/// The distance of each to the nearest other one, over its mean: the standard deviation.
+double unevenness(vtkPolyData* samples)
+{
+  const vtkIdType n = samples->GetNumberOfPoints();
+  std::vector<double> nearest;
+  double mean = 0;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    double best = 1e30;
+    for (vtkIdType j = 0; j < n; ++j)
+    {
+      const double d = (Vec3(samples->GetPoint(i)) - Vec3(samples->GetPoint(j))).norm();
+      best = j != i && d < best ? d : best;
+    }
+    nearest.push_back(best);
+    mean += best / static_cast<double>(n);
+  }
+  double sum = 0;
+  for (const double d : nearest)
+  {
+    sum += (d - mean) * (d - mean) / static_cast<double>(n);
+  }
+  return std::sqrt(sum) / mean;
+}
+}
+
+TEST(SampleRelaxation, DotsAreSpread)
+{
+  PreviewWorker worker(8);
+  const SamplingInput atlas = sphereAtlas(48);
+  const SampleRelaxation relaxation(atlas.charts, atlas.graph);
+  worker.setAtlas(atlas);
+  Session session = withPoints(1500);
+  session.set("importance", std::string("uniform"));
+  worker.start(session);
+  const auto result = wait(worker);
+  ASSERT_TRUE(result && result->samples);
+  const auto relaxed = relaxation.relax(result->samples);
+  ASSERT_TRUE(relaxed);
+  vtkPolyData* dots = relaxed->samples;
+  ASSERT_EQ(dots->GetNumberOfPoints(), 1500);
+  EXPECT_LT(unevenness(dots), 0.6 * unevenness(result->samples));
+  for (vtkIdType i = 0; i < 1500; ++i)
+  {
+    const Vec3 dot(dots->GetPoint(i));
+    EXPECT_NEAR(dot.norm(), 0.5, 0.004) << "on the sphere";
+    EXPECT_LT((dot - Vec3(result->samples->GetPoint(i))).norm(), 0.05) << "near where it was";
+  }
+}
+
 TEST(PreviewWorker, EndsWhileItWorks)
 {
   const SamplingInput atlas = sphereAtlas(64);
-  PreviewWorker worker(nullptr, 8);
+  PreviewWorker worker(8);
   worker.setAtlas(atlas);
   Session session = withPoints(2000);
   session.set("gradation", 0.05);

@@ -88,11 +88,13 @@ class LiveWindow:
         time.sleep(0.1)
 
     def key(self, symbol):
-        """Presses a key, by X11's name of it, and lets it go."""
-        code = X11.XKeysymToKeycode(self.display, ctypes.c_ulong(X11.XStringToKeysym(symbol.encode())))
-        for down in (1, 0):
-            XTEST.XTestFakeKeyEvent(self.display, ctypes.c_uint(code), down, ctypes.c_ulong(0))
-            X11.XSync(self.display, 0)
+        """Presses a key, by X11's name of it, and lets it go; "Control_L+o": another one is held."""
+        held = symbol.split("+")
+        codes = [X11.XKeysymToKeycode(self.display, ctypes.c_ulong(X11.XStringToKeysym(k.encode()))) for k in held]
+        for down, order in ((1, codes), (0, codes[::-1])):
+            for code in order:
+                XTEST.XTestFakeKeyEvent(self.display, ctypes.c_uint(code), down, ctypes.c_ulong(0))
+                X11.XSync(self.display, 0)
         time.sleep(0.1)
 
     def close(self):

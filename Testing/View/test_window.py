@@ -61,6 +61,71 @@ class Keys(ViewTest):
         self.assertLess(pictures.coarse_difference(after[VIEWS], before[VIEWS]), 0.5)
 
 
+class Views(ViewTest):
+    model = (FANDISK, "--points", 400)
+    left, right = np.s_[250:760, :500], np.s_[250:760, 508:1000]
+
+    @staticmethod
+    def box(picture):
+        """Width over height of what is no paper."""
+        rows, columns = np.nonzero(picture.min(axis=2) < 245)
+        return np.ptp(columns) / np.ptp(rows)
+
+    def test_along_axes(self):
+        """The outline is that of the model's box, nearly, for the camera is near; from the other side it is mirrored."""
+        size = np.ptp(np.array(points_of(FANDISK)), axis=0)
+        shots = self.shots(self.model, *(self.recorded(key) for key in ("Shift+X", "Shift+X", "Shift+Y", "Shift+Z", "Shift+Z")))
+        for shot, (across, up) in zip(shots, ((2, 1), (2, 1), (0, 2), (0, 1), (0, 1))):
+            self.assertAlmostEqual(self.box(shot[self.left]) / (size[across] / size[up]), 1, delta=0.2)
+        for i in (0, 3):
+            one, other = ((shot[self.left].min(axis=2) < 245) for shot in shots[i : i + 2])
+            self.assertGreater((one != other).mean(), 0.02)
+
+    def test_z_is_up(self):
+        size = np.ptp(np.array(points_of(FANDISK)), axis=0)
+        begin, z_up, along_x, y_up = self.shots(self.model, *(self.recorded(key) for key in ("v", "u", "Shift+X", "u")))
+        self.assertGreater(pictures.worst_pixel(z_up[self.left], begin[self.left]), 60)
+        self.assertAlmostEqual(self.box(along_x[self.left]) / (size[1] / size[2]), 1, delta=0.2)
+        np.testing.assert_array_equal(y_up[self.left], begin[self.left])
+
+    def test_one_view_with_a_line_to_drag(self):
+        drag = ("LeftButtonPressEvent", 504, 600), ("MouseMoveEvent", 300, 600), ("LeftButtonReleaseEvent", 300, 600)
+        steps = (self.recorded(*step, ("MouseMoveEvent", 5, 5)) for step in (["v"], ["o"], drag, ["o"]))
+        both, one, dragged, again = self.shots(self.model, *steps)
+        accent = [(p[400, :1000] == (38, 98, 184)).all(axis=1).nonzero()[0].mean() for p in (one, dragged)]
+        np.testing.assert_allclose(accent, (505, 301), atol=3)
+        # Where the line was and is, the same sides are seen as before; between them, the other one.
+        view = np.s_[270:760]
+        np.testing.assert_array_equal(one[view][:, :290], dragged[view][:, :290])
+        np.testing.assert_array_equal(one[view][:, 530:1000], dragged[view][:, 530:1000])
+        self.assertGreater((one[view][:, 320:490] != dragged[view][:, 320:490]).any(axis=2).mean(), 0.1)
+        np.testing.assert_array_equal(again[30:], both[30:])
+
+    def test_the_line_follows_a_live_pointer_and_the_camera_turns(self):
+        with LiveWindow(VIEW, *self.model) as window:
+            window.move(250, 790)
+            before = window.settle()
+            window.key("o")
+            one = window.settle(after=before)
+            window.move(504, 200)
+            window.button(1, True)
+            for x in range(520, 720, 20):
+                window.move(x, 200)
+            dragged = window.settle(after=one)
+            window.button(1, False)
+            line = (dragged[400, :1000] == (184, 98, 38)).all(axis=1).nonzero()[0]
+            self.assertLess(abs(line.mean() - 701), 5)
+            window.move(300, 300)
+            still = window.settle()
+            window.button(1, True)
+            for x in range(304, 344, 8):
+                window.move(x, 310)
+            turned = window.settle(after=still)
+            window.button(1, False)
+            self.assertGreater((turned != still)[40:500, :690].any(axis=2).mean(), 0.05)
+            np.testing.assert_array_equal((turned[400, :1000] == (184, 98, 38)).all(axis=1).nonzero()[0], line)
+
+
 class Inspection(ViewTest):
     """The mesh's colours and its worst triangles."""
 
@@ -80,6 +145,15 @@ class Inspection(ViewTest):
             for other in shots[i + 2 : 4]:
                 self.assertGreater(pictures.worst_pixel(one[self.right], other[self.right]), 60)
         np.testing.assert_array_equal(shots[4], shots[0])
+
+    def test_simplified_features_are_seen(self):
+        """In both views, with their number in the strip; with features off, none; and fewer where there is room."""
+        few, off, enough = self.shots((FANDISK, "--points", 100), self.recorded("v"), self.recorded("l"), self.recorded("l", "n", *"900", "Return"))
+        for half in (self.left, self.right):
+            violet = [((p[half][..., 2] > 190) & (p[half][..., 0] < 150) & (p[half][..., 1] < 70)).sum() for p in (few, off, enough)]
+            self.assertGreater(violet[0], 60)
+            self.assertEqual(violet[1], 0)
+            self.assertLess(violet[2], violet[0] / 3)
 
     def test_the_worst_triangle_is_marked_and_looked_at(self):
         steps = [self.recorded("v"), self.recorded("g"), self.recorded("g"), self.recorded("r")]
@@ -110,6 +184,18 @@ class Brush(ViewTest):
     def test_control_erases_while_it_is_held(self):
         strokes = self.strokes(*self.dab(), *self.dab("Control"), *self.dab())
         self.assertEqual([stroke[4] for stroke in strokes], [1, -1, 1])
+
+    def test_shift_smooths(self):
+        """The same paint over a wider place, and none where there was none; not wider than the largest brush."""
+        dab = self.dab()
+        (sharp,), (smooth,), (smoother,) = (self.strokes(*dab, *self.dab("Shift") * n) for n in (0, 1, 60))
+        self.assertEqual(sharp[:3], smooth[:3])
+        self.assertGreater(smooth[3], 1.1 * sharp[3])
+        for one in (smooth, smoother):
+            self.assertAlmostEqual(one[3] ** 2 * one[4] / (sharp[3] ** 2 * sharp[4]), 1)
+        self.assertAlmostEqual(smoother[3] / sharp[3], 30 / 5)
+        self.assertEqual(self.strokes(*self.dab("Shift")), [])
+        self.assertEqual(self.strokes(*dab, *self.dab("Shift"), "Control+z"), [sharp])
 
     def test_dabs_are_mirrored(self):
         """Through the middle of the model's box."""
@@ -149,12 +235,12 @@ class Sliders(ViewTest):
 
     def test_preset_and_pattern(self):
         """Below what an 800 pixels high window shows; the wheel leads there."""
-        down = [("MouseWheelBackwardEvent", 1150, 300)] * 5
-        for place, entry, value in (((1154, 54), "pattern", "quads"), ((1154, 85), "preset", "adaptive"), ((1228, 85), "preset", "rib")):
+        down = [("MouseWheelBackwardEvent", 1150, 300)] * 20
+        for place, entry, value in (((1144, 539), "pattern", "quads"), ((1144, 569), "preset", "adaptive"), ((1226, 569), "preset", "rib")):
             with self.subTest(value):
                 self.assertEqual(self.session(*down, *self.click(place))[entry], value)
         # And back up, where everything is as before.
-        up = [("MouseWheelForwardEvent", 1150, 300)] * 5
+        up = [("MouseWheelForwardEvent", 1150, 300)] * 20
         before, after = self.shots((FANDISK, "--points", 300), self.recorded(("MouseMoveEvent", 1150, 300)), self.recorded(*down, *up))
         np.testing.assert_array_equal(after, before)
 

@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of stipple-view: the start page, opening, saving under a name, figures."""
+import contextlib
 import json
 import os
 import shutil
+import threading
+import time
 import unittest
 
 import numpy as np
@@ -12,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import VIEW, mesh_check, run
+from stipple_program import CUBE, VIEW, mesh_check, run
 from view_program import FANDISK, ViewTest
 
 
@@ -86,6 +89,82 @@ class Files(ViewTest):
         self.assertGreater(red[0], 200, "a sentence in red on the start page")
         self.assertEqual(red[1], 0)
 
+    @staticmethod
+    def turned(window):
+        """Drags over the left view; whether the picture follows while the button is down."""
+        window.move(200, 300)
+        before = window.picture()
+        window.button(1, True)
+        for x in range(204, 260, 8):
+            window.move(x, 310)
+        end = time.monotonic() + 20
+        while not (turned := (window.picture() != before)[40:500, :500].any()) and time.monotonic() < end:
+            time.sleep(0.05)
+        window.button(1, False)
+        return turned
+
+    def test_a_file_that_takes_long_is_waited_for_by_nobody(self):
+        """A pipe that nothing has been written to is read: the camera turns, Esc gives it up, and the model comes once
+        all is written."""
+        slow = self.work / "slow.off"
+        os.mkfifo(slow)
+        with LiveWindow(VIEW, self.work / "part.off", "--points", 300) as window:
+            window.move(5, 5)
+            window.settle()
+            for given_up in (True, False):
+                still = window.settle()
+                for key in ("Control_L+o", *"slow", "Return"):
+                    window.key(key)
+                read = window.settle(after=still)
+                self.assertGreater((read != still)[-26:].any(axis=2).sum(), 300, "the status line tells of it")
+                self.assertTrue(self.turned(window))
+                if given_up:
+                    window.key("Escape")
+                    again = window.settle()
+                    self.assertGreater((read != again)[-26:].any(axis=2).sum(), 300, "and no more")
+                    with self.fed(slow, CUBE.encode()):  # nothing comes of it
+                        time.sleep(0.5)
+                    self.assertEqual(np.abs(window.picture() - again).max(), 0)
+            before = window.settle()
+            with self.fed(slow, CUBE.encode()):
+                after = window.settle(after=before)
+            self.assertGreater((after != before)[600:760, 20:370].any(axis=2).mean(), 0.05, "another model's control map")
+
+    def test_a_file_that_takes_long_is_waited_for_on_a_page(self):
+        """Where it is named on the command line; what cannot be read ends the program as ever."""
+        slow = self.work / "slow.off"
+        os.mkfifo(slow)
+        for content, status in ((CUBE.encode(), None), (b"OFF\n1 1 0\n", 1)):
+            with LiveWindow(VIEW, slow, "--points", 300) as window:
+                page = window.settle()
+                self.assertGreater(np.mean((page == (245, 242, 240)).all(axis=2)), 0.8, "nothing but the page")
+                with self.fed(slow, content):
+                    if status is None:
+                        model = window.settle(after=page)
+                        self.assertLess(np.mean((model == (245, 242, 240)).all(axis=2)), 0.6)
+                    else:
+                        self.assertEqual(window.ended(), status)
+
+    @staticmethod
+    @contextlib.contextmanager
+    def fed(pipe, content):
+        """Whoever opens the pipe meanwhile, however often, reads the content."""
+        over = threading.Event()
+
+        def feed():
+            while not over.is_set():
+                with contextlib.suppress(BrokenPipeError), pipe.open("wb", buffering=0) as stream:
+                    if not over.is_set():
+                        stream.write(content)
+                time.sleep(0.05)
+
+        thread = threading.Thread(target=feed)
+        thread.start()
+        yield
+        over.set()
+        with open(os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)):  # it may wait for a reader
+            thread.join()
+
     def test_paint_is_not_lost_by_opening(self):
         paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)
         shutil.copyfile(FANDISK, self.work / "second.off")
@@ -127,6 +206,24 @@ class Files(ViewTest):
             self.assertEqual(alpha[:100].max(), 0, "no words")
             red = (pixels[..., 0] > 180) & (pixels[..., 1] < 60) & (alpha == 255)
             self.assertGreater(red.mean(), 0.004, "feature lines as wide as in the window")
+
+    def test_figures_have_legends_where_there_are_colors(self):
+        self.play("d", "d", "d", "c", "Control+e", model=("part.off", "--points", 400))
+        for name in ("before", "after"):
+            reader = vtkPNGReader()
+            reader.SetFileName(str(self.work / f"part-figure-{name}.png"))
+            reader.Update()
+            columns, rows, _ = reader.GetOutput().GetDimensions()
+            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 4).astype(int)
+            # The bar goes from one end of the colors to the other, with numbers below and a title above.
+            bar = pixels[118, 80:860]
+            self.assertTrue((bar[..., 3] == 255).all())
+            ends = bar[[5, -20], :3]
+            self.assertGreater(abs(ends[0][0] - ends[1][0]), 100)
+            self.assertGreater((bar[..., :3].min(axis=1) > 200).sum(), 20, "nearly white in the middle")
+            for words in (pixels[40:85, 60:900], pixels[140:200, 60:500]):
+                self.assertGreater((words[..., 3] > 128).sum(), 500)
+                self.assertGreater((words[..., 3] == 0).mean(), 0.6, "no ground")
 
     def test_recent_files_are_offered(self):
         environment = dict(self.environment)

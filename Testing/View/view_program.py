@@ -11,6 +11,7 @@ BUNNY = MODELS / "bunny00.off"
 FANDISK = MODELS / "fandisk.off"
 SMALL, LARGE = "1280x800", "1920x1080"
 LETTERS = {"bracketleft": "[", "bracketright": "]"}
+HELD = {"Shift": 1, "Control": 2}  # as VTK records it
 CODES = {"Return": 13, "Escape": 27, "BackSpace": 8, "Tab": 9}
 
 
@@ -26,18 +27,18 @@ class ViewTest(ProgramTest):
 
     def recorded(self, *events):
         """Plays events: an X11 name of a key that is pressed, or (name of VTK's event, x, y), with
-        "Control" as a fourth where that is held."""
+        "Control" or "Shift" as a fourth where that is held."""
         lines = ["# StreamVersion 1.1"]
         x, y = 250, 400
         for event in events:
             if isinstance(event, str):
                 key = event.rpartition("+")[2]
-                control = 2 * event.startswith("Control+")
+                held = HELD.get(event.rpartition("+")[0], 0)
                 code = CODES.get(key, ord(LETTERS.get(key, key)[0]))
-                lines += [f"{name} {x} {y} {control} {code} 1 {key}" for name in ("KeyPressEvent", "CharEvent")]
+                lines += [f"{name} {x} {y} {held} {code} 1 {key}" for name in ("KeyPressEvent", "CharEvent")]
             else:
-                name, x, y, *control = event
-                lines.append(f"{name} {x} {y} {2 * len(control)} 0 0 0")
+                name, x, y, *held = event
+                lines.append(f"{name} {x} {y} {sum(HELD[key] for key in held)} 0 0 0")
         self.recordings = getattr(self, "recordings", 0) + 1
         return "--play", self.file(f"events{self.recordings}.log", "\n".join(lines) + "\n")
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef stipple_StartPage_h
-#define stipple_StartPage_h
+#ifndef stipple_ListPage_h
+#define stipple_ListPage_h
 
 #include "Page.h"
 
@@ -11,20 +11,21 @@
 
 namespace stipple
 {
-/// What a window without a file shows: open, the files of last time, an example.
-class StartPage : public Page
+/// Entries to choose from, over the whole window: what a window without a file shows, arrays.
+class ListPage : public Page
 {
 public:
   struct Entry
   {
-    std::string key; ///< X11's name; a digit for the recent files
+    std::string key; ///< X11's name; may be empty
     std::string text;
     std::string detail;
     std::function<void()> action;
   };
 
   /// `problem`: why the last choice led back here; empty mostly.
-  StartPage(std::vector<Entry> entries, std::string problem);
+  ListPage(
+    std::string title, std::string sentence, std::vector<Entry> entries, std::string problem = "");
 
   void paint(Canvas& canvas, const Rect& window) override;
   void press(const Pointer& pointer) override;
@@ -34,6 +35,8 @@ public:
 private:
   int entryAt(const Pointer& pointer) const; ///< -1: none
 
+  std::string Title;
+  std::string Sentence;
   std::vector<Entry> Entries;
   std::string Problem;
   std::vector<Rect> Boxes; ///< of the entries, as painted last

@@ -1,36 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StartPage.h"
+#include "ListPage.h"
 
 #include <algorithm>
 
 namespace stipple
 {
-StartPage::StartPage(std::vector<Entry> entries, std::string problem)
-  : Entries(std::move(entries))
+ListPage::ListPage(
+  std::string title, std::string sentence, std::vector<Entry> entries, std::string problem)
+  : Title(std::move(title))
+  , Sentence(std::move(sentence))
+  , Entries(std::move(entries))
   , Problem(std::move(problem))
 {
 }
 
-void StartPage::paint(Canvas& canvas, const Rect& window)
+void ListPage::paint(Canvas& canvas, const Rect& window)
 {
   const float s = canvas.scale();
   canvas.fill(window, shades::Ground);
-  const float row = 44 * s;
+  const auto rows = static_cast<float>(std::max<std::size_t>(1, this->Entries.size()));
+  const float row = std::min(44 * s, (window.h - 120 * s) / rows);
   const float width = std::min(620 * s, window.w - 24 * s);
-  const float height = row * static_cast<float>(this->Entries.size()) + 100 * s;
+  const float height = row * rows + 100 * s;
   const float x = window.x + 0.5F * (window.w - width);
   float y = window.y + 0.5F * (window.h + height);
-  canvas.text(x, y - 20 * s, "stipple", { 26, shades::Accent, Align::Left, true });
-  canvas.text(x, y - 54 * s,
-    "Interactive remeshing of triangle surfaces. Drop a file here, or:", { 13, shades::Quiet });
+  canvas.text(x, y - 20 * s, this->Title, { 26, shades::Accent, Align::Left, true });
+  const TextLook sentence{ 13, shades::Quiet };
+  canvas.text(x, y - 54 * s, canvas.fitted(this->Sentence, width, sentence), sentence);
   y -= 84 * s;
   this->Boxes.clear();
   for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {
     const Entry& entry = this->Entries[i];
     y -= row;
-    const Rect box{ x, y, width, row - 6 * s };
+    const Rect box{ x, y, width, row - 0.14F * row };
     this->Boxes.push_back(box);
     const bool under = static_cast<int>(i) == this->Under;
     canvas.box(
@@ -38,8 +42,10 @@ void StartPage::paint(Canvas& canvas, const Rect& window)
     const float middle = box.y + 0.5F * box.h;
     const TextLook bold{ 13, shades::Word, Align::Left, true };
     const TextLook quiet{ 11.5F, shades::Quiet, Align::Right };
-    canvas.text(box.x + 14 * s, middle, entry.text, bold);
-    const float left = canvas.textWidth(entry.text, bold) + 40 * s;
+    const std::string text =
+      entry.text + (entry.key.empty() ? "" : " (" + nameOfKey(entry.key) + ")");
+    canvas.text(box.x + 14 * s, middle, text, bold);
+    const float left = canvas.textWidth(text, bold) + 40 * s;
     canvas.text(
       box.right() - 14 * s, middle, canvas.fitted(entry.detail, box.w - left, quiet), quiet);
   }
@@ -47,14 +53,14 @@ void StartPage::paint(Canvas& canvas, const Rect& window)
   canvas.text(x, y - 24 * s, canvas.fitted(this->Problem, width, alarm), alarm);
 }
 
-int StartPage::entryAt(const Pointer& pointer) const
+int ListPage::entryAt(const Pointer& pointer) const
 {
   const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
     [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
   return found == this->Boxes.end() ? -1 : static_cast<int>(found - this->Boxes.begin());
 }
 
-void StartPage::press(const Pointer& pointer)
+void ListPage::press(const Pointer& pointer)
 {
   if (const int entry = this->entryAt(pointer); entry >= 0)
   {
@@ -62,7 +68,7 @@ void StartPage::press(const Pointer& pointer)
   }
 }
 
-void StartPage::key(const KeyStroke& stroke)
+void ListPage::key(const KeyStroke& stroke)
 {
   const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
     [&stroke](const Entry& entry) { return entry.key == stroke.symbol; });
@@ -72,7 +78,7 @@ void StartPage::key(const KeyStroke& stroke)
   }
 }
 
-void StartPage::hover(const Pointer& pointer)
+void ListPage::hover(const Pointer& pointer)
 {
   this->Under = this->entryAt(pointer);
 }

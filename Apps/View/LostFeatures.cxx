@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LostFeatures.h"
+
+#include "Geometry.h"
+#include "SceneActors.h"
+
+#include "vtkCellArray.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <functional>
+
+namespace stipple
+{
+namespace
+{
+/// Of the nearest segment's length: a chord of an eighth of a circle is off by a tenth.
+constexpr double Far = 0.3;
+
+void forEachSegment(vtkPolyData* lines, const std::function<void(vtkIdType, vtkIdType)>& f)
+{
+  vtkCellArray* cells = lines->GetLines();
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCellAtId(i, size, ids);
+    for (vtkIdType k = 1; k < size; ++k)
+    {
+      f(ids[k - 1], ids[k]);
+    }
+  }
+}
+}
+
+vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after)
+{
+  constexpr int Sharp = 0;
+  constexpr int Boundary = 1;
+  vtkNew<vtkPoints> ends;
+  ends->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> segments; // one a cell, for the locator
+  for (const int type : { Sharp, Boundary })
+  {
+    vtkSmartPointer<vtkPolyData> lines = backbonesOfType(after, type);
+    forEachSegment(lines, [&](vtkIdType a, vtkIdType b) {
+      const vtkIdType ids[2] = { ends->InsertNextPoint(lines->GetPoint(a)),
+        ends->InsertNextPoint(lines->GetPoint(b)) };
+      segments->InsertNextCell(2, ids);
+    });
+  }
+  vtkNew<vtkPolyData> kept;
+  kept->SetPoints(ends);
+  kept->SetLines(segments);
+  vtkNew<vtkStaticCellLocator> locator;
+  if (segments->GetNumberOfCells() > 0)
+  {
+    locator->SetDataSet(kept);
+    locator->BuildLocator();
+  }
+  auto lost = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> lines;
+  vtkSmartPointer<vtkPolyData> sharp = backbonesOfType(before, Sharp);
+  vtkNew<vtkGenericCell> cell;
+  forEachSegment(sharp, [&](vtkIdType a, vtkIdType b) {
+    const Vec3 middle = 0.5 * (Vec3(sharp->GetPoint(a)) + Vec3(sharp->GetPoint(b)));
+    bool far = segments->GetNumberOfCells() == 0;
+    if (!far)
+    {
+      double nearest[3];
+      vtkIdType id = 0;
+      int part = 0;
+      double squared = 0;
+      locator->FindClosestPoint(middle.data(), nearest, cell, id, part, squared);
+      const double length =
+        (Vec3(ends->GetPoint(2 * id)) - Vec3(ends->GetPoint(2 * id + 1))).norm();
+      far = squared > Far * Far * length * length;
+    }
+    if (far)
+    {
+      const vtkIdType ids[2] = { a, b };
+      lines->InsertNextCell(2, ids);
+    }
+  });
+  lost->SetPoints(sharp->GetPoints());
+  lost->SetLines(lines);
+  return lost;
+}
+}

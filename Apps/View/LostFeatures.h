@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the mesh has not the features that the input has: they were simplified for want of room.
+#ifndef stipple_LostFeatures_h
+#define stipple_LostFeatures_h
+
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+
+namespace stipple
+{
+/// The segments of the sharp lines of `before` that are far from all sharp lines and boundaries of
+/// `after`, over the length of the segment there. Both have the cell array BackboneType.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after);
+}
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Controls of options as the table has them: their ranges, defaults and words.
+#include "Panel.h"
+
+#include "SessionEdits.h"
+#include "TextNumbers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace stipple
+{
+namespace
+{
+constexpr float FieldHeight = 25;
+
+/// What the table says, as a sentence.
+std::string hintOf(const Option& option)
+{
+  std::string hint = option.help;
+  hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
+  return hint + (option.unit.empty() ? "" : " (" + option.unit + ")") + ".";
+}
+
+int indexOf(const std::vector<std::string>& words, const std::string& word)
+{
+  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+}
+
+Choice* Panel::optionChoice(Commands& commands, const char* option, std::vector<std::string> words)
+{
+  const int columns = static_cast<int>(words.size());
+  auto* choice =
+    this->make<Choice>(Choice::Kind::One, std::move(words), columns, [&commands, option](int word) {
+      commands.edit(
+        [option, word](Session& s) { s.set(option, findOption(option)->choices[word]); }, true);
+    });
+  this->OptionChoices.emplace_back(option, choice);
+  return choice;
+}
+
+NumberField* Panel::optionField(Commands& commands, const char* option, const char* label)
+{
+  const Option& o = *findOption(option);
+  const std::string name = option;
+  auto* field = this->make<NumberField>(label,
+    NumberField::Range{ o.low, o.high, o.kind == Option::Kind::Integer, !o.automatic.empty() },
+    [this, &commands, name](double value) {
+      commands.edit(
+        [this, name, value](Session& s) { setNumber(s, name, value, this->Points); }, true);
+    });
+  field->setAutomatic(o.automatic);
+  field->setHint(hintOf(o));
+  this->OptionFields.emplace_back(option, field);
+  return field;
+}
+
+Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* label)
+{
+  auto* choice = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ label }, 1,
+    [this, &commands, option](int) { commands.chooseArray(option, this->Points); });
+  choice->setHints({ hintOf(*findOption(option)) });
+  choice->setEnabled(0, !this->Arrays.empty());
+  this->ArrayChoices.push_back({ option, label, choice });
+  return choice;
+}
+
+void Panel::addMesh(Commands& commands)
+{
+  auto* preset = this->optionChoice(commands, "preset", { "uniform", "adaptive", "rib" });
+  preset->setHints(
+    { "Triangles that are alike, whatever the importance.", "Triangles that follow the importance.",
+      "They follow the importance, with two neighbours on each side of features." });
+  auto* pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
+  pattern->setHints(
+    { "A mesh of triangles.", "Quads, regular in every chart; they are not optimised.",
+      "Triangles split 1 to 4; the number of points is the base mesh's." });
+  auto* smoothing =
+    this->optionChoice(commands, "smoothing", { "rough", "area", "density", "Lloyd" });
+  smoothing->setHints({ "Points stay where they were sampled.",
+    "Points move until the triangles around them are alike.",
+    "Points move until as much density is around each.",
+    "Points move to the centroids of their Voronoi cells." });
+  this->heading("Mesh");
+  this->row({ preset }, 27);
+  this->row({ pattern }, 27);
+  this->row({ smoothing }, 27);
+  this->row({ this->optionField(commands, "iterations", "Rounds") }, FieldHeight, 14);
+}
+
+void Panel::addSizes(Commands& commands)
+{
+  this->heading("Sizes");
+  this->EdgeLength = this->optionField(commands, "edge_length", "Edge length");
+  this->row({ this->EdgeLength }, FieldHeight);
+  for (const auto& [option, label] :
+    { std::pair("max_deviation", "Distance, %"), std::pair("curvature_points", "Points per turn"),
+      std::pair("size_minimum", "Shortest edge"), std::pair("size_maximum", "Longest edge"),
+      std::pair("growth", "Growth") })
+  {
+    this->row({ this->optionField(commands, option, label) }, FieldHeight);
+  }
+  this->row({ this->arrayChoice(commands, "size_array", "lengths from") }, FieldHeight, 14);
+}
+
+void Panel::addInputs(Commands& commands)
+{
+  this->heading("Regions, arrays and pictures");
+  this->row({ this->arrayChoice(commands, "region_array", "regions") }, FieldHeight);
+  this->row({ this->arrayChoice(commands, "importance_array", "importance from") }, FieldHeight);
+  this->Picture = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ "" }, 1,
+    [&commands](int) { commands.choosePicture(); });
+  this->Picture->setHints({ "A picture whose bright places attract samples: .png, .jpg, ..." });
+  auto* projection =
+    this->optionChoice(commands, "image_projection", { "pasted", "along x", "along y", "along z" });
+  projection->setHints({ "The picture lies in every chart.", "It is projected along x.",
+    "It is projected along y.", "It is projected along z." });
+  this->row({ this->Picture }, FieldHeight);
+  this->row({ projection }, FieldHeight, 8);
+  const auto band = [this, &commands](const char* label, int end) {
+    auto* slider = this->make<Slider>(
+      label, Slider::Range{ 0, 20, 2, false, 0.05 },
+      [](double value) { return value > 0 ? shortestText(value) + " %" : std::string("all"); },
+      [&commands, end](double value, bool rests) {
+        commands.edit([end, value](Session& s) { setBand(s, end, value); }, rests);
+      });
+    slider->setDefault(0);
+    slider->setHint(end == 0
+        ? "Of the importance, no detail finer than this, % of the diagonal; after \"coarsest\"."
+        : "Of the importance, no detail coarser than this, % of the diagonal.");
+    return slider;
+  };
+  this->Coarsest = band("Coarsest", 1);
+  this->Finest = band("Finest", 0);
+  this->row({ this->Finest, this->Coarsest }, 34, 8);
+}
+
+void Panel::showOptions(const Session& s)
+{
+  for (const auto& [option, choice] : this->OptionChoices)
+  {
+    choice->choose(indexOf(findOption(option)->choices, s.text(option)));
+  }
+  for (const auto& [option, field] : this->OptionFields)
+  {
+    field->setValue(s.number(option));
+  }
+  for (const auto& [option, label, choice] : this->ArrayChoices)
+  {
+    const std::string& array = s.text(option);
+    choice->setWord(0, label + ": " + (array.empty() ? "none" : array));
+    choice->setOn(0, !array.empty());
+  }
+  const std::string& picture = s.text("importance_image");
+  this->Picture->setWord(0,
+    "picture: " + (picture.empty() ? "none" : std::filesystem::path(picture).filename().string()));
+  this->Picture->setOn(0, s.text("importance") == "image");
+  this->Finest->setValue(s.list("band_pass")[0]);
+  this->Finest->setEnabled(s.list("band_pass")[1] > 0);
+  this->Coarsest->setValue(s.list("band_pass")[1]);
+}
+}

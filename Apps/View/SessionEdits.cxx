@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SessionEdits.h"
+
+#include <algorithm>
+
+namespace stipple
+{
+bool pointsFollow(const Session& session)
+{
+  return session.number("edge_length") > 0 ||
+    (session.integer("points") == 0 &&
+      (!session.text("size_array").empty() || session.number("curvature_points") > 0));
+}
+
+void setPoints(Session& session, double points)
+{
+  session.set("points", points);
+  session.reset("edge_length");
+  session.reset("max_deviation");
+}
+
+void setNumber(Session& session, const std::string& option, double value, int points)
+{
+  session.set(option, value);
+  // These two exclude each other.
+  if (value > 0 && (option == "edge_length" || option == "max_deviation"))
+  {
+    session.reset(option == "edge_length" ? "max_deviation" : "edge_length");
+  }
+  if (option == "curvature_points" && session.text("size_array").empty())
+  {
+    session.set("points", value > 0 ? 0 : points);
+  }
+}
+
+void setArray(Session& session, const std::string& option, const std::string& array, int points)
+{
+  session.set(option, array);
+  if (option == "size_array" && session.number("curvature_points") == 0)
+  {
+    session.set("points", array.empty() ? points : 0);
+  }
+  else if (option == "importance_array")
+  {
+    session.set("importance", std::string(array.empty() ? "uniform" : "array"));
+  }
+}
+
+void setBand(Session& session, int end, double value)
+{
+  std::vector<double> band = session.list("band_pass");
+  band[static_cast<std::size_t>(end)] = value;
+  band[0] = std::min(band[0], 0.9 * band[1]);
+  session.setList("band_pass", band);
+}
+
+void spreadStrokes(Session& session, const Vec3& position, double radius, double widest)
+{
+  constexpr double Wider = 1.15; // a dab of the brush
+  auto strokes = session.rows<5>("strokes");
+  for (auto& stroke : strokes)
+  {
+    const double wider = std::min(Wider, widest / stroke[3]);
+    if (wider > 1 && (Vec3(stroke.data()) - position).norm() < radius)
+    {
+      stroke[3] *= wider;
+      stroke[4] /= wider * wider;
+    }
+  }
+  session.setRows("strokes", strokes);
+}
+}

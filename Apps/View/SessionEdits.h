@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Options of a session that go together.
+#ifndef stipple_SessionEdits_h
+#define stipple_SessionEdits_h
+
+#include "Geometry.h"
+#include "Session.h"
+
+namespace stipple
+{
+/// Whether the number of points follows from lengths of edges, as vtkGeometryRemesher has it.
+[[nodiscard]] bool pointsFollow(const Session& session);
+
+/// A number of points that does not follow from anything.
+void setPoints(Session& session, double points);
+
+/// An option with a number. `points`: how many there are, if their number follows no more.
+void setNumber(Session& session, const std::string& option, double value, int points);
+
+/// The name of an array, empty for none; likewise.
+void setArray(Session& session, const std::string& option, const std::string& array, int points);
+
+/// One end of the band, 0 (finest) or 1 (coarsest), in percent; without a coarsest there is none.
+void setBand(Session& session, int end, double value);
+
+/// Strokes whose middle is in a ball become wider and fainter, as much paint as before, and none
+/// wider than `widest`.
+void spreadStrokes(Session& session, const Vec3& position, double radius, double widest);
+}
+
+#endif

@@ -1,0 +1,193 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options of the command line in the panel of stipple-view: sizes, regions, arrays, pictures, bands."""
+import json
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingSources import vtkImageCanvasSource2D
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+from stipple_program import VIEW, run
+from view_program import ViewTest
+
+DOWN = [("MouseWheelBackwardEvent", 1150, 300)] * 20  # to the panel's end, in a window of 1280x800
+EDGE_LENGTH, DISTANCE, TURN, SHORTEST, LONGEST, GROWTH = ((1200, y) for y in (418, 389, 360, 331, 302, 273))
+LENGTHS_FROM, REGIONS, IMPORTANCE_FROM, PICTURE = ((1150, y) for y in (245, 185, 157, 127))
+ALONG_Z, LLOYD, AREA, ROUNDS = (1237, 98), (1236, 508), (1111, 508), (1200, 476)
+FINEST, COARSEST = ((x, 51) for x in (1075, 1205))
+
+
+def click(place, button="Left"):
+    return (f"{button}ButtonPressEvent", *place), (f"{button}ButtonReleaseEvent", *place)
+
+
+def edges_of(vtp):
+    """The lengths of all edges of a mesh, and the x of their middles."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(vtp))
+    reader.Update()
+    mesh = reader.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    first, second = corners.ravel(), np.roll(corners, -1, axis=1).ravel()
+    lengths = np.linalg.norm(points[first] - points[second], axis=1)
+    return lengths, (points[first] + points[second])[:, 0] / 2
+
+
+class Options(ViewTest):
+    def setUp(self):
+        """A ball of radius 1/2 with three regions and wanted lengths that grow with x."""
+        super().setUp()
+        ball = vtkSphereSource()
+        ball.SetThetaResolution(48)
+        ball.SetPhiResolution(48)
+        ball.SetGenerateNormals(False)
+        ball.Update()
+        ball = ball.GetOutput()
+        parts, lengths = vtkIntArray(), vtkFloatArray()
+        parts.SetName("Parts")
+        lengths.SetName("Lengths")
+        for i in range(ball.GetNumberOfCells()):
+            bounds = ball.GetCell(i).GetBounds()
+            parts.InsertNextValue((bounds[4] + bounds[5] > 0) * (1 + (bounds[0] + bounds[1] > 0)))
+        for i in range(ball.GetNumberOfPoints()):
+            lengths.InsertNextValue(0.04 + 0.08 * (ball.GetPoint(i)[0] + 0.5))
+        ball.GetCellData().AddArray(parts)
+        ball.GetPointData().AddArray(lengths)
+        self.ball = self.folder / "ball.vtp"
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.ball))
+        writer.SetInputData(ball)
+        writer.Write()
+        self.mesh = self.folder / "mesh.vtp"
+
+    def play(self, *events):
+        """The session after them; self.mesh is the mesh, which the program makes of the session as well."""
+        left, other = self.folder / "left.json", self.folder / "other.vtp"
+        for file in (left, self.mesh, other):
+            file.unlink(missing_ok=True)
+        events = self.recorded(*DOWN, *events, "Control+j"), self.recorded("Control+s")
+        arguments = [self.ball, "--points", 700, "-o", self.mesh, "--save-session", left]
+        status = run(*arguments, *events[0], *events[1], program=VIEW, cwd=self.folder)
+        self.assertEqual(status, (0, "", ""))
+        self.assertEqual(run("--session", left, "-o", other, "--quiet", "--map-backend", "cpu"), (0, "", ""))
+        np.testing.assert_array_equal(edges_of(other)[0], edges_of(self.mesh)[0])
+        return json.loads(left.read_text())
+
+    def test_an_edge_length_leads_to_a_number_of_points(self):
+        typed = *click(EDGE_LENGTH), ".", "0", "8", "Return"
+        self.assertEqual(self.play(*typed)["edge_length"], 0.08)
+        self.assertAlmostEqual(edges_of(self.mesh)[0].mean(), 0.08, delta=0.008)
+        # That number is shown, and no more once another one is typed.
+        field = np.s_[715:750, 1020:1270]
+        before, follows, after = self.shots((self.ball, "--points", 700), self.recorded("v"),
+            self.recorded(*DOWN, *typed, *[("MouseWheelForwardEvent", 1150, 300)] * 20), self.recorded("n", *"700", "Return"))
+        self.assertGreater((before[field] != follows[field]).any(axis=2).sum(), 300, "another name and number")
+        np.testing.assert_array_equal(after[field], before[field])
+        np.testing.assert_array_equal(after[250:, :1000], before[250:, :1000])
+        session = self.play(*typed, "n", *"700", "Return")
+        self.assertEqual((session["edge_length"], session["points"]), (0, 700))
+        self.assertEqual(self.play(*typed, *click(EDGE_LENGTH, "Right"))["edge_length"], 0)
+
+    def test_a_distance_leads_to_a_number_of_points(self):
+        typed = *click(EDGE_LENGTH), ".", "0", "8", "Return", *click(DISTANCE), "1", "Return"
+        session = self.play(*typed)
+        self.assertEqual((session["max_deviation"], session["edge_length"]), (1, 0))
+        coarse = len(edges_of(self.mesh)[0])
+        self.play(*click(DISTANCE), ".", "3", "Return")
+        self.assertGreater(len(edges_of(self.mesh)[0]), 2 * coarse)
+
+    def test_bounds_of_lengths(self):
+        session = self.play(*click(SHORTEST), ".", "0", "2", "Return", *click(LONGEST), ".", "2", "Return",
+            *click(GROWTH), "1", ".", "2", "Return")
+        self.assertEqual([session[key] for key in ("size_minimum", "size_maximum", "growth")], [0.02, 0.2, 1.2])
+        self.assertEqual(self.play(*click(GROWTH, "Right"))["growth"], 0)
+
+    def test_lengths_of_an_array(self):
+        session = self.play(*click(LENGTHS_FROM), "1")
+        self.assertEqual((session["size_array"], session["points"]), ("Lengths", 0))
+        lengths, x = edges_of(self.mesh)
+        for low in (-0.4, -0.1, 0.2):
+            near = (x > low) & (x < low + 0.2)
+            self.assertAlmostEqual(lengths[near].mean() / (0.04 + 0.08 * (low + 0.6)), 1, delta=0.15)
+        # Without it there are as many as before.
+        session = self.play(*click(LENGTHS_FROM), "1", *click(LENGTHS_FROM), "0")
+        self.assertEqual(session["size_array"], "")
+        self.assertGreater(session["points"], 0)
+        self.assertEqual(self.play(*click(LENGTHS_FROM), "1", "n", *"500", "Return")["points"], 500)
+
+    def test_points_per_turn(self):
+        session = self.play(*click(TURN), "2", "0", "Return")
+        self.assertEqual((session["curvature_points"], session["points"]), (20, 0))
+        self.assertAlmostEqual(edges_of(self.mesh)[0].mean() * 20 / np.pi, 1, delta=0.15)
+
+    def test_regions(self):
+        session = self.play(*click(REGIONS), "1")
+        self.assertEqual(session["region_array"], "Parts")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.mesh))
+        reader.Update()
+        parts = vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("Parts"))
+        self.assertEqual(set(parts), {0, 1, 2})
+        # Their borders are seen in both views; by a press on an entry as well as by a key; Esc changes nothing.
+        steps = [self.recorded(*DOWN), self.recorded(*click(REGIONS)), self.recorded(*click((640, 380)), ("MouseMoveEvent", 1000, 790)),
+            self.recorded(*click(REGIONS), "Escape", ("MouseMoveEvent", 1000, 790))]
+        before, page, chosen, same = self.shots((self.ball, "--points", 700), *steps)
+        self.assertGreater((page != before).any(axis=2).mean(), 0.5)
+        for half in (np.s_[250:, :500], np.s_[250:, 508:1005]):
+            red = [((p[half][..., 0] > 180) & (p[half][..., 1] < 60)).sum() for p in (before, chosen)]
+            self.assertEqual(red[0], 0)
+            self.assertGreater(red[1], 300)
+        np.testing.assert_array_equal(same[30:], chosen[30:])
+
+    def test_an_array_is_the_importance(self):
+        session = self.play(*click(IMPORTANCE_FROM), "1")
+        self.assertEqual((session["importance"], session["importance_array"]), ("array", "Lengths"))
+
+    def test_a_picture_is_the_importance(self):
+        canvas = vtkImageCanvasSource2D()
+        canvas.SetScalarTypeToUnsignedChar()
+        canvas.SetNumberOfScalarComponents(3)
+        canvas.SetExtent(0, 63, 0, 63, 0, 0)
+        for color, box in ((20, (0, 63, 0, 63)), (255, (32, 63, 0, 63))):
+            canvas.SetDrawColor(color, color, color)
+            canvas.FillBox(*box)
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(self.folder / "half.png"))
+        writer.SetInputConnection(canvas.GetOutputPort())
+        writer.Write()
+        chosen = *click(PICTURE), *"half", "Return", *click(ALONG_Z)
+        session = self.play(*chosen)
+        self.assertEqual((session["importance"], session["image_projection"]), ("image", "z"))
+        self.assertEqual(session["importance_image"], str(self.folder / "half.png"))
+        lengths, x = edges_of(self.mesh)
+        self.assertGreater(lengths[x < -0.1].mean(), 1.5 * lengths[x > 0.1].mean(), "bright attracts")
+        session = self.play(*chosen, "Control+z", "Control+z")
+        self.assertEqual((session["importance"], session["importance_image"]), ("total", ""))
+        (self.folder / "none.png").write_text("no picture")
+        self.assertEqual(self.play(*click(PICTURE), *"none", "Return")["importance"], "total")
+
+    def test_bands(self):
+        def drag(slider, x):
+            return ("LeftButtonPressEvent", *slider), ("MouseMoveEvent", x, slider[1]), ("LeftButtonReleaseEvent", x, slider[1])
+
+        fine, coarse = self.play(*drag(COARSEST, 1240), *drag(FINEST, 1060))["band_pass"]
+        self.assertGreater(coarse, 5)
+        self.assertGreater(fine, 0.3)
+        self.assertLess(fine, coarse)
+        fine, coarse = self.play(*drag(COARSEST, 1200), *drag(FINEST, 1130))["band_pass"]
+        self.assertAlmostEqual(fine, 0.9 * coarse)
+        self.assertEqual(self.play(*drag(FINEST, 1060))["band_pass"], [0, 0])
+
+    def test_smoothing_and_rounds(self):
+        session = self.play(*click(AREA), *click(ROUNDS), "7", "Return")
+        self.assertEqual((session["smoothing"], session["iterations"]), ("area", 7))
+
+
+if __name__ == "__main__":
+    unittest.main()
