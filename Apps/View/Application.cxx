@@ -136,6 +136,15 @@ void Application::takeDocument()
   }
 }
 
+void Application::finishReading()
+{
+  while (this->Reader.busy())
+  {
+    this->turn();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
 void Application::settle()
 {
   // No turn comes after the question: a mesh that it took would be drawn, but not smoothly.

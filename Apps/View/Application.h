@@ -24,6 +24,8 @@ public:
   [[nodiscard]] Status run();
   /// One turn of the loop; a file that was asked for is opened after it.
   void turn();
+  /// Turns until what is read beside the window is open.
+  void finishReading();
   /// Turns until all is at rest.
   void settle();
 

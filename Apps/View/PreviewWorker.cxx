@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds Patience(500);
 
 /// Seconds of sampling, up to which samples are relaxed as well; a mean that the newest has so much
 /// of.
-constexpr double QuickPace = 0.045;
+constexpr double QuickPace = 0.02;
 constexpr double NewestShare = 0.25;
 
 /// Each image with copies of these arrays and no other.

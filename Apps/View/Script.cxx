@@ -56,6 +56,7 @@ Status playEvents(Application& application, const std::string& file)
     player->SetInputString((header + "\n" + line + "\n").c_str());
     player->Play();
     application.turn();
+    application.finishReading(); // as whoever was recorded did
   }
   application.settle();
   return Status::success();

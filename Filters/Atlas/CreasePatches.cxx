@@ -176,7 +176,6 @@ private:
   std::vector<double> Area;
   std::vector<double> LeastArea;
   std::vector<double> Curvature;               // total of its inner points
-  double Whole = 0;                            // area of the surface
   std::vector<std::vector<Halfedge>> Rim;      // what is not inside it, or was not
   std::map<std::pair<int, int>, double> Angle; // by point on a rim and patch
   std::vector<std::map<int, double>> Beside;   // length of the common outline, by neighbour
