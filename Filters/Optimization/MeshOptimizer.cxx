@@ -76,14 +76,14 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   KnownOverlaps& overlaps, const Progress& progress)
 {
   const bool moves = options.moves != Moves::None;
+  const bool lloyd = options.moves == Moves::Lloyd;
   const bool swaps = options.swaps != Swaps::None;
   const auto n = static_cast<std::size_t>(mesh.vertices().size());
   FaceMeasures measures;
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
   std::optional<SmallComponents> small(mesh);
-  const bool opensCorners =
-    options.moves == Moves::Lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
+  const bool opensCorners = lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
   std::optional<AcuteCorners> acute;
   for (int i = firstRound; i < options.iterations; ++i)
   {
@@ -130,13 +130,20 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
       measures.update(mesh);
       parallelFor(mesh.vertices(), [&](Vertex v) {
         arcLength[v] = mesh.arcLength(v);
-        if (mesh.isFree(v))
+        if (mesh.freedom(v) == Freedom::Backbone && lloyd)
+        {
+          arcLength[v] += lloydSlide(mesh, measures, v);
+        }
+        else if (mesh.isFree(v))
         {
           step[v] = small->rests(v) ? Vec3(Vec3::Zero())
                                     : nextStep(mesh, measures, options, pace, v, step[v]);
         }
       });
-      relaxBackbones(mesh, arcLength);
+      if (!lloyd)
+      {
+        relaxBackbones(mesh, arcLength);
+      }
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);

@@ -50,11 +50,17 @@ struct CellIntegral
   }
 };
 
-/// A vector of a triangle's plane, turned with it into the tangent plane. A triangle that cuts off
-/// a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to the
-/// tip.
-inline Vec3 turned(const Vec3& vector, const Vec3& triangleNormal, const Vec3& normal)
+/// A vector of a triangle's plane, turned with it into the tangent plane at v. A triangle that cuts
+/// off a tip is steep there: projected, a step across it would lead nowhere; turned, it leads up to
+/// the tip. On a crease there is no tangent plane, and what counts of a step is along the crease.
+inline Vec3 turned(
+  const OptimizedMesh& mesh, Vertex v, const Vec3& vector, const Vec3& triangleNormal)
 {
+  if (!mesh.isFree(v))
+  {
+    return vector;
+  }
+  const Vec3& normal = mesh.normal(v);
   // In a fold, no way of turning is better than another.
   const double scale = 1. / std::max(Tuning::LeastTurn, 1. + triangleNormal.dot(normal));
   return vector - normal.dot(vector) * scale * (triangleNormal + normal);
@@ -113,7 +119,7 @@ Vec3 stepToCentroidOfRing(
 {
   Vec3 moment = Vec3::Zero();
   forEachCorner(mesh, measureOf, v, here, [&](const Corner& c, bool) {
-    moment += turned(c.mass(here) / 3. * (c.a + c.b), c.face->normal, mesh.normal(v));
+    moment += turned(mesh, v, c.mass(here) / 3. * (c.a + c.b), c.face->normal);
   });
   return moment / mass;
 }
@@ -171,7 +177,7 @@ Vec3 lloydStepWith(const OptimizedMesh& mesh, const Measure& measureOf, Vertex v
       cell.add(halfA, circumcentre, area, here, c.slopeA, c.slopeB);
       cell.add(circumcentre, halfB, area, here, c.slopeA, c.slopeB);
     }
-    moment += turned(cell.alongA * c.a + cell.alongB * c.b, c.face->normal, mesh.normal(v));
+    moment += turned(mesh, v, cell.alongA * c.a + cell.alongB * c.b, c.face->normal);
     mass += cell.mass;
     massOfRing += c.mass(here);
   });
@@ -306,6 +312,23 @@ double meanEdgeLength(const OptimizedMesh& mesh, Vertex v)
 
 namespace
 {
+/// Whether the Voronoi cell of a vertex on a crease is cut off by a crease in a triangle about it,
+/// this one or another: then vertices that no edge joins to it may have a share in it, and it is
+/// not to be had from these triangles.
+bool isInNarrowPart(const OptimizedMesh& mesh, Vertex v)
+{
+  bool narrow = false;
+  forEachTriangle(mesh, v, [&](Halfedge h) {
+    const Vec3 a = mesh.position(mesh.to(h)) - mesh.position(v);
+    const Vec3 b = mesh.position(mesh.apex(h)) - mesh.position(v);
+    const double ab = a.dot(b);
+    narrow = narrow || (ab < 0 && mesh.isCrease(mesh.edge(mesh.next(h)))) ||
+      (ab > b.squaredNorm() && mesh.isCrease(mesh.edge(h))) ||
+      (ab > a.squaredNorm() && mesh.isCrease(mesh.edge(mesh.previous(h))));
+  });
+  return narrow;
+}
+
 /// A run of points along a backbone, with their positions on it, ascending.
 struct BackboneRun
 {
@@ -415,5 +438,22 @@ void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arc
       }
     }
   }
+}
+
+double lloydSlide(const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v)
+{
+  Vec3 before = Vec3::Zero(); // to its neighbours on the backbone
+  Vec3 after = Vec3::Zero();
+  mesh.forEachHalfedge(v, [&](Halfedge h) {
+    if (mesh.isCrease(mesh.edge(h)))
+    {
+      const bool leaves = mesh.crease(mesh.edge(h)).from.vertex == v;
+      (leaves ? after : before) = mesh.position(mesh.to(h)) - mesh.position(v);
+    }
+  });
+  const Vec3 step =
+    isInNarrowPart(mesh, v) ? stepToMiddle(mesh, v) : lloydStep(mesh, measures, v, true);
+  return std::clamp(step.dot((after - before).normalized()), -Tuning::LongestSlide * before.norm(),
+    Tuning::LongestSlide * after.norm());
 }
 }

@@ -58,6 +58,14 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT double spacingAtUnitDensity(const OptimizedMes
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
   const OptimizedMesh& mesh, Vertex v, double length, double share);
 
+/// Lloyd's step of a vertex that slides on a backbone, with the backbone held (constrained
+/// centroidal Voronoi tessellation, Du, Gunzburger and Ju 2003): how far it goes along. So vertices
+/// of two backbones that are one edge apart come to lie between one another's. Where the
+/// backbones are so close that cells are cut off by them, to the middle of the neighbours. No
+/// farther than 0.4 of the way to a neighbour on the backbone.
+STIPPLEFILTERSOPTIMIZATION_EXPORT double lloydSlide(
+  const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v);
+
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
 /// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
 /// neighbour.
