@@ -140,10 +140,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
                                     : nextStep(mesh, measures, options, pace, v, step[v]);
         }
       });
-      if (!lloyd)
-      {
-        relaxBackbones(mesh, arcLength);
-      }
+      // Acute corners open before features are simplified: step by step would take too long.
+      relaxBackbones(mesh, lloyd, arcLength);
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);

@@ -24,7 +24,7 @@ void forEachTriangle(const OptimizedMesh& mesh, Vertex v, const Visit& visit)
     {
       visit(h);
     }
-    h = mesh.opposite(mesh.next(mesh.next(h)));
+    h = mesh.opposite(mesh.previous(h));
   } while (h != first);
 }
 
@@ -318,13 +318,15 @@ namespace
 bool isInNarrowPart(const OptimizedMesh& mesh, Vertex v)
 {
   bool narrow = false;
+  const auto isObtuse = [](const Vec3& p, const Vec3& q) {
+    return p.dot(q) < -Tuning::RoundingOfAngle * p.norm() * q.norm();
+  };
   forEachTriangle(mesh, v, [&](Halfedge h) {
     const Vec3 a = mesh.position(mesh.to(h)) - mesh.position(v);
     const Vec3 b = mesh.position(mesh.apex(h)) - mesh.position(v);
-    const double ab = a.dot(b);
-    narrow = narrow || (ab < 0 && mesh.isCrease(mesh.edge(mesh.next(h)))) ||
-      (ab > b.squaredNorm() && mesh.isCrease(mesh.edge(h))) ||
-      (ab > a.squaredNorm() && mesh.isCrease(mesh.edge(mesh.previous(h))));
+    narrow = narrow || (mesh.isCrease(mesh.edge(mesh.next(h))) && isObtuse(a, b)) ||
+      (mesh.isCrease(mesh.edge(h)) && isObtuse(-b, a - b)) ||
+      (mesh.isCrease(mesh.edge(mesh.previous(h))) && isObtuse(-a, b - a));
   });
   return narrow;
 }
@@ -338,12 +340,14 @@ struct BackboneRun
 
 /// Moves the points inside a run to where the density wants them, its ends staying; or all of a
 /// cycle, whose last point is its first.
-void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle,
+void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle, bool onlyCoarse,
   ElementArray<Vertex, double>& arcLength)
 {
   const std::vector<double>& s = run.s;
   const int n = static_cast<int>(s.size());
-  if (n < 3)
+  if (n < 3 || (onlyCoarse && std::none_of(run.vertices.begin(), run.vertices.end(), [&](Vertex v) {
+        return mesh.isCoarse(v);
+      })))
   {
     return;
   }
@@ -386,7 +390,8 @@ void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle,
 }
 }
 
-void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arcLength)
+void relaxBackbones(
+  const OptimizedMesh& mesh, bool onlyCoarse, ElementArray<Vertex, double>& arcLength)
 {
   for (std::size_t c = 0; c < mesh.chains().size(); ++c)
   {
@@ -423,7 +428,7 @@ void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arc
     }
     if (closed && !isFixed(0))
     {
-      relaxRun(mesh, all, true, arcLength);
+      relaxRun(mesh, all, true, onlyCoarse, arcLength);
       continue;
     }
     for (int begin = 0, i = 1; i < n; ++i)
@@ -433,7 +438,7 @@ void relaxBackbones(const OptimizedMesh& mesh, ElementArray<Vertex, double>& arc
         relaxRun(mesh,
           { { all.vertices.begin() + begin, all.vertices.begin() + i + 1 },
             { all.s.begin() + begin, all.s.begin() + i + 1 } },
-          false, arcLength);
+          false, onlyCoarse, arcLength);
         begin = i;
       }
     }

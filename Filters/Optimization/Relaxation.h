@@ -67,10 +67,11 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT double lloydSlide(
   const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v);
 
 /// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
-/// under the wanted density; others keep theirs. No vertex goes farther than 0.4 of the way to its
+/// under the wanted density, from one fixed vertex to the next at once; where some are in coarse
+/// regions, or everywhere. Others keep theirs. No vertex goes farther than 0.4 of the way to its
 /// neighbour.
 STIPPLEFILTERSOPTIMIZATION_EXPORT void relaxBackbones(
-  const OptimizedMesh& mesh, ElementArray<Vertex, double>& arcLength);
+  const OptimizedMesh& mesh, bool onlyCoarse, ElementArray<Vertex, double>& arcLength);
 }
 
 #endif

@@ -163,12 +163,39 @@ TEST(Relaxation, BackbonesSpaceTheirVerticesEvenly)
   const auto t = meshes::patch(4);
   EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.1, []() { return true; }));
   ElementArray<Vertex, double> arcLength(25, -1.);
-  relaxBackbones(t->mesh, arcLength);
+  relaxBackbones(t->mesh, true, arcLength);
+  EXPECT_EQ(arcLength[Vertex(1)], -1.) << "there are no coarse regions";
+  relaxBackbones(t->mesh, false, arcLength);
   EXPECT_NEAR(arcLength[Vertex(1)], 0.25, 1e-12);
   EXPECT_NEAR(arcLength[Vertex(2)], 0.5, 1e-12);
   EXPECT_NEAR(arcLength[Vertex(3)], 0.75, 1e-12);
   EXPECT_EQ(arcLength[Vertex(0)], -1.) << "corners have none";
   EXPECT_EQ(arcLength[Vertex(12)], -1.);
+}
+
+TEST(Relaxation, SlidesLeadBackAlongTheBackbone)
+{
+  const auto slideOf = [](const meshes::TestMesh& t) {
+    FaceMeasures measures;
+    measures.update(t.mesh);
+    return lloydSlide(t.mesh, measures, Vertex(2));
+  };
+  const auto t = meshes::patch(4);
+  EXPECT_NEAR(slideOf(*t), 0, 1e-12) << "cells are squares";
+  EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.1, []() { return true; }));
+  EXPECT_LT(slideOf(*t), -0.3 * 0.1);
+  EXPECT_GT(slideOf(*t), -0.1);
+}
+
+TEST(Relaxation, SlidesInNarrowPartsGoToTheMiddle)
+{
+  // A hundredth as wide: the cell of a vertex that has slid reaches the other side of triangles.
+  const auto t = meshes::patchOf(4, [](double x, double y) { return Vec3(x, 0.01 * y, 0); });
+  EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.1, []() { return true; }));
+  FaceMeasures measures;
+  measures.update(t->mesh);
+  EXPECT_NEAR(lloydSlide(t->mesh, measures, Vertex(2)),
+    stepToMiddle(t->mesh, Vertex(2)).dot(Vec3(1, 0, 0)), 1e-9);
 }
 
 TEST(LocalRepair, AVertexComesBackIntoItsRing)
