@@ -158,6 +158,7 @@ public:
     , MaySwap(maySwap)
     , MayMove(mayMove)
     , Known(static_cast<std::size_t>(edit.mesh().faces().size()), Knowledge::None)
+    , IsStuck(static_cast<std::size_t>(edit.mesh().vertices().size()), 0)
   {
   }
 
@@ -383,19 +384,26 @@ private:
   }
   bool improveVertex(Vertex v)
   {
+    if (this->IsStuck[v])
+    {
+      return false;
+    }
     const bool moved = improveByMove(this->Edit, v);
+    this->IsStuck[v] = !moved;
     if (moved)
     {
       this->touch(v);
     }
     return moved;
   }
+  /// It has moved, or is in other triangles.
   void touch(Vertex v)
   {
     this->Mesh.forEachFace(v, [&](Face f) {
       this->Known[f] = Knowledge::None;
       for (const Vertex u : this->Mesh.corners(f))
       {
+        this->IsStuck[u] = 0;
         this->Mesh.forEachFace(u, [&](Face g) {
           this->Known[g] = this->Known[g] == Knowledge::Stuck ? Knowledge::None : this->Known[g];
         });
@@ -409,6 +417,7 @@ private:
   const bool MaySwap;
   const bool MayMove;
   ElementArray<Face, Knowledge> Known;
+  ElementArray<Vertex, char> IsStuck; // nothing about it has changed since no move helped
   int Bad = 0;
 };
 }

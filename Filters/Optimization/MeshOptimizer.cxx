@@ -141,7 +141,10 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
         }
       });
       // Acute corners open before features are simplified: step by step would take too long.
-      relaxBackbones(mesh, lloyd, arcLength);
+      if (!lloyd || i < Tuning::RoundsOfEvening)
+      {
+        relaxBackbones(mesh, lloyd, arcLength);
+      }
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);
