@@ -286,7 +286,7 @@ TEST(AcuteCorners, TheOptimizerObeysThem)
       optimize(*t, o);
       return starQuality(t->mesh, Vertex(0));
     };
-    // Slides alone open the corner as far as that; .3 radians more than they.
+    // Slides alone open it somewhat.
     const double without = smallestAtTip(0);
     EXPECT_LT(without, 0.4);
     EXPECT_GT(smallestAtTip(0.3), without + 0.02) << m;
