@@ -114,30 +114,56 @@ AcuteCorners::AcuteCorners(const OptimizedMesh& mesh, double angle)
   }
 }
 
+double AcuteCorners::growthAt(const OptimizedMesh& mesh, const Corner& corner) const
+{
+  const Vec3& p = mesh.position(corner.vertex);
+  double distance = 1;
+  forEachPairOfCreases(
+    mesh, corner.vertex, [&](const LeavingCrease& a, const LeavingCrease& b, double) {
+      if (const double d = distanceWhereOpen(p, a, b, corner.spacing, this->Angle); d > 1.)
+      {
+        // If they open to what was asked for, but not to what would make good what is lacking, as
+        // far as they may.
+        const double more = distanceWhereOpen(p, a, b, corner.spacing, corner.asked);
+        distance = std::max(distance, more > 1. ? more : farthest(a, b, corner.spacing));
+      }
+    });
+  return 1. + Tuning::ShareOfOpening * (distance - 1.);
+}
+
 CoarseRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
 {
   CoarseRegions regions;
   for (const Corner& corner : this->Corners)
   {
-    const Vec3& p = mesh.position(corner.vertex);
-    double distance = 1;
-    forEachPairOfCreases(
-      mesh, corner.vertex, [&](const LeavingCrease& a, const LeavingCrease& b, double) {
-        if (const double d = distanceWhereOpen(p, a, b, corner.spacing, this->Angle); d > 1.)
-        {
-          // If they open to what was asked for, but not to what would make good what is lacking, as
-          // far as they may.
-          const double more = distanceWhereOpen(p, a, b, corner.spacing, corner.asked);
-          distance = std::max(distance, more > 1. ? more : farthest(a, b, corner.spacing));
-        }
-      });
-    if (distance > 1.)
+    if (const double growth = this->growthAt(mesh, corner); growth > 1.)
     {
       regions.add(mesh.atlas().surface(), Face(mesh.place(corner.vertex).face),
-        { p, corner.spacing, 1. + Tuning::ShareOfOpening * (distance - 1.) });
+        { mesh.position(corner.vertex), corner.spacing, growth });
     }
   }
   return regions;
+}
+
+std::vector<char> AcuteCorners::creases(const OptimizedMesh& mesh, bool withOpened) const
+{
+  std::vector<char> result(mesh.chains().size(), 0);
+  for (const Corner& corner : this->Corners)
+  {
+    if (!withOpened && this->growthAt(mesh, corner) > 1.)
+    {
+      continue;
+    }
+    forEachPairOfCreases(
+      mesh, corner.vertex, [&](const LeavingCrease& a, const LeavingCrease& b, double angle) {
+        if (angle < this->Angle)
+        {
+          result[a.backbone] = 1;
+          result[b.backbone] = 1;
+        }
+      });
+  }
+  return result;
 }
 
 void AcuteCorners::correct(const OptimizedMesh& mesh)

@@ -27,6 +27,10 @@ public:
   /// Lloyd's method does not put points just where spacing has them.
   void correct(const OptimizedMesh& mesh);
 
+  /// By backbone: 1 for those that leave corners side by side, closer to each other than asked for
+  /// where the first points on them lie; without those for which spacing grows.
+  std::vector<char> creases(const OptimizedMesh& mesh, bool withOpened) const;
+
 private:
   struct Corner
   {
@@ -34,6 +38,8 @@ private:
     double spacing; ///< about it
     double asked;   ///< angle
   };
+  /// By how much spacing must grow about it.
+  double growthAt(const OptimizedMesh& mesh, const Corner& corner) const;
 
   double Angle;
   std::vector<Corner> Corners;

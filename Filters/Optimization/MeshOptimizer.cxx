@@ -82,6 +82,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   FaceMeasures measures;
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
+  std::vector<char> even(mesh.chains().size(), lloyd ? 0 : 1); // backbones, instead of Lloyd's
+                                                               // steps
   std::optional<SmallComponents> small(mesh);
   const bool opensCorners = lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
   std::optional<AcuteCorners> acute;
@@ -124,6 +126,9 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
         acute->correct(mesh);
       }
       mesh.coarsen(acute->regions(mesh));
+      // Corners open before features are simplified first: step by step would take too long. Where
+      // they do not, first points stay as far out as they are.
+      even = acute->creases(mesh, i == 0);
     }
     if (moves)
     {
@@ -140,11 +145,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
                                     : nextStep(mesh, measures, options, pace, v, step[v]);
         }
       });
-      // Acute corners open before features are simplified: step by step would take too long.
-      if (!lloyd || i < Tuning::RoundsOfEvening)
-      {
-        relaxBackbones(mesh, lloyd, arcLength);
-      }
+      relaxBackbones(mesh, even, arcLength);
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);

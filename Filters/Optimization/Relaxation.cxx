@@ -340,14 +340,12 @@ struct BackboneRun
 
 /// Moves the points inside a run to where the density wants them, its ends staying; or all of a
 /// cycle, whose last point is its first.
-void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle, bool onlyCoarse,
+void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle,
   ElementArray<Vertex, double>& arcLength)
 {
   const std::vector<double>& s = run.s;
   const int n = static_cast<int>(s.size());
-  if (n < 3 || (onlyCoarse && std::none_of(run.vertices.begin(), run.vertices.end(), [&](Vertex v) {
-        return mesh.isCoarse(v);
-      })))
+  if (n < 3)
   {
     return;
   }
@@ -390,14 +388,14 @@ void relaxRun(const OptimizedMesh& mesh, const BackboneRun& run, bool cycle, boo
 }
 }
 
-void relaxBackbones(
-  const OptimizedMesh& mesh, bool onlyCoarse, ElementArray<Vertex, double>& arcLength)
+void relaxBackbones(const OptimizedMesh& mesh, const std::vector<char>& which,
+  ElementArray<Vertex, double>& arcLength)
 {
   for (std::size_t c = 0; c < mesh.chains().size(); ++c)
   {
     OptimizedMesh::Chain chain = mesh.chains()[c];
     const int n = static_cast<int>(chain.size());
-    if (n < 3)
+    if (n < 3 || which[c] == 0)
     {
       continue;
     }
@@ -428,7 +426,7 @@ void relaxBackbones(
     }
     if (closed && !isFixed(0))
     {
-      relaxRun(mesh, all, true, onlyCoarse, arcLength);
+      relaxRun(mesh, all, true, arcLength);
       continue;
     }
     for (int begin = 0, i = 1; i < n; ++i)
@@ -438,7 +436,7 @@ void relaxBackbones(
         relaxRun(mesh,
           { { all.vertices.begin() + begin, all.vertices.begin() + i + 1 },
             { all.s.begin() + begin, all.s.begin() + i + 1 } },
-          false, onlyCoarse, arcLength);
+          false, arcLength);
         begin = i;
       }
     }

@@ -66,12 +66,11 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
 STIPPLEFILTERSOPTIMIZATION_EXPORT double lloydSlide(
   const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v);
 
-/// New arc lengths for the vertices on sharp and boundary backbones, which even out their spacing
-/// under the wanted density, from one fixed vertex to the next at once; where some are in coarse
-/// regions, or everywhere. Others keep theirs. No vertex goes farther than 0.4 of the way to its
-/// neighbour.
-STIPPLEFILTERSOPTIMIZATION_EXPORT void relaxBackbones(
-  const OptimizedMesh& mesh, bool onlyCoarse, ElementArray<Vertex, double>& arcLength);
+/// New arc lengths for the vertices on those sharp and boundary backbones that have a 1, which even
+/// out their spacing under the wanted density, from one fixed vertex to the next at once. Others
+/// keep theirs. No vertex goes farther than 0.4 of the way to its neighbour.
+STIPPLEFILTERSOPTIMIZATION_EXPORT void relaxBackbones(const OptimizedMesh& mesh,
+  const std::vector<char>& which, ElementArray<Vertex, double>& arcLength);
 }
 
 #endif

@@ -163,9 +163,9 @@ TEST(Relaxation, BackbonesSpaceTheirVerticesEvenly)
   const auto t = meshes::patch(4);
   EXPECT_TRUE(t->edit.trySlide(Vertex(2), 0.1, []() { return true; }));
   ElementArray<Vertex, double> arcLength(25, -1.);
-  relaxBackbones(t->mesh, true, arcLength);
-  EXPECT_EQ(arcLength[Vertex(1)], -1.) << "there are no coarse regions";
-  relaxBackbones(t->mesh, false, arcLength);
+  relaxBackbones(t->mesh, { 0, 1, 1, 1 }, arcLength);
+  EXPECT_EQ(arcLength[Vertex(1)], -1.) << "not asked for";
+  relaxBackbones(t->mesh, { 1, 0, 0, 0 }, arcLength);
   EXPECT_NEAR(arcLength[Vertex(1)], 0.25, 1e-12);
   EXPECT_NEAR(arcLength[Vertex(2)], 0.5, 1e-12);
   EXPECT_NEAR(arcLength[Vertex(3)], 0.75, 1e-12);
