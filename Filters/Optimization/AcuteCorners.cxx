@@ -145,12 +145,12 @@ CoarseRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
   return regions;
 }
 
-std::vector<char> AcuteCorners::creases(const OptimizedMesh& mesh, bool withOpened) const
+std::vector<char> AcuteCorners::closedCreases(const OptimizedMesh& mesh) const
 {
   std::vector<char> result(mesh.chains().size(), 0);
   for (const Corner& corner : this->Corners)
   {
-    if (!withOpened && this->growthAt(mesh, corner) > 1.)
+    if (this->growthAt(mesh, corner) > 1.)
     {
       continue;
     }

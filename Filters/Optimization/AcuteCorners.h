@@ -28,8 +28,8 @@ public:
   void correct(const OptimizedMesh& mesh);
 
   /// By backbone: 1 for those that leave corners side by side, closer to each other than asked for
-  /// where the first points on them lie; without those for which spacing grows.
-  std::vector<char> creases(const OptimizedMesh& mesh, bool withOpened) const;
+  /// where the first points on them lie, and about which no spacing grows.
+  std::vector<char> closedCreases(const OptimizedMesh& mesh) const;
 
 private:
   struct Corner

@@ -70,6 +70,24 @@ Vec3 nextStep(const OptimizedMesh& mesh, const FaceMeasures& measures,
   return Tuning::LaplacianStep * laplacianStep(mesh, v, options.moves == Moves::Density);
 }
 
+/// Backbones, by id, that even out as a whole, as slides one by one would take too long to open
+/// acute corners before features are simplified; where corners stay closed, first points stay as
+/// far out as they are.
+std::vector<char> backbonesToEvenOut(
+  const OptimizedMesh& mesh, const std::vector<char>& closed, bool withCoarse)
+{
+  std::vector<char> result = closed;
+  result.resize(mesh.chains().size(), 0);
+  for (std::size_t c = 0; withCoarse && c < result.size(); ++c)
+  {
+    const OptimizedMesh::Chain& chain = mesh.chains()[c];
+    result[c] = result[c] != 0 ||
+      std::any_of(chain.begin(), chain.end(),
+        [&](const BackboneVertex& v) { return mesh.isCoarse(v.vertex); });
+  }
+  return result;
+}
+
 /// Rounds of swaps and moves (paper 4.4), with repairs in between; with a first one other than 0
 /// the last of them once more, after a change.
 Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, int firstRound,
@@ -82,8 +100,9 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   FaceMeasures measures;
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
-  std::vector<char> even(mesh.chains().size(), lloyd ? 0 : 1); // backbones, instead of Lloyd's
-                                                               // steps
+  const std::vector<char> all(mesh.chains().size(), 1);
+  std::vector<char> closed; // backbones of acute corners
+                            // steps
   std::optional<SmallComponents> small(mesh);
   const bool opensCorners = lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
   std::optional<AcuteCorners> acute;
@@ -126,9 +145,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
         acute->correct(mesh);
       }
       mesh.coarsen(acute->regions(mesh));
-      // Corners open before features are simplified first: step by step would take too long. Where
-      // they do not, first points stay as far out as they are.
-      even = acute->creases(mesh, i == 0);
+      closed = acute->closedCreases(mesh);
     }
     if (moves)
     {
@@ -145,7 +162,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
                                     : nextStep(mesh, measures, options, pace, v, step[v]);
         }
       });
-      relaxBackbones(mesh, even, arcLength);
+      relaxBackbones(mesh,
+        lloyd ? backbonesToEvenOut(mesh, closed, i < Tuning::RoundsOfEvening) : all, arcLength);
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);

@@ -221,6 +221,12 @@ public:
   bool uniform() const { return this->Field->uniform(); }
   /// From now on, spacing grows in these regions: density() is less there.
   void coarsen(CoarseRegions regions);
+  /// In one of these.
+  bool isCoarse(Vertex v) const
+  {
+    return !this->Coarse.empty() &&
+      this->Coarse.growthAt(Face(this->place(v).face), this->position(v)) > 1.;
+  }
 
   /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
   /// at its vertices; 1 if they all lie on creases.

@@ -172,6 +172,9 @@ struct Tuning
   static constexpr double AcuteMargin = 0.01;
   /// Rounds after which corners are looked at again: the mesh has settled to what was asked.
   static constexpr int AcuteInterval = 10;
+  /// In which creases in coarse regions even out at once: two looks at corners. With more, areas
+  /// vary by .154 on the fandisk at 5,000 points, with this by .148.
+  static constexpr int RoundsOfEvening = 2 * AcuteInterval;
   /// Spacing keeps its full growth over this part of it, then falls by this much a spacing: slowly
   /// enough for regular triangles, fast enough for even areas elsewhere.
   static constexpr double GrowthPlateau = 0.5;
