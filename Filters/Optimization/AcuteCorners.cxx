@@ -156,7 +156,7 @@ std::vector<char> AcuteCorners::closedCreases(const OptimizedMesh& mesh) const
     }
     forEachPairOfCreases(
       mesh, corner.vertex, [&](const LeavingCrease& a, const LeavingCrease& b, double angle) {
-        if (angle < this->Angle)
+        if (angle < std::max(this->Angle, Tuning::SharpCorner))
         {
           result[a.backbone] = 1;
           result[b.backbone] = 1;

@@ -15,7 +15,7 @@ namespace stipple
 class STIPPLEFILTERSOPTIMIZATION_EXPORT AcuteCorners
 {
 public:
-  /// Of a mesh whose spacing has not grown anywhere yet; angle in radians, > 0.
+  /// Of a mesh whose spacing has not grown anywhere yet; angle in radians, 0 for none.
   AcuteCorners(const OptimizedMesh& mesh, double angle);
 
   /// The regions about corners in which spacing must grow for their creases to be that far apart
@@ -28,7 +28,7 @@ public:
   void correct(const OptimizedMesh& mesh);
 
   /// By backbone: 1 for those that leave corners side by side, closer to each other than asked for
-  /// where the first points on them lie, and about which no spacing grows.
+  /// or 25 degrees where the first points on them lie, and about which no spacing grows.
   std::vector<char> closedCreases(const OptimizedMesh& mesh) const;
 
 private:

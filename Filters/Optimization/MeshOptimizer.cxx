@@ -104,7 +104,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   std::vector<char> closed; // backbones of acute corners
                             // steps
   std::optional<SmallComponents> small(mesh);
-  const bool opensCorners = lloyd && options.acuteCornerAngle > 0 && firstRound == 0;
+  const bool slides = lloyd && options.swaps == Swaps::Regularity; // cells need a Delaunay mesh
+  const bool opensCorners = lloyd && options.acuteCornerAngle > 0;
   std::optional<AcuteCorners> acute;
   for (int i = firstRound; i < options.iterations; ++i)
   {
@@ -134,11 +135,11 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
     }
     const Tuning::Pace pace = paceAt(done, mesh.uniform());
     swapEdges(edit, options.swaps, i == 0 ? Tuning::ManyPasses : Tuning::PassesInRound);
-    if (i % Tuning::AcuteInterval == 0 && opensCorners)
+    if (i % Tuning::AcuteInterval == 0 && lloyd && firstRound == 0)
     {
       if (i == 0)
       {
-        acute.emplace(mesh, options.acuteCornerAngle + Tuning::AcuteMargin);
+        acute.emplace(mesh, opensCorners ? options.acuteCornerAngle + Tuning::AcuteMargin : 0.);
       }
       else
       {
@@ -152,7 +153,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
       measures.update(mesh);
       parallelFor(mesh.vertices(), [&](Vertex v) {
         arcLength[v] = mesh.arcLength(v);
-        if (mesh.freedom(v) == Freedom::Backbone && lloyd)
+        if (mesh.freedom(v) == Freedom::Backbone && slides)
         {
           arcLength[v] += lloydSlide(mesh, measures, v);
         }
@@ -163,7 +164,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
         }
       });
       relaxBackbones(mesh,
-        lloyd ? backbonesToEvenOut(mesh, closed, i < Tuning::RoundsOfEvening) : all, arcLength);
+        slides ? backbonesToEvenOut(mesh, closed, i < Tuning::RoundsOfEvening) : all, arcLength);
       small->note();
       edit.moveAll(step, arcLength);
       small->restore(edit);

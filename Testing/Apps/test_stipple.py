@@ -144,7 +144,7 @@ class Options(Case):
         # Without moves, or without swaps, few triangles are regular; without swaps, valences are as they were.
         bare = self.quality("holes", 2000, "--smoothing none --connectivity none")
         self.assertLess(unmoved["Qavg"], 0.8)
-        self.assertLess(unswapped["Qavg"], whole["Qavg"] - 0.2)
+        self.assertLess(unswapped["Qavg"], 0.6)
         self.assertLess(unswapped["V6_pct"], whole["V6_pct"] - 15)
         self.assertLess(abs(unswapped["V6_pct"] - bare["V6_pct"]), 2)
         self.assertLess(bare["Qavg"], unmoved["Qavg"])
