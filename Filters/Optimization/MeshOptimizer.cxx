@@ -101,8 +101,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
   ElementArray<Vertex, Vec3> step(n, Vec3::Zero());
   ElementArray<Vertex, double> arcLength(n, 0.);
   const std::vector<char> all(mesh.chains().size(), 1);
-  std::vector<char> closed; // backbones of acute corners
-                            // steps
+  std::vector<char> closed; // by backbone: leaves an acute corner that stays closed
   std::optional<SmallComponents> small(mesh);
   const bool slides = lloyd && options.swaps == Swaps::Regularity; // cells need a Delaunay mesh
   const bool opensCorners = lloyd && options.acuteCornerAngle > 0;
