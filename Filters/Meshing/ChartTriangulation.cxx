@@ -3,6 +3,7 @@
 #include "ChartTriangulation.h"
 
 #include "ConstrainedDelaunay.h"
+#include "SurfaceDelaunay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -270,6 +271,7 @@ Status ChartProblem::triangulate(int c, const Stop& stop, ChartTriangulation& me
       }
     }
   }
+  swapToSurfaceDelaunay(this->Surface, Chart(c), this->Parameter, complex, stop);
   this->removeBends(mesh);
   if (!complex.isSound())
   {
