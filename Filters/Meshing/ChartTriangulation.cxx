@@ -119,7 +119,7 @@ public:
   void build(const ChartGraph& chartGraph, int c, const std::vector<BackboneTrace>& traces,
     const FeatureGraph& graph, const BackboneIntervals& intervals,
     const std::vector<Sample>& samples, const std::vector<int>& interior);
-  Status triangulate(int c, const Stop& stop, ChartTriangulation& mesh);
+  Status triangulate(int c, DelaunayMetric metric, const Stop& stop, ChartTriangulation& mesh);
 
 private:
   int add(int sample, const Vec2& uv, const Vec3& position)
@@ -209,7 +209,8 @@ void ChartProblem::build(const ChartGraph& chartGraph, int c,
   }
 }
 
-Status ChartProblem::triangulate(int c, const Stop& stop, ChartTriangulation& mesh)
+Status ChartProblem::triangulate(
+  int c, DelaunayMetric metric, const Stop& stop, ChartTriangulation& mesh)
 {
   using Kind = DelaunayConflict::Kind;
   const std::string chart = "Chart " + std::to_string(c);
@@ -271,7 +272,10 @@ Status ChartProblem::triangulate(int c, const Stop& stop, ChartTriangulation& me
       }
     }
   }
-  swapToSurfaceDelaunay(this->Surface, Chart(c), this->Parameter, complex, stop);
+  if (metric == DelaunayMetric::Surface)
+  {
+    swapToSurfaceDelaunay(this->Surface, Chart(c), this->Parameter, complex, stop);
+  }
   this->removeBends(mesh);
   if (!complex.isSound())
   {
@@ -366,10 +370,11 @@ int BackboneIntervals::backbone(Label label) const
 Status triangulateChart(const AtlasSurface& surface, int c, const ChartGraph& chartGraph,
   const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartTriangulation& mesh, const Stop& stop)
+  const std::vector<int>& interior, DelaunayMetric metric, ChartTriangulation& mesh,
+  const Stop& stop)
 {
   ChartProblem problem(surface, c);
   problem.build(chartGraph, c, traces, graph, intervals, samples, interior);
-  return problem.triangulate(c, stop, mesh);
+  return problem.triangulate(c, metric, stop, mesh);
 }
 }

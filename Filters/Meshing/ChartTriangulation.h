@@ -40,6 +40,14 @@ struct ChartTriangulation
   int numberOfVertices() const { return static_cast<int>(this->sample.size()); }
 };
 
+/// What a triangulation is Delaunay by, as far as constraints let it: lengths in the parameter
+/// plane, or on the surface, which are others where the chart is squeezed or sheared.
+enum class DelaunayMetric
+{
+  Plane,
+  Surface
+};
+
 /// Triangulates chart c. Constraints follow the backbones exactly, so that every sample comes out
 /// on its side of them, also where the chord between two samples would cut it off; what that needs
 /// besides the samples is taken out again. Once `stop` is true, this ends early and leaves nothing
@@ -47,7 +55,8 @@ struct ChartTriangulation
 STIPPLEFILTERSMESHING_EXPORT Status triangulateChart(const AtlasSurface& surface, int c,
   const ChartGraph& chartGraph, const std::vector<BackboneTrace>& traces, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<Sample>& samples,
-  const std::vector<int>& interior, ChartTriangulation& mesh, const Stop& stop = {});
+  const std::vector<int>& interior, DelaunayMetric metric, ChartTriangulation& mesh,
+  const Stop& stop = {});
 }
 
 #endif

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -24,6 +25,9 @@ namespace stipple
 {
 namespace
 {
+/// So many charts are triangulated in the plane one by one if their triangles do not fit, then all.
+constexpr std::size_t MostChartsInPlane = 4;
+
 std::string countOf(int n, const char* what)
 {
   return std::to_string(n) + " " + what;
@@ -66,6 +70,52 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
   }
   return Status::success();
 }
+
+/// The mesh has one vertex a sample, no two triangles back to back, and the topology of the
+/// surface.
+Status checkTopology(
+  const Atlas& atlas, const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
+{
+  TriangleSurface mesh;
+  mesh.points.resize(samples.size());
+  mesh.triangles = triangles;
+  mesh.connect();
+  std::vector<char> used(samples.size(), 0);
+  for (const Triangle& t : triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (!used[i])
+    {
+      return Status::error("Sample " + std::to_string(i) +
+        " is in no triangle: a node or a backbone of it bounds no chart; pass charts, feature "
+        "graph and "
+        "samples of one pipeline.");
+    }
+  }
+  for (int h = 0; h < static_cast<int>(mesh.twin.size()); ++h)
+  {
+    const int g = mesh.twin[h];
+    if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
+    {
+      return Status::tooFewPoints("The samples " + std::to_string(mesh.tail(h)) + ", " +
+        std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
+        " would carry two triangles back to back; use more points.");
+    }
+  }
+  const SurfaceTopology topology = mesh.topology();
+  if (!(topology == atlas.topology()))
+  {
+    return Status::tooFewPoints(
+      "The samples do not carry the surface's topology (Euler characteristic " +
+      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) +
+      ", " + countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
+      std::to_string(atlas.topology().boundaryLoops) + "); use more points.");
+  }
+  return Status::success();
+}
 }
 
 Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
@@ -105,9 +155,17 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
 
   std::vector<ChartTriangulation> meshes(numberOfCharts);
   std::vector<std::optional<Status>> outcome(numberOfCharts);
-  status = reportingFor(numberOfCharts, progress, 0.05, 0.6, [&](int c, const Stop& stop) {
+  const auto triangulate = [&](int c, DelaunayMetric metric, const Stop& stop) {
+    meshes[c] = {};
     outcome[c] = triangulateChart(surface, c, chartGraphs[c], atlas.traces(), graph, intervals,
-      samples, interior[c], meshes[c], stop);
+      samples, interior[c], metric, meshes[c], stop);
+  };
+  status = reportingFor(numberOfCharts, progress, 0.05, 0.6, [&](int c, const Stop& stop) {
+    triangulate(c, DelaunayMetric::Surface, stop);
+    if (!outcome[c]->ok() && !isAsked(stop))
+    {
+      triangulate(c, DelaunayMetric::Plane, stop);
+    }
   });
   if (!status.ok())
   {
@@ -121,50 +179,34 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
       return *outcome[c];
     }
   }
-  ElementArray<Label, char> hasEdge;
-  status = stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge, fault,
-    [&progress] { return !report(progress, 0.6); });
+  const Stop stop = [&progress] { return !report(progress, 0.6); };
+  std::set<Chart> inPlane;
+  for (bool isLast = false;;)
+  {
+    ElementArray<Label, char> hasEdge;
+    fault = Chart();
+    status =
+      stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge, fault, stop);
+    status = status.ok() ? checkTopology(atlas, samples, triangles) : status;
+    if (status.code() != StatusCode::TooFewPoints || isLast)
+    {
+      break;
+    }
+    // Where triangles by lengths on the surface do not fit together, those of the plane may.
+    if (fault.valid() && inPlane.size() < MostChartsInPlane && inPlane.insert(fault).second)
+    {
+      triangulate(fault.index(), DelaunayMetric::Plane, stop);
+      continue;
+    }
+    isLast = true;
+    for (int c = 0; c < numberOfCharts; ++c)
+    {
+      triangulate(c, DelaunayMetric::Plane, stop);
+    }
+  }
   if (!status.ok())
   {
     return status;
-  }
-  TriangleSurface mesh;
-  mesh.points.resize(samples.size());
-  mesh.triangles = triangles;
-  mesh.connect();
-  std::vector<char> used(samples.size(), 0);
-  for (const Triangle& t : triangles)
-  {
-    used[t[0]] = used[t[1]] = used[t[2]] = 1;
-  }
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    if (!used[i])
-    {
-      return Status::error("Sample " + std::to_string(i) +
-        " is in no triangle: a node or a backbone of it bounds no chart; pass charts, feature "
-        "graph and "
-        "samples of one pipeline.");
-    }
-  }
-  for (int h = 0; h < static_cast<int>(mesh.twin.size()); ++h)
-  {
-    const int g = mesh.twin[h];
-    if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
-    {
-      return Status::tooFewPoints("The samples " + std::to_string(mesh.tail(h)) + ", " +
-        std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
-        " would carry two triangles back to back; use more points.");
-    }
-  }
-  const SurfaceTopology topology = mesh.topology();
-  if (!(topology == atlas.topology()))
-  {
-    return Status::tooFewPoints(
-      "The samples do not carry the surface's topology (Euler characteristic " +
-      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) +
-      ", " + countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
-      std::to_string(atlas.topology().boundaryLoops) + "); use more points.");
   }
   return report(progress, 0.8) ? Status::success() : Status::aborted();
 }

@@ -61,42 +61,45 @@ TEST(ChartTriangulation, UsesEverySampleAndKeepsBackbones)
         interior.push_back(static_cast<int>(i));
       }
     }
-    ChartTriangulation mesh;
-    ASSERT_TRUE(triangulateChart(
-      surface, c, graphs[c], m.read->traces(), graph, intervals, m.samples, interior, mesh)
-                  .ok());
-    EXPECT_TRUE(mesh.complex.isSound());
-    std::set<int> used;
-    double area = 0;
-    for (const Triangle& t : mesh.complex.triangles)
+    for (const DelaunayMetric metric : { DelaunayMetric::Plane, DelaunayMetric::Surface })
     {
-      const double twice =
-        orient2(mesh.parameter[t[0]], mesh.parameter[t[1]], mesh.parameter[t[2]]);
-      EXPECT_GT(twice, 0.) << "chart " << c;
-      area += 0.5 * twice;
-      for (int v : t)
+      ChartTriangulation mesh;
+      ASSERT_TRUE(triangulateChart(surface, c, graphs[c], m.read->traces(), graph, intervals,
+        m.samples, interior, metric, mesh)
+                    .ok());
+      EXPECT_TRUE(mesh.complex.isSound());
+      std::set<int> used;
+      double area = 0;
+      for (const Triangle& t : mesh.complex.triangles)
       {
-        used.insert(mesh.sample[v]);
+        const double twice =
+          orient2(mesh.parameter[t[0]], mesh.parameter[t[1]], mesh.parameter[t[2]]);
+        EXPECT_GT(twice, 0.) << "chart " << c;
+        area += 0.5 * twice;
+        for (int v : t)
+        {
+          used.insert(mesh.sample[v]);
+        }
       }
-    }
-    EXPECT_LT(area, surface.extent[c].prod() + 1e-12);
-    EXPECT_GT(area, 0.9 * surface.extent[c].prod());
-    EXPECT_TRUE(std::includes(used.begin(), used.end(), interior.begin(), interior.end()));
-    std::set<Label> labels;
-    std::set<Label> expected;
-    for (Label l : mesh.complex.label)
-    {
-      if (l.valid())
+      EXPECT_LT(area, surface.extent[c].prod() + 1e-12);
+      EXPECT_GT(area, 0.9 * surface.extent[c].prod());
+      EXPECT_TRUE(std::includes(used.begin(), used.end(), interior.begin(), interior.end()));
+      std::set<Label> labels;
+      std::set<Label> expected;
+      for (Label l : mesh.complex.label)
       {
-        labels.insert(l);
+        if (l.valid())
+        {
+          labels.insert(l);
+        }
       }
+      for (const ChartGraph::Segment& s : graphs[c].segments)
+      {
+        expected.insert(intervals.label(s.backbone, s.interval));
+        EXPECT_EQ(intervals.backbone(intervals.label(s.backbone, s.interval)), s.backbone);
+      }
+      EXPECT_EQ(labels, expected) << "every interval of a backbone is an edge";
     }
-    for (const ChartGraph::Segment& s : graphs[c].segments)
-    {
-      expected.insert(intervals.label(s.backbone, s.interval));
-      EXPECT_EQ(intervals.backbone(intervals.label(s.backbone, s.interval)), s.backbone);
-    }
-    EXPECT_EQ(labels, expected) << "every interval of a backbone is an edge";
   }
 }
 

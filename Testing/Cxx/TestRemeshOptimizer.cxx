@@ -305,8 +305,9 @@ void checkOptions()
       const std::string name = "torus " + std::to_string(connectivity) + std::to_string(smoothing);
       checkContract(name, atlas, run);
       const Figures after = measure(run.result());
-      // With the valences that sampling left, moves alone can do little.
-      check(after.meanQuality > before.meanQuality + (connectivity == 0 ? -0.01 : 0.02),
+      // With the valences that sampling left, moves alone can do little, in triangles that are
+      // Delaunay on the surface before vertices move.
+      check(after.meanQuality > before.meanQuality + (connectivity == 0 ? -0.015 : 0.02),
         name + ": quality");
       check(run.result().points != unmoved.points, name + ": smoothing moves");
       check(connectivity == 0 || after.meanQuality > swapped.meanQuality,
