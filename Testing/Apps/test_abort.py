@@ -17,7 +17,8 @@ class Abort(unittest.TestCase):
         self.assertGreaterEqual(figures["aborts"], 15)
         self.assertEqual(figures["left_meshes"], 0)
         self.assertLessEqual(figures["more_threads"], 0)
-        self.assertLess(figures["memory_growth_kb"], 30000)
+        self.assertLess(figures["memory_growth_kb"], 1000)
+        self.assertLess(figures["resident_growth_kb"], 10000)
         self.assertTrue(figures["same_bytes"])
         self.assertLess(figures["median"], 2)
 
