@@ -179,7 +179,7 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   ConformalMap map;
   map.uv.assign(chart.vertices.size(), Vec2::Zero());
   const std::vector<double> area = areas(surface, chart);
-  HarmonicSystem solver(surface, chart, chart.onBoundary);
+  HarmonicSystem solver(surface, chart, chart.onBoundary, stop);
   const RectangleLayout layout(surface, chart);
 
   // One factorization serves every boundary, so several rectangles are tried.

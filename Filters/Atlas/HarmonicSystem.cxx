@@ -11,10 +11,11 @@ namespace stipple
 {
 using Constants = AtlasConstants;
 
-HarmonicSystem::HarmonicSystem(
-  const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given)
+HarmonicSystem::HarmonicSystem(const TriangleSurface& surface, const ChartMesh& chart,
+  const std::vector<char>& given, const Stop& stop)
   : Surface(surface)
   , Chart(chart)
+  , IsToStop(stop)
 {
   this->Unknown.assign(chart.vertices.size(), -1);
   for (std::size_t v = 0; v < chart.vertices.size(); ++v)
@@ -61,17 +62,23 @@ HarmonicSystem::HalfWeights HarmonicSystem::delaunayWeights() const
   return weights;
 }
 
+bool HarmonicSystem::isInBlocks() const
+{
+  return this->NumberOfUnknowns > Constants::MostUnknownsByColumns;
+}
+
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
-  return this->factorize(this->ownWeights(), positiveAt);
+  return this->factorize(this->laplacian(this->ownWeights(), positiveAt));
 }
 
 bool HarmonicSystem::factorizeDelaunay()
 {
-  return this->factorize(this->delaunayWeights(), {});
+  return this->factorize(this->laplacian(this->delaunayWeights(), {}));
 }
 
-bool HarmonicSystem::factorize(const HalfWeights& edges, const std::vector<char>& positiveAt)
+Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
+  const HalfWeights& edges, const std::vector<char>& positiveAt)
 {
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
@@ -107,10 +114,19 @@ bool HarmonicSystem::factorize(const HalfWeights& edges, const std::vector<char>
       }
     }
   }
-  Eigen::SparseMatrix<double> laplacian(this->NumberOfUnknowns, this->NumberOfUnknowns);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  this->Cholesky.compute(laplacian);
-  return this->Cholesky.info() == Eigen::Success;
+  Eigen::SparseMatrix<double> result(this->NumberOfUnknowns, this->NumberOfUnknowns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+bool HarmonicSystem::factorize(const Eigen::SparseMatrix<double>& laplacian)
+{
+  if (this->isInBlocks())
+  {
+    return this->InBlocks.factorize(laplacian, this->IsToStop);
+  }
+  this->ByColumns.compute(laplacian);
+  return this->ByColumns.info() == Eigen::Success;
 }
 
 void HarmonicSystem::solve(Values values) const
@@ -124,7 +140,8 @@ void HarmonicSystem::solve(Values values) const
   {
     rhs.row(term.unknown) += term.weight * values.row(term.vertex);
   }
-  const Eigen::MatrixXd x = this->Cholesky.solve(rhs);
+  const Eigen::MatrixXd x =
+    this->isInBlocks() ? this->InBlocks.solve(rhs) : Eigen::MatrixXd(this->ByColumns.solve(rhs));
   for (Eigen::Index v = 0; v < values.rows(); ++v)
   {
     if (this->Unknown[v] >= 0)

@@ -6,6 +6,7 @@
 #define stipple_HarmonicSystem_h
 
 #include "ChartMesh.h"
+#include "SparseCholesky.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -20,9 +21,10 @@ public:
   /// One row a vertex, one column a function.
   using Values = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 
-  /// The chart has to outlive the system; given: by vertex, whether its value is prescribed.
-  HarmonicSystem(
-    const TriangleSurface& surface, const ChartMesh& chart, const std::vector<char>& given);
+  /// The chart has to outlive the system; given: by vertex, whether its value is prescribed. Once
+  /// `stop` is true, factorizations fail.
+  HarmonicSystem(const TriangleSurface& surface, const ChartMesh& chart,
+    const std::vector<char>& given, const Stop& stop = {});
 
   /// False if the factorization failed. Weights of edges at the vertices in positiveAt, if not
   /// empty, are raised to a positive value where they are below it: around such a vertex values
@@ -48,14 +50,20 @@ private:
   using HalfWeights = std::vector<Eigen::Triplet<double>>;
   HalfWeights ownWeights() const;
   HalfWeights delaunayWeights() const;
-  bool factorize(const HalfWeights& edges, const std::vector<char>& positiveAt);
+  Eigen::SparseMatrix<double> laplacian(
+    const HalfWeights& edges, const std::vector<char>& positiveAt);
+  bool factorize(const Eigen::SparseMatrix<double>& laplacian);
+  bool isInBlocks() const;
 
   const TriangleSurface& Surface;
   const ChartMesh& Chart;
   std::vector<int> Unknown; // by vertex, -1 if given
   int NumberOfUnknowns = 0;
   std::vector<GivenTerm> GivenTerms;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> Cholesky;
+  Stop IsToStop;
+  /// By columns, or in blocks where there are many unknowns.
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> ByColumns;
+  SparseCholesky InBlocks;
 };
 }
 

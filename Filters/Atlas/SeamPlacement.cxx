@@ -356,13 +356,13 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
   {
     sides.leaveOutFar(*areaFraction);
   }
-  HarmonicSystem system(surface, both.mesh, sides.Given);
+  HarmonicSystem system(surface, both.mesh, sides.Given, stop);
   if (isAsked(stop))
   {
     return {};
   }
   // Slivers can cost the cotangent Laplacian its definiteness.
-  if (!system.factorize() && !system.factorizeDelaunay())
+  if (!system.factorize() && (isAsked(stop) || !system.factorizeDelaunay()))
   {
     return {};
   }
