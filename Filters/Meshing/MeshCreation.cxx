@@ -193,15 +193,18 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
       break;
     }
     // Where triangles by lengths on the surface do not fit together, those of the plane may.
-    if (fault.valid() && inPlane.size() < MostChartsInPlane && inPlane.insert(fault).second)
-    {
-      triangulate(fault.index(), DelaunayMetric::Plane, stop);
-      continue;
-    }
-    isLast = true;
+    isLast = !fault.valid() || inPlane.size() == MostChartsInPlane || !inPlane.insert(fault).second;
     for (int c = 0; c < numberOfCharts; ++c)
     {
-      triangulate(c, DelaunayMetric::Plane, stop);
+      if (isLast || Chart(c) == fault)
+      {
+        triangulate(c, DelaunayMetric::Plane, stop);
+        if (!outcome[c]->ok())
+        {
+          fault = Chart(c);
+          return *outcome[c];
+        }
+      }
     }
   }
   if (!status.ok())

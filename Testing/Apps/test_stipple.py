@@ -144,14 +144,14 @@ class Options(Case):
         # Without moves, or without swaps, few triangles are regular; without swaps, valences are as they were.
         bare = self.quality("holes", 2000, "--smoothing none --connectivity none")
         self.assertLess(unmoved["Qavg"], 0.8)
-        self.assertLess(unswapped["Qavg"], whole["Qavg"] - 0.1)
+        self.assertLess(unswapped["Qavg"], whole["Qavg"] - 0.12)
         self.assertLess(unswapped["V6_pct"], whole["V6_pct"] - 15)
         self.assertLess(abs(unswapped["V6_pct"] - bare["V6_pct"]), 2)
         self.assertLess(bare["Qavg"], unmoved["Qavg"])
         # Lloyd's moves, the default, are better than smoothing by areas, and 42 rounds of them than 5.
         self.assertGreater(whole["Qavg"], area["Qavg"] + 0.05)
         self.assertGreater(whole["Qavg"], short["Qavg"] + 0.05)
-        self.assertGreater(short["Qavg"], bare["Qavg"] + 0.05)
+        self.assertGreater(short["Qavg"], bare["Qavg"] + 0.08)
         # Swaps for the aspect ratio care less about valences.
         self.assertLess(aspect["V567_pct"], area["V567_pct"])
         self.assertLess(aspect["V6_pct"], area["V6_pct"] - 3)

@@ -250,8 +250,10 @@ TEST(FeatureSimplification, OpensTrianglesOfToothedPlates)
     EXPECT_GT(simplified.count, 200);
     EXPECT_GT(angleOf(simplified.mesh), angleOf(kept.mesh)) << height;
     const MeshQuality q = measureQuality(simplified.mesh);
+    const double ifKept = measureQuality(kept.mesh).percentBelow30;
+    EXPECT_LT(q.percentBelow30, 0.3 * ifKept);
     poor += q.percentBelow30;
-    poorIfKept += measureQuality(kept.mesh).percentBelow30;
+    poorIfKept += ifKept;
     EXPECT_EQ(q.numberOfPoints, 900);
     EXPECT_EQ(q.nonManifoldEdges + q.nonManifoldVertices + q.misorientedEdges + q.boundaryEdges, 0);
     EXPECT_EQ(q.euler, 2);
@@ -284,7 +286,7 @@ TEST(FeatureSimplification, OpensTrianglesOfToothedPlates)
       }
     }
   }
-  // Of one height a share of .11 to .3 is left, by luck: neighbouring numbers of points differ so.
+  // Of one height a share of .11 to .29 is left, by luck: neighbouring numbers of points differ so.
   EXPECT_LT(poor, 0.2 * poorIfKept);
 }
 
