@@ -4,6 +4,7 @@
 #ifndef stipple_SamplingConstants_h
 #define stipple_SamplingConstants_h
 
+#include <array>
 #include <cstddef>
 
 namespace stipple
@@ -85,6 +86,16 @@ struct SamplingConstants
   static constexpr double DetourOverGap = 2.;
   /// Edges of a loop at least.
   static constexpr int EdgesOfLoop = 6;
+  /// Loops around what is thin and smooth: places that are looked at for a wanted sample; shares of
+  /// the longest loop that are looked for, by which its direction is told, and the chord over the
+  /// walk from which on the surface bends there: a quarter of a circle, 0.9003, and less.
+  static constexpr double PlacesOfGirth = 2.;
+  static constexpr std::array<double, 3> ProbesOfGirth = { { 0.25, 0.5, 1. } };
+  static constexpr double BentChord = 0.91;
+  /// Two walks meet head-on with a smaller cosine between them, and pass each other no farther
+  /// apart than this share of the loop.
+  static constexpr double MeetingCosine = -0.5;
+  static constexpr double MissedMeeting = 0.15;
   /// The finest size over the spacing. Over 50 runs of parts and scans (2,000 and 5,000 points) a
   /// half left twice as many triangles under 30 degrees, and a quarter took so many points that
   /// other places had too few.

@@ -3,6 +3,7 @@
 #include "SizingFunction.h"
 
 #include "FeatureSizes.h"
+#include "GirthSizes.h"
 #include "GradedSizes.h"
 #include "ReportingThread.h"
 #include "SamplingConstants.h"
@@ -46,8 +47,11 @@ public:
   /// As they are at first.
   std::vector<FeatureSize> features(const Atlas& atlas, const Stop& stop) const
   {
-    return featureSizes(
-      atlas, [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); }, stop);
+    const auto spacing = [&](const SurfacePlace& place) { return this->spacingAt(atlas, place); };
+    std::vector<FeatureSize> sizes = featureSizes(atlas, spacing, stop);
+    const std::vector<FeatureSize> ofLoops = girthSizes(atlas, spacing, stop);
+    sizes.insert(sizes.end(), ofLoops.begin(), ofLoops.end());
+    return sizes;
   }
   Growth takeGrowth() { return std::move(this->Grown); }
   /// To be fitted from a scale on.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A walk straight across a backbone: what lies on the surface beside it, over seams and creases.
+// A straight walk: what lies on the surface beside a backbone or around a place, over seams and
+// creases.
 #ifndef stipple_StraightWalk_h
 #define stipple_StraightWalk_h
 
@@ -13,11 +14,11 @@
 
 namespace stipple
 {
-/// A straight walk on the surface, from the middle of an edge into the face on its left.
+/// A straight walk on the surface; it ends at the latest after so many faces.
 class StraightWalk
 {
 public:
-  /// Ends at the latest after so many faces.
+  /// From a place of an edge into the face on its left, at a right angle.
   StraightWalk(const AtlasSurface& surface, int halfedge, const Vec3& bary, int mostFaces)
     : Surface(surface)
     , MostFaces(mostFaces)
@@ -27,9 +28,23 @@ public:
   {
     this->setDirection(0., 1.);
   }
+  /// From inside a face along a unit vector in its plane.
+  StraightWalk(const AtlasSurface& surface, int face, const Vec3& bary, const Vec3& direction,
+    int mostFaces)
+    : Surface(surface)
+    , MostFaces(mostFaces)
+    , Face(face)
+    , Entry(-1)
+    , Bary(bary)
+  {
+    this->setDirection(direction);
+  }
 
   int face() const { return this->Face; }
   const Vec3& bary() const { return this->Bary; }
+  Vec3 position() const { return this->Surface.position(this->Face, this->Bary); }
+  /// In space, of unit length.
+  const Vec3& direction() const { return this->Direction; }
 
   /// Goes on by a length; calls crossed(halfedge, length left) for every edge on the way, which
   /// says whether it may be crossed, with the walk at the edge. False where the walk ends.
@@ -90,36 +105,60 @@ public:
   }
 
 private:
+  /// The corners of the face, and its normal, twice as long as its area.
+  struct Corners
+  {
+    std::array<Vec3, 3> opposite; ///< edges
+    Vec3 normal;
+  };
+  Corners corners() const
+  {
+    const Vec3& a = this->Surface.point(this->Face, 0);
+    const Vec3& b = this->Surface.point(this->Face, 1);
+    const Vec3& c = this->Surface.point(this->Face, 2);
+    return { { { c - b, a - c, b - a } }, (b - a).cross(c - a) };
+  }
+
   /// A direction in the face, by its parts along the edge of entry and away from it.
   void setDirection(double along, double away)
   {
-    const AtlasSurface& s = this->Surface;
-    const Vec3& a = s.point(this->Face, 0);
-    const Vec3& b = s.point(this->Face, 1);
-    const Vec3& c = s.point(this->Face, 2);
-    const Vec3 cross = (b - a).cross(c - a);
-    const double area = cross.norm(); // twice
-    const std::array<Vec3, 3> opposite = { { c - b, a - c, b - a } };
-    const Vec3& edge = opposite[(this->Entry + 2) % 3];
+    const Corners corners = this->corners();
+    const double area = corners.normal.norm(); // twice
+    const Vec3& edge = corners.opposite[(this->Entry + 2) % 3];
     const double length = edge.norm();
     this->Valid = area > 0 && length > 0;
     if (!this->Valid)
     {
       return;
     }
-    const Vec3 normal = cross / area;
+    const Vec3 normal = corners.normal / area;
     const Vec3 unit = edge / length;
-    this->Direction = along * unit + away * normal.cross(unit);
+    this->setDirection(along * unit + away * normal.cross(unit), corners, normal, area);
+  }
+  void setDirection(const Vec3& direction)
+  {
+    const Corners corners = this->corners();
+    const double area = corners.normal.norm();
+    this->Valid = area > 0;
+    if (this->Valid)
+    {
+      this->setDirection(direction, corners, corners.normal / area, area);
+    }
+  }
+  void setDirection(
+    const Vec3& direction, const Corners& corners, const Vec3& normal, double area)
+  {
+    this->Direction = direction;
     for (int k = 0; k < 3; ++k)
     {
-      this->Rate[k] = this->Direction.dot(normal.cross(opposite[k])) / area;
+      this->Rate[k] = this->Direction.dot(normal.cross(corners.opposite[k])) / area;
     }
   }
 
   const AtlasSurface& Surface;
   const int MostFaces;
   int Face;
-  int Entry; // corner at which the edge of entry begins
+  int Entry; // corner at which the edge of entry begins; -1 inside a face
   Vec3 Bary;
   Vec3 Direction = Vec3::Zero();
   Vec3 Rate = Vec3::Zero(); // of the barycentric coordinates, per length
