@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureSimplification.h"
 
+#include "LooseTriangles.h"
 #include "Relaxation.h"
 #include "SurfaceError.h"
 #include "Tuning.h"
@@ -10,331 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace stipple
 {
 namespace
 {
-using Chain = OptimizedMesh::Chain;
-using VertexPair = std::pair<Vertex, Vertex>;
-
-VertexPair pairOf(Vertex a, Vertex b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
-bool has(const Triangle& t, Vertex v)
-{
-  return std::find(t.begin(), t.end(), v.index()) != t.end();
-}
-
-/// The third corner of a triangle.
-Vertex apexOf(const Triangle& t, Vertex a, Vertex b)
-{
-  return Vertex(t[0] + t[1] + t[2] - a.index() - b.index());
-}
-
-Triangle replaced(Triangle t, Vertex v, Vertex by)
-{
-  std::replace(t.begin(), t.end(), v.index(), by.index());
-  return t;
-}
-
-/// The mesh's triangles and chains, to be changed in ways that MeshEdit has not.
-class LooseTriangles
-{
-public:
-  explicit LooseTriangles(const OptimizedMesh& mesh)
-    : Mesh(mesh)
-    , Triangles(mesh.triangles())
-    , Chains(mesh.chains())
-    , About(static_cast<std::size_t>(mesh.vertices().size()))
-    , ChainsOf(About.size())
-  {
-    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-    {
-      for (const int v : this->Triangles[t])
-      {
-        this->About[Vertex(v)].push_back(static_cast<int>(t));
-      }
-    }
-    for (std::size_t b = 0; b < this->Chains.size(); ++b)
-    {
-      Chain& chain = this->Chains[b];
-      for (std::size_t i = 0; i < chain.size(); ++i)
-      {
-        chain[i].arcLength = mesh.arcLength(chain[i]);
-        this->ChainsOf[chain[i].vertex].push_back(static_cast<int>(b));
-        if (i > 0)
-        {
-          const VertexPair edge = pairOf(chain[i - 1].vertex, chain[i].vertex);
-          Keep& keep = this->Creases.try_emplace(edge, Keep::Nothing).first->second;
-          keep = std::max(keep, mesh.atlas().graph().backbones[b].keep);
-        }
-      }
-    }
-  }
-
-  /// Those that were there at first come first; those that are gone have no corners.
-  const std::vector<Triangle>& triangles() const { return this->Triangles; }
-  const Triangle& triangle(int t) const { return this->Triangles[t]; }
-  bool isGone(int t) const { return this->Triangles[t][0] < 0; }
-  const std::vector<Chain>& chains() const { return this->Chains; }
-  const std::vector<int>& about(Vertex v) const { return this->About[v]; }
-  const std::vector<int>& chainsOf(Vertex v) const { return this->ChainsOf[v]; }
-  bool isCrease(Vertex a, Vertex b) const { return this->Creases.count(pairOf(a, b)) > 0; }
-  /// What is to be kept of an edge.
-  Keep keep(Vertex a, Vertex b) const
-  {
-    const auto found = this->Creases.find(pairOf(a, b));
-    return found == this->Creases.end() ? Keep::Nothing : found->second;
-  }
-
-  /// The vertices that edges join to one, ascending.
-  std::vector<Vertex> ring(Vertex v) const
-  {
-    std::vector<Vertex> result;
-    for (const int t : this->About[v])
-    {
-      for (const int u : this->Triangles[t])
-      {
-        if (Vertex(u) != v)
-        {
-          result.push_back(Vertex(u));
-        }
-      }
-    }
-    makeUnique(result);
-    return result;
-  }
-  /// The triangles of an edge.
-  std::vector<int> beside(Vertex a, Vertex b) const
-  {
-    std::vector<int> result;
-    std::copy_if(this->About[a].begin(), this->About[a].end(), std::back_inserter(result),
-      [&](int t) { return has(this->Triangles[t], b); });
-    return result;
-  }
-  /// The triangles over a triangle's edges.
-  std::vector<int> neighbours(int t) const
-  {
-    std::vector<int> result;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Triangle& own = this->Triangles[t];
-      for (const int other : this->beside(Vertex(own[k]), Vertex(own[(k + 1) % 3])))
-      {
-        if (other != t)
-        {
-          result.push_back(other);
-        }
-      }
-    }
-    return result;
-  }
-  int numberOfCreases(Vertex v) const
-  {
-    const std::vector<Vertex> ring = this->ring(v);
-    return static_cast<int>(
-      std::count_if(ring.begin(), ring.end(), [&](Vertex u) { return this->isCrease(u, v); }));
-  }
-  /// Whether lines that must stay do, and regions stay apart, when v has gone to u: v may lie
-  /// inside a border that leads to u, with nothing of it on the triangles that go.
-  bool keepsLines(Vertex v, Vertex u) const
-  {
-    int kept = 0;
-    for (const Vertex w : this->ring(v))
-    {
-      if (this->keep(v, w) >= Keep::Line)
-      {
-        return false;
-      }
-      kept += this->keep(v, w) == Keep::Border ? 1 : 0;
-    }
-    const std::vector<int> gone = this->beside(v, u);
-    return kept == 0 ||
-      (kept == 2 && this->keep(v, u) == Keep::Border &&
-        std::all_of(gone.begin(), gone.end(), [&](int t) {
-          const Vertex w = apexOf(this->Triangles[t], v, u);
-          return !this->isCrease(v, w) && !this->isCrease(u, w);
-        }));
-  }
-  bool isOnBoundary(Vertex v) const
-  {
-    const std::vector<Vertex> ring = this->ring(v);
-    return std::any_of(
-      ring.begin(), ring.end(), [&](Vertex u) { return this->beside(u, v).size() == 1; });
-  }
-
-  /// Whether a manifold of the same topology is left when v has gone to u: the link condition (Dey,
-  /// Edelsbrunner, Guha and Nekhayev 1999).
-  bool mayCollapse(Vertex v, Vertex u) const
-  {
-    const std::vector<int> gone = this->beside(v, u);
-    const std::vector<Vertex> a = this->ring(v);
-    const std::vector<Vertex> b = this->ring(u);
-    std::vector<Vertex> common;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-    return common.size() == gone.size() &&
-      std::all_of(
-        common.begin(), common.end(), [&](Vertex w) { return this->ring(w).size() > 3; }) &&
-      (gone.size() == 1 || !this->isOnBoundary(v) || !this->isOnBoundary(u));
-  }
-  /// Moves v to u. Creases go with it.
-  void collapse(Vertex v, Vertex u)
-  {
-    for (const Vertex w : this->ring(v))
-    {
-      if (const auto own = this->Creases.find(pairOf(v, w)); own != this->Creases.end())
-      {
-        if (w != u)
-        {
-          Keep& keep = this->Creases.try_emplace(pairOf(u, w), Keep::Nothing).first->second;
-          keep = std::max(keep, own->second);
-        }
-        this->Creases.erase(pairOf(v, w));
-      }
-    }
-    for (const int t : std::vector<int>(this->About[v]))
-    {
-      const bool isGone = has(this->Triangles[t], u);
-      this->put(t, isGone ? Triangle{ -1, -1, -1 } : replaced(this->Triangles[t], v, u));
-    }
-    for (const int b : this->ChainsOf[v])
-    {
-      replaceIn(this->Chains[b], v, u);
-      this->ChainsOf[u].push_back(b);
-    }
-    this->ChainsOf[v].clear();
-  }
-
-  /// Swaps the crease (p, q) between two triangles for the edge between their other corners, v and
-  /// another one, and leads its chains over v. On a boundary, the triangle goes.
-  void bend(Vertex p, Vertex q, Vertex v)
-  {
-    const std::vector<int> pair = this->beside(p, q);
-    const int own = has(this->Triangles[pair[0]], v) ? pair[0] : pair[1];
-    if (pair.size() == 1)
-    {
-      this->put(own, { -1, -1, -1 });
-    }
-    else
-    {
-      const int other = own == pair[0] ? pair[1] : pair[0];
-      const Triangle beyond = this->Triangles[other];
-      this->put(own, replaced(beyond, q, v));
-      this->put(other, replaced(beyond, p, v));
-    }
-    this->Creases.erase(pairOf(p, q));
-    this->Creases.try_emplace(pairOf(p, v), Keep::Nothing);
-    this->Creases.try_emplace(pairOf(v, q), Keep::Nothing);
-    std::vector<int> chains = this->ChainsOf[p];
-    makeUnique(chains);
-    for (const int b : chains)
-    {
-      Chain& chain = this->Chains[b];
-      for (std::size_t i = 1; i < chain.size(); ++i)
-      {
-        if (pairOf(chain[i - 1].vertex, chain[i].vertex) == pairOf(p, q))
-        {
-          const double length = this->Mesh.atlas().traces()[b].length();
-          const bool isClosed = this->Mesh.atlas().graph().backbones[b].closed;
-          const double begin = chain[i - 1].arcLength;
-          const double end =
-            chain[i].arcLength + (isClosed && chain[i].arcLength <= begin ? length : 0.);
-          const double middle = std::fmod(0.5 * (begin + end), length);
-          chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i), { v, middle });
-          this->ChainsOf[v].push_back(b);
-        }
-      }
-    }
-  }
-
-  /// Vertices that edges join to both ends of an edge without a triangle between the three: while
-  /// there are any, it may not be collapsed.
-  std::vector<Vertex> obstacles(Vertex v, Vertex u) const
-  {
-    const std::vector<Vertex> a = this->ring(v);
-    const std::vector<Vertex> b = this->ring(u);
-    std::vector<Vertex> result;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-    const std::vector<int> gone = this->beside(v, u);
-    result.erase(std::remove_if(result.begin(), result.end(),
-                   [&](Vertex w) {
-                     return std::any_of(
-                       gone.begin(), gone.end(), [&](int t) { return has(this->Triangles[t], w); });
-                   }),
-      result.end());
-    return result;
-  }
-
-  /// Swaps an edge between two triangles, no crease, for the one between their other corners.
-  void swap(Vertex p, Vertex q)
-  {
-    const std::vector<int> pair = this->beside(p, q);
-    const Triangle first = this->Triangles[pair[0]];
-    const Triangle second = this->Triangles[pair[1]];
-    this->put(pair[0], replaced(first, q, apexOf(second, p, q)));
-    this->put(pair[1], replaced(second, p, apexOf(first, p, q)));
-  }
-
-  /// Puts a vertex, which is in no triangle, on an edge between two.
-  void split(Vertex a, Vertex b, Vertex middle)
-  {
-    for (const int t : this->beside(a, b))
-    {
-      const Triangle whole = this->Triangles[t];
-      this->put(t, replaced(whole, b, middle));
-      this->Triangles.push_back({ -1, -1, -1 });
-      this->put(static_cast<int>(this->Triangles.size()) - 1, replaced(whole, a, middle));
-    }
-  }
-
-private:
-  void put(int t, const Triangle& corners)
-  {
-    for (const int v : this->Triangles[t])
-    {
-      if (v >= 0)
-      {
-        std::vector<int>& about = this->About[Vertex(v)];
-        about.erase(std::find(about.begin(), about.end(), t));
-      }
-    }
-    this->Triangles[t] = corners;
-    for (const int v : corners)
-    {
-      if (v >= 0)
-      {
-        this->About[Vertex(v)].push_back(t);
-      }
-    }
-  }
-  static void replaceIn(Chain& chain, Vertex v, Vertex u)
-  {
-    Chain result;
-    for (BackboneVertex at : chain)
-    {
-      at.vertex = at.vertex == v ? u : at.vertex;
-      if (result.empty() || result.back().vertex != at.vertex)
-      {
-        result.push_back(at);
-      }
-    }
-    result.back().arcLength = chain.back().arcLength;
-    chain = std::move(result);
-  }
-
-  const OptimizedMesh& Mesh;
-  std::vector<Triangle> Triangles;
-  std::vector<Chain> Chains;
-  ElementArray<Vertex, std::vector<int>> About;    // of its triangles
-  ElementArray<Vertex, std::vector<int>> ChainsOf; // of a vertex; some of them more than once
-  std::map<VertexPair, Keep> Creases;
-};
-
 class Simplification
 {
 public:
@@ -342,6 +26,7 @@ public:
     : Mesh(mesh)
     , Tolerance(tolerance)
     , Spacing(spacingAtUnitDensity(mesh))
+    , Largest(Tuning::FarthestOfDiagonal * mesh.atlas().surface().boundingBoxDiagonal())
     , Now(mesh)
   {
     for (const Vertex v : mesh.vertices())
@@ -391,6 +76,42 @@ public:
     }
   }
 
+  /// The longest edge of a poor triangle gets a vertex that is needed less elsewhere, as in Delaunay
+  /// refinement (Ruppert 1995), where nothing simpler helped: an edge of creases, or between two.
+  /// So long an edge that its halves are closer to the spacing, or as close (Botsch and Kobbelt
+  /// 2004); so this ends.
+  void refine(int triangle)
+  {
+    if (this->Now.isGone(triangle) ||
+      this->angle(this->Now.triangle(triangle)) >= Tuning::PoorFeatureAngle)
+    {
+      return;
+    }
+    Triangle t = this->Now.triangle(triangle);
+    const auto length = [&](int k) { return this->length(Vertex(t[k]), Vertex(t[(k + 1) % 3])); };
+    while (length(0) < length(1) || length(0) < length(2))
+    {
+      std::rotate(t.begin(), t.begin() + 1, t.end());
+    }
+    const Vertex a(t[0]);
+    const Vertex b(t[1]);
+    const double spacing = 0.5 * (this->spacingAt(a) + this->spacingAt(b));
+    if (length(0) <= 4. / 3. * spacing)
+    {
+      return;
+    }
+    if (this->Now.isCrease(a, b))
+    {
+      const Vec3 along = this->position(b) - this->position(a);
+      const double foot = (this->position(t[2]) - this->position(a)).dot(along) / along.squaredNorm();
+      this->splitCrease(a, b, std::clamp(foot, Tuning::NearestSplit, 1. - Tuning::NearestSplit));
+    }
+    else if (this->IsFree[a] == 0 && this->IsFree[b] == 0)
+    {
+      this->splitBetween(a, b);
+    }
+  }
+
   /// Puts what was freed where triangles are largest; nothing if all is creases.
   OptimizedMesh::Change finish()
   {
@@ -432,9 +153,10 @@ public:
     std::copy_if(this->Now.triangles().begin(), this->Now.triangles().end(),
       std::back_inserter(change.triangles), [](const Triangle& t) { return t[0] >= 0; });
     change.fixed = this->Fixed;
+    change.onBackbones = std::move(this->OnBackbones);
     change.chains = this->Now.chains();
     change.absorbed = std::move(this->Absorbed);
-    change.features = static_cast<int>(this->Freed.size()) + this->NumberOfBends;
+    change.features = this->NumberOfCollapses + this->NumberOfBends;
     change.swaps = this->NumberOfSwaps;
     return change;
   }
@@ -449,25 +171,33 @@ private:
     return (this->position(t[1]) - p).cross(this->position(t[2]) - p);
   }
   /// The smallest.
-  double angle(const Triangle& t) const
+  static double angleOf(const std::array<Vec3, 3>& p)
   {
-    const double area = this->normal(t).norm();
+    const double area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
     double least = 10;
     for (int k = 0; k < 3; ++k)
     {
-      const Vec3& p = this->position(t[k]);
-      const Vec3 u = this->position(t[(k + 1) % 3]) - p;
-      const Vec3 w = this->position(t[(k + 2) % 3]) - p;
+      const Vec3 u = p[(k + 1) % 3] - p[k];
+      const Vec3 w = p[(k + 2) % 3] - p[k];
       least = std::min(least, std::atan2(area, u.dot(w)));
     }
     return least;
   }
+  double angle(const Triangle& t) const
+  {
+    return angleOf({ { this->position(t[0]), this->position(t[1]), this->position(t[2]) } });
+  }
   double spacingAt(Vertex v) const { return this->Spacing / std::sqrt(this->Mesh.density(v)); }
-  /// How far the surface may move for a triangle. One without an angle is worth the whole
+  /// How far the surface may move.
+  double farthestAt(Vertex v) const
+  {
+    return this->Tolerance * std::min(this->spacingAt(v), this->Largest);
+  }
+  /// How far it may for a triangle. One without an angle is worth the whole
   /// tolerance, one that is good enough nothing.
   double worthOf(Vertex v, double angle) const
   {
-    return (1. - angle / Tuning::PoorFeatureAngle) * this->Tolerance * this->spacingAt(v);
+    return (1. - angle / Tuning::PoorFeatureAngle) * this->farthestAt(v);
   }
 
   /// Whether a triangle turns its back on the surface at its free corners, or on how it was.
@@ -477,7 +207,7 @@ private:
     Vec3 surface = Vec3::Zero();
     for (const int v : after)
     {
-      surface += this->Mesh.isFree(Vertex(v)) ? this->Mesh.normal(Vertex(v)) : Vec3::Zero();
+      surface += this->IsFree[Vertex(v)] != 0 ? this->Place[Vertex(v)].normal : Vec3::Zero();
     }
     if (surface == Vec3::Zero())
     {
@@ -553,7 +283,7 @@ private:
     double largest = distanceOf(this->position(v));
     const std::vector<Vec3>& absorbed = this->Absorbed[v];
     if (std::any_of(absorbed.begin(), absorbed.end(),
-          [&](const Vec3& p) { return distanceOf(p) > this->Tolerance * this->spacingAt(v); }))
+          [&](const Vec3& p) { return distanceOf(p) > this->farthestAt(v); }))
     {
       return Never;
     }
@@ -668,6 +398,7 @@ private:
     if (least < Never)
     {
       this->collapse(best.first, best.second);
+      ++this->NumberOfCollapses;
     }
     return least < Never;
   }
@@ -809,74 +540,215 @@ private:
     const Triangle other = this->Now.triangle(pair[has(this->Now.triangle(pair[0]), v) ? 1 : 0]);
     const Vertex d = apexOf(other, p, q);
     const Vec3 centre = (this->position(p) + this->position(q) + this->position(d)) / 3.;
-    SurfacePoint place;
-    double least = Tuning::FarthestOffEdge * (centre - this->position(v)).norm();
-    bool isFound = false;
-    for (const Vertex from : { d, p, q, v })
-    {
-      const SurfacePoint end =
-        this->Mesh.walk(this->Place[from].place, centre - this->position(from));
-      const double distance = (end.position - centre).norm();
-      if (distance < least)
-      {
-        place = end;
-        least = distance;
-        isFound = true;
-      }
-    }
-    if (!isFound || (this->Freed.empty() && !this->freeOne()))
+    const std::optional<SurfacePoint> place = this->placeNear(
+      centre, { { d, p, q, v } }, Tuning::FarthestOffEdge * (centre - this->position(v)).norm());
+    if (!place || !this->hasSpare())
     {
       return false;
     }
-    const Vertex m = this->Freed.back();
-    this->Freed.pop_back();
+    const Vertex m = this->takeSpare(*place, true);
     this->Placed.push_back(m);
-    this->Place[m] = place;
-    this->IsFree[m] = 1;
     this->Now.split(p, q, m);
     ++this->NumberOfSwaps;
     return true;
   }
-  /// Collapses an edge inside faces, of some that are looked at, after which the triangles there
-  /// are best.
-  bool freeOne()
+  /// The nearest place to one in space, less far from it than that, at which straight walks from
+  /// vertices end.
+  std::optional<SurfacePoint> placeNear(
+    const Vec3& target, const std::array<Vertex, 4>& from, double farthest) const
   {
-    constexpr int Looks = 1000;
+    std::optional<SurfacePoint> place;
+    for (const Vertex v : from)
+    {
+      const SurfacePoint end = this->Mesh.walk(this->Place[v].place, target - this->position(v));
+      const double distance = (end.position - target).norm();
+      if (distance < farthest)
+      {
+        place = end;
+        farthest = distance;
+      }
+    }
+    return place;
+  }
+  bool hasSpare() { return !this->Freed.empty() || this->freeOne(); }
+  /// A vertex from elsewhere, for another place.
+  Vertex takeSpare(const SurfacePoint& place, bool isFree)
+  {
+    const Vertex v = this->Freed.back();
+    this->Freed.pop_back();
+    this->Place[v] = place;
+    this->IsFree[v] = isFree ? 1 : 0;
+    return v;
+  }
+
+  /// How good triangles about an inner vertex and its neighbours, all free, are if it goes to one of
+  /// these: their smallest angle.
+  double angleWithout(Vertex v, Vertex u) const
+  {
+    double worst = 10;
+    for (const int t : this->Now.about(v))
+    {
+      const Triangle& before = this->Now.triangle(t);
+      const Triangle after = replaced(before, v, u);
+      worst = has(before, u)                ? worst
+        : this->isTurnedOver(before, after) ? -1.
+                                            : std::min(worst, this->angle(after));
+    }
+    return worst;
+  }
+  bool isInside(Vertex v) const
+  {
+    const std::vector<Vertex> ring = this->Now.ring(v);
+    return !ring.empty() && this->Mesh.isFree(v) && this->IsFree[v] != 0 &&
+      std::all_of(ring.begin(), ring.end(), [&](Vertex u) { return this->IsFree[u] != 0; }) &&
+      !this->Now.isOnBoundary(v);
+  }
+  /// Collapses that cost least, of vertices inside faces, some of which are looked at; the best
+  /// last.
+  std::vector<std::pair<double, VertexPair>> spareVertices() const
+  {
+    std::vector<std::pair<double, VertexPair>> result;
     const int n = this->Mesh.vertices().size();
-    const int step = std::max(1, n / Looks);
-    double best = Tuning::SliverAngle;
-    VertexPair found;
+    const int step = 1 + (n - 1) / Tuning::LooksForSpare;
     for (int i = 0; i < n; i += step)
     {
       const Vertex v(i);
-      const std::vector<Vertex> ring = this->Now.ring(v);
-      const bool isInside = !ring.empty() && this->Mesh.isFree(v) && this->IsFree[v] != 0 &&
-        std::all_of(ring.begin(), ring.end(), [&](Vertex u) { return this->IsFree[u] != 0; }) &&
-        !this->Now.isOnBoundary(v);
-      for (const Vertex u : isInside ? ring : std::vector<Vertex>())
+      double best = Tuning::SliverAngle;
+      Vertex to;
+      for (const Vertex u : this->isInside(v) ? this->Now.ring(v) : std::vector<Vertex>())
       {
-        double worst = 10;
-        for (const int t : this->Now.about(v))
-        {
-          const Triangle& before = this->Now.triangle(t);
-          const Triangle after = replaced(before, v, u);
-          worst = has(before, u)                ? worst
-            : this->isTurnedOver(before, after) ? -1.
-                                                : std::min(worst, this->angle(after));
-        }
-        if (worst > best && this->Now.mayCollapse(v, u) && this->staysOpen(v, u))
+        const double worst = this->angleWithout(v, u);
+        if (worst > best)
         {
           best = worst;
-          found = { v, u };
+          to = u;
         }
       }
+      if (to.valid())
+      {
+        result.push_back({ best, { v, to } });
+      }
     }
-    if (!found.first.valid())
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+  /// Frees a vertex inside faces, where triangles stay best.
+  bool freeOne()
+  {
+    if (!this->HasLookedForSpare)
     {
-      return false;
+      this->Spare = this->spareVertices();
+      this->HasLookedForSpare = true;
     }
-    this->collapse(found.first, found.second);
-    return true;
+    while (!this->Spare.empty())
+    {
+      const auto [v, u] = this->Spare.back().second;
+      this->Spare.pop_back();
+      // What is about it may have changed.
+      if (this->isInside(v) && !this->Now.beside(v, u).empty() &&
+        this->angleWithout(v, u) > Tuning::SliverAngle && this->Now.mayCollapse(v, u) &&
+        this->staysOpen(v, u))
+      {
+        this->collapse(v, u);
+        return true;
+      }
+    }
+    return false;
+  }
+  /// Puts a vertex from elsewhere on a crease.
+  void splitCrease(Vertex a, Vertex b, double share)
+  {
+    const auto places = this->Now.onChains(a, b, share);
+    const std::vector<int> beside = this->Now.beside(a, b);
+    if (places.empty() || beside.empty() || beside.size() > 2)
+    {
+      return;
+    }
+    // Where creases have become one, it runs along neither: nearest to that which is nearest.
+    const Vec3 straight = (1. - share) * this->position(a) + share * this->position(b);
+    SurfacePoint there;
+    const LooseTriangles::OnChain* nearest = nullptr;
+    for (const LooseTriangles::OnChain& place : places)
+    {
+      const SurfacePoint point =
+        this->Mesh.pointAt(this->Mesh.atlas().placeOfBackbone(place.chain, place.arcLength));
+      if (!nearest || (point.position - straight).norm() < (there.position - straight).norm())
+      {
+        there = point;
+        nearest = &place;
+      }
+    }
+    std::vector<Triangle> before;
+    std::transform(beside.begin(), beside.end(), std::back_inserter(before),
+      [&](int t) { return this->Now.triangle(t); });
+    if (this->Now.keep(a, b) == Keep::Edges ||
+      (there.position - straight).norm() > Tuning::FarthestOffEdge * this->length(a, b) ||
+      !this->isNoWorseWith(there.position, a, b, before) ||
+      !this->hasSpare())
+    {
+      return;
+    }
+    const Vertex m = this->takeSpare(there, false);
+    this->Now.splitCrease(a, b, places, m);
+    if (places.size() > 1)
+    {
+      this->Fixed.push_back(m);
+    }
+    this->OnBackbones.push_back({ m, nearest->chain, nearest->arcLength });
+    ++this->NumberOfSwaps;
+  }
+  /// Puts one in the middle of an edge between creases.
+  void splitBetween(Vertex a, Vertex b)
+  {
+    const std::vector<int> beside = this->Now.beside(a, b);
+    if (beside.size() != 2)
+    {
+      return;
+    }
+    const std::vector<Triangle> before = { this->Now.triangle(beside[0]),
+      this->Now.triangle(beside[1]) };
+    const std::optional<SurfacePoint> place =
+      this->placeNear(0.5 * (this->position(a) + this->position(b)),
+        { { apexOf(before[0], a, b), apexOf(before[1], a, b), a, b } },
+        Tuning::FarthestOffEdge * this->length(a, b));
+    const auto isBehind = [&](const Triangle& t) { // on another side of a crease
+      const Vec3 normal = this->normal(t);
+      return place->normal.dot(normal) < Tuning::LeastAgreement * normal.norm();
+    };
+    if (place && std::none_of(before.begin(), before.end(), isBehind) &&
+      this->isNoWorseWith(place->position, a, b, before) && this->hasSpare())
+    {
+      const Vertex m = this->takeSpare(*place, true);
+      this->Placed.push_back(m);
+      this->Now.split(a, b, m);
+      ++this->NumberOfSwaps;
+    }
+  }
+  /// Whether the triangles at an edge have angles that are as large when a vertex there has split
+  /// it, and none turns over.
+  bool isNoWorseWith(
+    const Vec3& middle, Vertex a, Vertex b, const std::vector<Triangle>& triangles) const
+  {
+    double worst = 10;
+    for (const Triangle& t : triangles)
+    {
+      worst = std::min(worst, this->angle(t));
+    }
+    return worst > Tuning::HopelessAngle && std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+      const Vec3 normal = this->normal(t);
+      return std::all_of(t.begin(), t.end(), [&](int gone) {
+        if (Vertex(gone) != a && Vertex(gone) != b)
+        {
+          return true;
+        }
+        std::array<Vec3, 3> p;
+        std::transform(t.begin(), t.end(), p.begin(),
+          [&](int v) { return v == gone ? middle : this->position(v); });
+        return angleOf(p) > worst - Tuning::LeastGainOfCollapse &&
+          (this->angle(t) < Tuning::LeastSoundHeight ||
+            (p[1] - p[0]).cross(p[2] - p[0]).dot(normal) > 0);
+      });
+    });
   }
 
   /// Under the wanted density, up to a factor.
@@ -958,6 +830,7 @@ private:
   const OptimizedMesh& Mesh;
   const double Tolerance; // over the spacing
   const double Spacing;   // at a density of 1
+  const double Largest;   // of what a whole tolerance allows
   LooseTriangles Now;
   ElementArray<Vertex, SurfacePoint> Place;
   ElementArray<Vertex, char> IsFree;
@@ -965,8 +838,12 @@ private:
   std::vector<Vertex> Freed;
   std::vector<Vertex> Placed; // of those that were
   std::vector<Vertex> Fixed;
+  std::vector<OptimizedMesh::Change::OnBackbone> OnBackbones;
+  std::vector<std::pair<double, VertexPair>> Spare; // collapses that cost little, the best last
+  bool HasLookedForSpare = false;
+  int NumberOfCollapses = 0;
   int NumberOfBends = 0;
-  int NumberOfSwaps = 0; // and vertices that open triangles
+  int NumberOfSwaps = 0; // and vertices that open triangles or split creases
 };
 }
 
@@ -997,6 +874,10 @@ Status simplifyFeatures(OptimizedMesh& mesh, double tolerance, double poorAngle)
   for (const auto& [quality, face] : poor)
   {
     simplification.improve(face);
+  }
+  for (const auto& [quality, face] : poor)
+  {
+    simplification.refine(face);
   }
   OptimizedMesh::Change change = simplification.finish();
   return change.features + change.swaps == 0 ? Status::success() : mesh.rebuild(std::move(change));

@@ -366,13 +366,19 @@ private:
       const std::vector<Vertex> vertices(quad.begin(), quad.end());
       const std::vector<Face> faces = facesAbout(this->Mesh, vertices);
       const double before = sumOfFolds(this->Mesh, faces);
+      const auto flat = [&]() {
+        return std::count_if(faces.begin(), faces.end(),
+          [&](Face g) { return this->Mesh.isFlat(this->Mesh.triangleCorners(g)); });
+      };
+      const auto flatBefore = flat();
       const bool isBetter = this->Edit.attempt([&]() {
         this->Edit.flip(e);
         for (const Vertex v : vertices)
         {
           improveByMove(this->Edit, v);
         }
-        return sumOfFolds(this->Mesh, faces) > before + Tuning::LeastGainOfFolds;
+        return sumOfFolds(this->Mesh, faces) > before + Tuning::LeastGainOfFolds &&
+          flat() <= flatBefore;
       });
       if (isBetter)
       {

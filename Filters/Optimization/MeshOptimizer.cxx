@@ -14,6 +14,7 @@
 #include "SmallComponents.h"
 #include "SurfaceError.h"
 #include "Tuning.h"
+#include "VertexStar.h"
 
 #include <algorithm>
 #include <optional>
@@ -230,6 +231,27 @@ void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& over
   reduceError();
   resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
 }
+
+/// How poor triangles are; less is better.
+struct Lack
+{
+  int flat = 0;   ///< triangles that have as good as no angle
+  double sum = 0; ///< of what triangles lack of an angle that is good enough, in radians
+
+  explicit Lack(const OptimizedMesh& mesh)
+  {
+    for (const Face f : mesh.faces())
+    {
+      const double angle = faceQuality(mesh, f);
+      this->flat += angle < Tuning::NoAngle ? 1 : 0;
+      this->sum += std::max(0., Tuning::PoorFeatureAngle - angle);
+    }
+  }
+  bool operator<(const Lack& o) const
+  {
+    return this->flat != o.flat ? this->flat < o.flat : this->sum < o.sum;
+  }
+};
 }
 
 Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
@@ -246,11 +268,18 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     return status;
   }
   finish(edit, options, overlaps);
-  // Edges were swapped since features were simplified last; each time fewer are left for that.
+  // Edges were swapped since features were simplified last; each time fewer are left for that. What
+  // helps in one place may hurt in another: the best of these meshes is kept.
   const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
-  bool isNearlyDone = true;
-  for (int i = 0; i < Tuning::LastSimplifications && isNearlyDone && maySimplify(options); ++i)
+  Lack least(mesh);
+  std::optional<OptimizedMesh> best;
+  bool isNearlyDone = maySimplify(options);
+  for (int i = 0; i < Tuning::LastSimplifications && isNearlyDone && least.sum > 0; ++i)
   {
+    if (!best)
+    {
+      best = mesh;
+    }
     const int changes = mesh.numberOfChanges();
     status = simplifyFeatures(mesh, options.featureTolerance);
     if (!status.ok())
@@ -269,7 +298,17 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       return status;
     }
     finish(edit, options, overlaps);
+    const Lack lack(mesh);
+    if (lack < least)
+    {
+      least = lack;
+      best.reset();
+    }
     isNearlyDone = Tuning::VerticesPerLastChange * made <= mesh.vertices().size();
+  }
+  if (best && least < Lack(mesh))
+  {
+    mesh = std::move(*best);
   }
   // What swaps have left without an angle, at last with no rounds that swap any more.
   for (int i = 0; i < Tuning::LastOpenings && maySimplify(options); ++i)

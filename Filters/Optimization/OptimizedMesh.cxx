@@ -189,6 +189,15 @@ Status OptimizedMesh::rebuild(Change change)
     this->State[v].arcLength = 0;
     this->put(v, there);
   }
+  for (const auto& [v, backbone, arcLength] : change.onBackbones)
+  {
+    this->Free[v] = Freedom::Backbone;
+    this->BackboneOf[v] = backbone;
+    this->putOnBackbone(v, arcLength);
+    const SurfacePlace& place = this->place(v);
+    this->Original[v.index()] = { SampleKind::Backbone, place.face, place.bary, backbone, arcLength,
+      -1 };
+  }
   for (const Vertex v : change.fixed)
   {
     this->Free[v] = Freedom::None;
@@ -413,6 +422,16 @@ std::vector<Sample> OptimizedMesh::samples() const
     }
   }
   return result;
+}
+
+bool OptimizedMesh::isFlat(const TriangleCorners& corners) const
+{
+  const Vec3& p = this->position(this->from(corners[0]));
+  const Vec3& q = this->position(this->from(corners[1]));
+  const Vec3& r = this->position(this->from(corners[2]));
+  const double longest =
+    std::max({ (q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm() });
+  return !((q - p).cross(r - p).norm() > Tuning::NoAngle * longest);
 }
 
 bool OptimizedMesh::isSound(const TriangleCorners& corners) const

@@ -257,6 +257,8 @@ public:
   /// The triangle faces the way the surface does at its vertices, and is not degenerate.
   bool isSound(const TriangleCorners& corners) const;
   bool isSound(Face f) const { return this->isSound(this->triangleCorners(f)); }
+  /// It has as good as no area.
+  bool isFlat(const TriangleCorners& corners) const;
 
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
@@ -273,7 +275,14 @@ public:
   /// build() does. Edges and triangles get new ids.
   struct Change
   {
+    struct OnBackbone
+    {
+      Vertex vertex;
+      int backbone;
+      double arcLength;
+    };
     std::vector<std::pair<Vertex, SurfacePoint>> freed;
+    std::vector<OnBackbone> onBackbones; ///< that come from elsewhere, and slide unless fixed
     std::vector<Vertex> fixed;
     std::vector<Triangle> triangles;
     std::vector<Chain> chains;

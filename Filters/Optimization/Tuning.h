@@ -190,6 +190,14 @@ struct Tuning
   static constexpr double LeastGainOfCollapse = 0.02; ///< by the sum of what triangles lack of it
   /// Swaps before an edge that others are in the way of is collapsed.
   static constexpr int MostObstacles = 3;
+  /// Over the diagonal: how far a feature may move, however few points there are. What a remesh is
+  /// held to at 5,000 points.
+  static constexpr double FarthestOfDiagonal = 0.015;
+  /// Share of a crease's edge, from its ends on, in which it is split.
+  static constexpr double NearestSplit = 1. / 3.;
+  /// Vertices that are asked whether they can go elsewhere, in a look at features: it takes as long
+  /// for large meshes as for small ones.
+  static constexpr int LooksForSpare = 4096;
   /// Times that features are simplified when all is done, with rounds in between. A part with 25
   /// holes (netgen's frame, 5,000 points) has 1.1 % of its triangles below 30 degrees then,
   /// else 2.1.
