@@ -6,7 +6,6 @@
 #include "Tuning.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,14 +19,8 @@ bool MeshEdit::swap(Edge e)
     return false;
   }
   const auto [a, b, c, d] = mesh.wing(e);
-  const std::array<TriangleCorners, 2> before = { { { { a, b, c } }, { { b, a, d } } } };
-  const std::array<TriangleCorners, 2> after = { { { { d, c, a } }, { { c, d, b } } } };
-  const int sound = mesh.isSound(after[0]) + mesh.isSound(after[1]);
-  // One that is folded over by its normals may be right after all; one without area never is.
-  if (sound < 2 &&
-    (sound < mesh.isSound(before[0]) + mesh.isSound(before[1]) ||
-      mesh.isFlat(after[0]) + mesh.isFlat(after[1]) >
-        mesh.isFlat(before[0]) + mesh.isFlat(before[1])))
+  const int after = mesh.isSound({ { d, c, a } }) + mesh.isSound({ { c, d, b } });
+  if (after < 2 && after < mesh.isSound({ { a, b, c } }) + mesh.isSound({ { b, a, d } }))
   {
     return false;
   }
