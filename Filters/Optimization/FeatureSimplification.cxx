@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureSimplification.h"
 
-#include "LooseTriangles.h"
+#include "LooseMesh.h"
 #include "Relaxation.h"
 #include "SurfaceError.h"
 #include "Tuning.h"
@@ -19,22 +19,14 @@ namespace stipple
 {
 namespace
 {
-class Simplification
+class Simplification : public LooseMesh
 {
 public:
   Simplification(const OptimizedMesh& mesh, double tolerance)
-    : Mesh(mesh)
+    : LooseMesh(mesh)
     , Tolerance(tolerance)
-    , Spacing(spacingAtUnitDensity(mesh))
     , Largest(Tuning::FarthestOfDiagonal * mesh.atlas().surface().boundingBoxDiagonal())
-    , Now(mesh)
   {
-    for (const Vertex v : mesh.vertices())
-    {
-      this->Absorbed.push_back(mesh.absorbed(v));
-      this->Place.push_back(mesh.state(v));
-      this->IsFree.push_back(mesh.isFree(v));
-    }
   }
 
   /// Opens a triangle that the mesh had, if it is still there and poor: its shortest edge goes, or
@@ -76,10 +68,10 @@ public:
     }
   }
 
-  /// The longest edge of a poor triangle gets a vertex that is needed less elsewhere, as in Delaunay
-  /// refinement (Ruppert 1995), where nothing simpler helped: an edge of creases, or between two.
-  /// So long an edge that its halves are closer to the spacing, or as close (Botsch and Kobbelt
-  /// 2004); so this ends.
+  /// The longest edge of a poor triangle gets a vertex that is needed less elsewhere, as in
+  /// Delaunay refinement (Ruppert 1995), where nothing simpler helped: an edge of creases, or
+  /// between two. So long an edge that its halves are closer to the spacing, or as close (Botsch
+  /// and Kobbelt 2004); so this ends.
   void refine(int triangle)
   {
     if (this->Now.isGone(triangle) ||
@@ -103,7 +95,8 @@ public:
     if (this->Now.isCrease(a, b))
     {
       const Vec3 along = this->position(b) - this->position(a);
-      const double foot = (this->position(t[2]) - this->position(a)).dot(along) / along.squaredNorm();
+      const double foot =
+        (this->position(t[2]) - this->position(a)).dot(along) / along.squaredNorm();
       this->splitCrease(a, b, std::clamp(foot, Tuning::NearestSplit, 1. - Tuning::NearestSplit));
     }
     else if (this->IsFree[a] == 0 && this->IsFree[b] == 0)
@@ -112,82 +105,7 @@ public:
     }
   }
 
-  /// Puts what was freed where triangles are largest; nothing if all is creases.
-  OptimizedMesh::Change finish()
-  {
-    OptimizedMesh::Change change;
-    std::size_t placed = 0;
-    for (std::size_t n = 8 * this->Freed.size(); placed < this->Freed.size();)
-    {
-      const std::size_t before = placed;
-      const std::size_t untouched = this->Now.triangles().size();
-      std::vector<char> used(untouched, 0);
-      for (const auto& [a, b] : this->widestEdges(n))
-      {
-        const auto beside = this->Now.beside(a, b);
-        const bool isWhole = std::all_of(beside.begin(), beside.end(),
-          [&](int t) { return t < static_cast<int>(untouched) && used[t] == 0; });
-        const SurfacePoint middle = isWhole ? this->middle(a, b) : SurfacePoint();
-        if (placed < this->Freed.size() && isWhole && this->isBetween(middle.position, a, b))
-        {
-          std::for_each(beside.begin(), beside.end(), [&](int t) { used[t] = 1; });
-          const Vertex v = this->Freed[placed++];
-          this->Place[v] = middle;
-          this->IsFree[v] = 1;
-          this->Now.split(a, b, v);
-        }
-      }
-      if (placed == before && n >= untouched)
-      {
-        return {};
-      }
-      n = std::max(n, this->Now.triangles().size());
-    }
-    for (const std::vector<Vertex>* some : { &this->Freed, &this->Placed })
-    {
-      for (const Vertex v : *some)
-      {
-        change.freed.emplace_back(v, this->Place[v]);
-      }
-    }
-    std::copy_if(this->Now.triangles().begin(), this->Now.triangles().end(),
-      std::back_inserter(change.triangles), [](const Triangle& t) { return t[0] >= 0; });
-    change.fixed = this->Fixed;
-    change.onBackbones = std::move(this->OnBackbones);
-    change.chains = this->Now.chains();
-    change.absorbed = std::move(this->Absorbed);
-    change.features = this->NumberOfCollapses + this->NumberOfBends;
-    change.swaps = this->NumberOfSwaps;
-    return change;
-  }
-
 private:
-  const Vec3& position(int v) const { return this->Place[Vertex(v)].position; }
-  const Vec3& position(Vertex v) const { return this->Place[v].position; }
-  double length(Vertex a, Vertex b) const { return (this->position(a) - this->position(b)).norm(); }
-  Vec3 normal(const Triangle& t) const
-  {
-    const Vec3& p = this->position(t[0]);
-    return (this->position(t[1]) - p).cross(this->position(t[2]) - p);
-  }
-  /// The smallest.
-  static double angleOf(const std::array<Vec3, 3>& p)
-  {
-    const double area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    double least = 10;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vec3 u = p[(k + 1) % 3] - p[k];
-      const Vec3 w = p[(k + 2) % 3] - p[k];
-      least = std::min(least, std::atan2(area, u.dot(w)));
-    }
-    return least;
-  }
-  double angle(const Triangle& t) const
-  {
-    return angleOf({ { this->position(t[0]), this->position(t[1]), this->position(t[2]) } });
-  }
-  double spacingAt(Vertex v) const { return this->Spacing / std::sqrt(this->Mesh.density(v)); }
   /// How far the surface may move.
   double farthestAt(Vertex v) const
   {
@@ -199,51 +117,6 @@ private:
   {
     return (1. - angle / Tuning::PoorFeatureAngle) * this->farthestAt(v);
   }
-
-  /// Whether a triangle turns its back on the surface at its free corners, or on how it was.
-  bool isTurnedOver(const Triangle& before, const Triangle& after) const
-  {
-    const Vec3 n = this->normal(after);
-    Vec3 surface = Vec3::Zero();
-    for (const int v : after)
-    {
-      surface += this->IsFree[Vertex(v)] != 0 ? this->Place[Vertex(v)].normal : Vec3::Zero();
-    }
-    if (surface == Vec3::Zero())
-    {
-      if (this->angle(before) < Tuning::LeastSoundHeight) // no telling; its neighbours will
-      {
-        return false;
-      }
-      surface = this->normal(before).normalized();
-    }
-    return !(n.dot(surface) > Tuning::LeastAgreement * n.norm() * surface.norm());
-  }
-
-  /// No triangle about v is folded onto a neighbour after v has gone to u, unless it was.
-  bool staysOpen(Vertex v, Vertex u) const
-  {
-    const auto leastCosine = [&](int t, bool isAfter) {
-      const auto normalOf = [&](int f) {
-        const Triangle& now = this->Now.triangle(f);
-        return this->normal(isAfter ? replaced(now, v, u) : now).normalized();
-      };
-      double least = 1;
-      for (const int other : this->Now.neighbours(t))
-      {
-        const Triangle& o = this->Now.triangle(other);
-        const bool isGone = isAfter && has(o, v) && has(o, u);
-        least = isGone ? least : std::min(least, normalOf(t).dot(normalOf(other)));
-      }
-      return least;
-    };
-    const std::vector<int>& about = this->Now.about(v);
-    return std::all_of(about.begin(), about.end(), [&](int t) {
-      const double after = has(this->Now.triangle(t), u) ? 1. : leastCosine(t, true);
-      return after >= Tuning::LeastCosineOfRim || after >= leastCosine(t, false);
-    });
-  }
-
   /// From a place to the nearest triangle that is left about v when v has gone to u.
   double distanceToRest(const Vec3& p, Vertex v, Vertex u) const
   {
@@ -260,7 +133,6 @@ private:
     }
     return least;
   }
-
   /// Of v, and of what has gone to it, from the creases that go with it to u; if there are none,
   /// from the triangles: how far the surface moves. Where it goes farther than the spacing, the
   /// middles of its edges, too.
@@ -297,7 +169,6 @@ private:
     }
     return largest;
   }
-
   /// How far the surface moves if v goes to u, where triangles get better by that; else Never.
   double distanceOfUsefulCollapse(Vertex v, Vertex u) const
   {
@@ -379,7 +250,6 @@ private:
     }
     return false;
   }
-
   /// Collapses the edge, from the first to the second vertex, that moves the surface least, if it
   /// is useful.
   bool collapseOneOf(const std::vector<std::pair<Vertex, Vertex>>& edges)
@@ -398,29 +268,10 @@ private:
     if (least < Never)
     {
       this->collapse(best.first, best.second);
-      ++this->NumberOfCollapses;
+      ++this->NumberOfFeatures;
     }
     return least < Never;
   }
-  void collapse(Vertex v, Vertex u)
-  {
-    const std::vector<int>& chains = this->Now.chainsOf(v);
-    const bool isOnWay = chains.empty() ||
-      (this->Mesh.freedom(v) != Freedom::None &&
-        std::all_of(
-          chains.begin(), chains.end(), [&](int b) { return this->Mesh.backbone(u) == b; }));
-    if (!isOnWay) // u slides no more, if it did
-    {
-      this->Fixed.push_back(u);
-    }
-    this->Now.collapse(v, u);
-    std::vector<Vec3>& absorbed = this->Absorbed[u];
-    absorbed.push_back(this->position(v));
-    absorbed.insert(absorbed.end(), this->Absorbed[v].begin(), this->Absorbed[v].end());
-    this->Absorbed[v].clear();
-    this->Freed.push_back(v);
-  }
-
   /// Leads the crease from p to q over v, if triangles are better then.
   bool bend(Vertex p, Vertex q, Vertex v)
   {
@@ -437,7 +288,7 @@ private:
     }
     this->Now.bend(p, q, v);
     this->Fixed.push_back(v);
-    ++this->NumberOfBends;
+    ++this->NumberOfFeatures;
     return true;
   }
   bool mayBend(const std::vector<int>& pair, Vertex p, Vertex q, Vertex v, double distance) const
@@ -453,7 +304,6 @@ private:
       worst + Tuning::LeastGainOfCollapse &&
       !this->isTurnedOver(other, after[0]) && !this->isTurnedOver(other, after[1]);
   }
-
   /// Swaps the edge from p to q, which v is close to, for one from v, if triangles are better then;
   /// an edge that is there already is swapped for another one first.
   bool swapOver(Vertex p, Vertex q, Vertex v)
@@ -527,7 +377,6 @@ private:
     ++this->NumberOfSwaps;
     return true;
   }
-
   /// Where v is on the edge from p to q and joined to what is beyond it already, a vertex goes
   /// there that is needed less elsewhere; no place of the surface moves.
   bool openWithVertex(Vertex p, Vertex q, Vertex v)
@@ -551,109 +400,6 @@ private:
     this->Now.split(p, q, m);
     ++this->NumberOfSwaps;
     return true;
-  }
-  /// The nearest place to one in space, less far from it than that, at which straight walks from
-  /// vertices end.
-  std::optional<SurfacePoint> placeNear(
-    const Vec3& target, const std::array<Vertex, 4>& from, double farthest) const
-  {
-    std::optional<SurfacePoint> place;
-    for (const Vertex v : from)
-    {
-      const SurfacePoint end = this->Mesh.walk(this->Place[v].place, target - this->position(v));
-      const double distance = (end.position - target).norm();
-      if (distance < farthest)
-      {
-        place = end;
-        farthest = distance;
-      }
-    }
-    return place;
-  }
-  bool hasSpare() { return !this->Freed.empty() || this->freeOne(); }
-  /// A vertex from elsewhere, for another place.
-  Vertex takeSpare(const SurfacePoint& place, bool isFree)
-  {
-    const Vertex v = this->Freed.back();
-    this->Freed.pop_back();
-    this->Place[v] = place;
-    this->IsFree[v] = isFree ? 1 : 0;
-    return v;
-  }
-
-  /// How good triangles about an inner vertex and its neighbours, all free, are if it goes to one of
-  /// these: their smallest angle.
-  double angleWithout(Vertex v, Vertex u) const
-  {
-    double worst = 10;
-    for (const int t : this->Now.about(v))
-    {
-      const Triangle& before = this->Now.triangle(t);
-      const Triangle after = replaced(before, v, u);
-      worst = has(before, u)                ? worst
-        : this->isTurnedOver(before, after) ? -1.
-                                            : std::min(worst, this->angle(after));
-    }
-    return worst;
-  }
-  bool isInside(Vertex v) const
-  {
-    const std::vector<Vertex> ring = this->Now.ring(v);
-    return !ring.empty() && this->Mesh.isFree(v) && this->IsFree[v] != 0 &&
-      std::all_of(ring.begin(), ring.end(), [&](Vertex u) { return this->IsFree[u] != 0; }) &&
-      !this->Now.isOnBoundary(v);
-  }
-  /// Collapses that cost least, of vertices inside faces, some of which are looked at; the best
-  /// last.
-  std::vector<std::pair<double, VertexPair>> spareVertices() const
-  {
-    std::vector<std::pair<double, VertexPair>> result;
-    const int n = this->Mesh.vertices().size();
-    const int step = 1 + (n - 1) / Tuning::LooksForSpare;
-    for (int i = 0; i < n; i += step)
-    {
-      const Vertex v(i);
-      double best = Tuning::SliverAngle;
-      Vertex to;
-      for (const Vertex u : this->isInside(v) ? this->Now.ring(v) : std::vector<Vertex>())
-      {
-        const double worst = this->angleWithout(v, u);
-        if (worst > best)
-        {
-          best = worst;
-          to = u;
-        }
-      }
-      if (to.valid())
-      {
-        result.push_back({ best, { v, to } });
-      }
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-  /// Frees a vertex inside faces, where triangles stay best.
-  bool freeOne()
-  {
-    if (!this->HasLookedForSpare)
-    {
-      this->Spare = this->spareVertices();
-      this->HasLookedForSpare = true;
-    }
-    while (!this->Spare.empty())
-    {
-      const auto [v, u] = this->Spare.back().second;
-      this->Spare.pop_back();
-      // What is about it may have changed.
-      if (this->isInside(v) && !this->Now.beside(v, u).empty() &&
-        this->angleWithout(v, u) > Tuning::SliverAngle && this->Now.mayCollapse(v, u) &&
-        this->staysOpen(v, u))
-      {
-        this->collapse(v, u);
-        return true;
-      }
-    }
-    return false;
   }
   /// Puts a vertex from elsewhere on a crease.
   void splitCrease(Vertex a, Vertex b, double share)
@@ -683,8 +429,7 @@ private:
       [&](int t) { return this->Now.triangle(t); });
     if (this->Now.keep(a, b) == Keep::Edges ||
       (there.position - straight).norm() > Tuning::FarthestOffEdge * this->length(a, b) ||
-      !this->isNoWorseWith(there.position, a, b, before) ||
-      !this->hasSpare())
+      !this->isNoWorseWith(there.position, a, b, before) || !this->hasSpare())
     {
       return;
     }
@@ -734,116 +479,27 @@ private:
     {
       worst = std::min(worst, this->angle(t));
     }
-    return worst > Tuning::HopelessAngle && std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-      const Vec3 normal = this->normal(t);
-      return std::all_of(t.begin(), t.end(), [&](int gone) {
-        if (Vertex(gone) != a && Vertex(gone) != b)
-        {
-          return true;
-        }
-        std::array<Vec3, 3> p;
-        std::transform(t.begin(), t.end(), p.begin(),
-          [&](int v) { return v == gone ? middle : this->position(v); });
-        return angleOf(p) > worst - Tuning::LeastGainOfCollapse &&
-          (this->angle(t) < Tuning::LeastSoundHeight ||
-            (p[1] - p[0]).cross(p[2] - p[0]).dot(normal) > 0);
+    return worst > Tuning::HopelessAngle &&
+      std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+        const Vec3 normal = this->normal(t);
+        return std::all_of(t.begin(), t.end(), [&](int gone) {
+          if (Vertex(gone) != a && Vertex(gone) != b)
+          {
+            return true;
+          }
+          std::array<Vec3, 3> p;
+          std::transform(t.begin(), t.end(), p.begin(),
+            [&](int v) { return v == gone ? middle : this->position(v); });
+          return angleOf(p) > worst - Tuning::LeastGainOfCollapse &&
+            (this->angle(t) < Tuning::LeastSoundHeight ||
+              (p[1] - p[0]).cross(p[2] - p[0]).dot(normal) > 0);
+        });
       });
-    });
-  }
-
-  /// Under the wanted density, up to a factor.
-  double areaOf(const Triangle& t) const
-  {
-    double density = 0;
-    for (const int v : t)
-    {
-      density += this->Mesh.density(Vertex(v));
-    }
-    return density * this->normal(t).norm();
-  }
-  /// The edges between two triangles, no creases, with a free end, of so many largest triangles:
-  /// first those with the largest two.
-  std::vector<VertexPair> widestEdges(std::size_t numberOfTriangles) const
-  {
-    std::vector<std::pair<double, int>> largest;
-    for (std::size_t t = 0; t < this->Now.triangles().size(); ++t)
-    {
-      if (!this->Now.isGone(static_cast<int>(t)))
-      {
-        largest.emplace_back(-this->areaOf(this->Now.triangles()[t]), static_cast<int>(t));
-      }
-    }
-    const std::size_t n = std::min(largest.size(), numberOfTriangles);
-    std::partial_sort(
-      largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(n), largest.end());
-    largest.resize(n);
-    std::vector<std::pair<double, VertexPair>> edges;
-    for (const auto& [area, t] : largest)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const Vertex a(this->Now.triangle(t)[k]);
-        const Vertex b(this->Now.triangle(t)[(k + 1) % 3]);
-        const auto beside = this->Now.beside(a, b);
-        if (beside.size() == 2 && !this->Now.isCrease(a, b) &&
-          (this->IsFree[a] != 0 || this->IsFree[b] != 0))
-        {
-          edges.emplace_back(-this->areaOf(this->Now.triangle(beside[0])) -
-              this->areaOf(this->Now.triangle(beside[1])),
-            pairOf(a, b));
-        }
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<VertexPair> result;
-    for (const auto& [area, edge] : edges)
-    {
-      if (result.empty() || result.back() != edge) // some were met from both sides
-      {
-        result.push_back(edge);
-      }
-    }
-    return result;
-  }
-  /// Of an edge with a free end, on the surface.
-  SurfacePoint middle(Vertex a, Vertex b) const
-  {
-    const auto halfWay = [this](Vertex from, Vertex to) {
-      return this->Mesh.walk(
-        this->Place[from].place, 0.5 * (this->position(to) - this->position(from)));
-    };
-    const Vertex from = this->IsFree[a] != 0 ? a : b;
-    const Vertex to = from == a ? b : a;
-    const SurfacePoint result = halfWay(from, to);
-    return this->IsFree[to] == 0 || this->isBetween(result.position, a, b) ? result
-                                                                           : halfWay(to, from);
-  }
-  /// Not where one of them is: a walk from a crease may begin on the wrong side of it, and end
-  /// there.
-  bool isBetween(const Vec3& place, Vertex a, Vertex b) const
-  {
-    return std::min((place - this->position(a)).norm(), (place - this->position(b)).norm()) >=
-      Tuning::FarthestOffEdge * this->length(a, b);
   }
 
   static constexpr double Never = 1e300;
-  const OptimizedMesh& Mesh;
   const double Tolerance; // over the spacing
-  const double Spacing;   // at a density of 1
   const double Largest;   // of what a whole tolerance allows
-  LooseTriangles Now;
-  ElementArray<Vertex, SurfacePoint> Place;
-  ElementArray<Vertex, char> IsFree;
-  ElementArray<Vertex, std::vector<Vec3>> Absorbed; // places of what has gone there
-  std::vector<Vertex> Freed;
-  std::vector<Vertex> Placed; // of those that were
-  std::vector<Vertex> Fixed;
-  std::vector<OptimizedMesh::Change::OnBackbone> OnBackbones;
-  std::vector<std::pair<double, VertexPair>> Spare; // collapses that cost little, the best last
-  bool HasLookedForSpare = false;
-  int NumberOfCollapses = 0;
-  int NumberOfBends = 0;
-  int NumberOfSwaps = 0; // and vertices that open triangles or split creases
 };
 }
 

@@ -270,9 +270,9 @@ private:
     return area(d, c, a) + area(c, d, b) <
       (1. - Tuning::LeastGainOfArea) * (area(a, b, c) + area(b, a, d));
   }
-  /// Whether a triangle without area comes of a swap. One that is folded by its normals may be right
-  /// after all, that never is; but where swaps alone take triangles away that lie over a slot, the
-  /// way leads over some.
+  /// Whether a triangle without area comes of a swap. One that is folded by its normals may be
+  /// right after all, that never is; but where swaps alone take triangles away that lie over a
+  /// slot, the way leads over some.
   bool makesFlat(Edge e) const
   {
     const auto [a, b, c, d] = this->Mesh.wing(e);

@@ -129,8 +129,7 @@ bool LooseTriangles::mayCollapse(Vertex v, Vertex u) const
   std::vector<Vertex> common;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
   return common.size() == gone.size() &&
-    std::all_of(
-      common.begin(), common.end(), [&](Vertex w) { return this->ring(w).size() > 3; }) &&
+    std::all_of(common.begin(), common.end(), [&](Vertex w) { return this->ring(w).size() > 3; }) &&
     (gone.size() == 1 || !this->isOnBoundary(v) || !this->isOnBoundary(u));
 }
 
@@ -226,8 +225,7 @@ void LooseTriangles::insert(const std::vector<OnChain>& places, Vertex v)
   for (auto place = places.rbegin(); place != places.rend(); ++place)
   {
     Chain& chain = this->Chains[place->chain];
-    chain.insert(
-      chain.begin() + static_cast<std::ptrdiff_t>(place->next), { v, place->arcLength });
+    chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(place->next), { v, place->arcLength });
     this->ChainsOf[v].push_back(place->chain);
   }
 }
@@ -255,6 +253,24 @@ void LooseTriangles::swap(Vertex p, Vertex q)
   const Triangle second = this->Triangles[pair[1]];
   this->put(pair[0], replaced(first, q, apexOf(second, p, q)));
   this->put(pair[1], replaced(second, p, apexOf(first, p, q)));
+}
+
+void LooseTriangles::fan(
+  const std::vector<int>& disk, const std::vector<std::array<int, 2>>& rim, Vertex middle)
+{
+  for (const int t : disk)
+  {
+    this->put(t, { -1, -1, -1 });
+  }
+  for (std::size_t k = 0; k < rim.size(); ++k)
+  {
+    if (k >= disk.size())
+    {
+      this->Triangles.push_back({ -1, -1, -1 });
+    }
+    this->put(k < disk.size() ? disk[k] : static_cast<int>(this->Triangles.size()) - 1,
+      { rim[k][0], rim[k][1], middle.index() });
+  }
 }
 
 void LooseTriangles::split(Vertex a, Vertex b, Vertex middle)

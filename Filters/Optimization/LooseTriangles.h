@@ -7,6 +7,7 @@
 #include "OptimizedMesh.h"
 #include "StippleFiltersOptimizationModule.h"
 
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -96,6 +97,10 @@ public:
 
   /// Swaps an edge between two triangles, no crease, for the one between their other corners.
   void swap(Vertex p, Vertex q);
+
+  /// Puts a vertex, which is in no triangle, in the middle of some that are a disk without inner
+  /// vertices, whose rim has these edges, counterclockwise.
+  void fan(const std::vector<int>& disk, const std::vector<std::array<int, 2>>& rim, Vertex middle);
 
   /// Puts a vertex, which is in no triangle, on an edge between two.
   void split(Vertex a, Vertex b, Vertex middle);

@@ -4,6 +4,7 @@
 
 #include "AcuteCorners.h"
 #include "EdgeSwaps.h"
+#include "FarPlaces.h"
 #include "FeatureSimplification.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
@@ -232,6 +233,38 @@ void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& over
   resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
 }
 
+/// Vertices for what the mesh has lost all the same: tips, and pockets.
+Status reachFarPlaces(
+  OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, const Progress& progress)
+{
+  const int changes = mesh.numberOfChanges();
+  for (int i = 0; i < Tuning::LooksAtFarPlaces; ++i)
+  {
+    const int before = mesh.numberOfChanges();
+    std::vector<FarPlace> places;
+    Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
+    if (status.ok() && !places.empty())
+    {
+      status = reachPlaces(mesh, places, options.featureTolerance);
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+    if (mesh.numberOfChanges() == before)
+    {
+      break;
+    }
+    repairTriangles(edit, Tuning::SmallAngle, true, true, Tuning::LastPassesOfRepair);
+  }
+  if (mesh.numberOfChanges() > changes)
+  {
+    KnownOverlaps anew; // triangles have new ids
+    resolveSelfIntersections(edit, Tuning::PassesOfParting, anew);
+  }
+  return Status::success();
+}
+
 /// How poor triangles are; less is better.
 struct Lack
 {
@@ -324,6 +357,14 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   if (!status.ok())
   {
     return status;
+  }
+  if (maySimplify(options))
+  {
+    status = reachFarPlaces(mesh, edit, options, goesOn);
+    if (!status.ok())
+    {
+      return status;
+    }
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }

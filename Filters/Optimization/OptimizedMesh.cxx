@@ -188,6 +188,8 @@ Status OptimizedMesh::rebuild(Change change)
     this->BackboneOf[v] = -1;
     this->State[v].arcLength = 0;
     this->put(v, there);
+    this->Original[v.index()] = { SampleKind::Interior, there.place.face, there.place.bary, -1, 0.,
+      -1 };
   }
   for (const auto& [v, backbone, arcLength] : change.onBackbones)
   {

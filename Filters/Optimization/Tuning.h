@@ -210,6 +210,13 @@ struct Tuning
   /// Between two triangles: less, and a sheet is as good as folded onto itself.
   static constexpr double LeastCosineOfRim = -0.9;
 
+  // Far places (FarPlaces).
+  /// Of the spacing: what is farther from the mesh is to be reached.
+  static constexpr double FarShare = 0.5;
+  static constexpr std::size_t LargestCavity = 8; ///< triangles that a vertex goes into
+  /// Looks at far places: about what is reached, more may be.
+  static constexpr int LooksAtFarPlaces = 4;
+
   // Least squares (LeastSquaresPlacement). Weights are over the mean area of a vertex.
   static constexpr double PlacementInertia = 0.01; ///< of staying where a vertex is
   static constexpr double PlacementFixed = 1e6;    ///< of those that must: as good as infinite

@@ -101,8 +101,8 @@ public:
       return std::cos(angle) * along + std::sin(angle) * normal.cross(along);
     };
     // Where a loop is an eighth done both ways, the walks are nearer to one another than they have
-    // walked. On a cylinder, (chord / walked)^2 = a + b cos 2 angle + c sin 2 angle, as with Euler's
-    // normal curvatures, which four directions tell.
+    // walked. On a cylinder, (chord / walked)^2 = a + b cos 2 angle + c sin 2 angle, as with
+    // Euler's normal curvatures, which four directions tell.
     std::vector<WalkBothWays> walks;
     for (int i = 0; i < 4; ++i)
     {
@@ -226,8 +226,7 @@ std::vector<FeatureSize> girthSizes(
     0, static_cast<vtkIdType>(probes.size()), Grain, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end && !isAsked(stop); ++i)
       {
-        const double longest =
-          Constants::EdgesOfLoop * Constants::LargestSize * probes[i].spacing;
+        const double longest = Constants::EdgesOfLoop * Constants::LargestSize * probes[i].spacing;
         const std::optional<double> girth = search.girthAt(probes[i].place, longest);
         size[i] = girth ? *girth / Constants::EdgesOfLoop : 0.;
       }

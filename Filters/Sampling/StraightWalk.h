@@ -29,8 +29,8 @@ public:
     this->setDirection(0., 1.);
   }
   /// From inside a face along a unit vector in its plane.
-  StraightWalk(const AtlasSurface& surface, int face, const Vec3& bary, const Vec3& direction,
-    int mostFaces)
+  StraightWalk(
+    const AtlasSurface& surface, int face, const Vec3& bary, const Vec3& direction, int mostFaces)
     : Surface(surface)
     , MostFaces(mostFaces)
     , Face(face)
@@ -145,8 +145,7 @@ private:
       this->setDirection(direction, corners, corners.normal / area, area);
     }
   }
-  void setDirection(
-    const Vec3& direction, const Corners& corners, const Vec3& normal, double area)
+  void setDirection(const Vec3& direction, const Corners& corners, const Vec3& normal, double area)
   {
     this->Direction = direction;
     for (int k = 0; k < 3; ++k)
