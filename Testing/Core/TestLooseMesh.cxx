@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh taken apart: vertices that go elsewhere, and those that far places get.
+#include "FarPlaces.h"
+#include "LooseMesh.h"
+#include "LooseTriangles.h"
+#include "OptimizerMeshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace stipple;
+
+namespace
+{
+int eulerOf(const OptimizedMesh& mesh)
+{
+  return mesh.vertices().size() - mesh.edges().size() + mesh.faces().size();
+}
+
+double areaOf(const OptimizedMesh& mesh)
+{
+  double area = 0;
+  for (const Face f : mesh.faces())
+  {
+    area += mesh.faceArea(f);
+  }
+  return area;
+}
+
+/// What is protected of it.
+struct Opened : LooseMesh
+{
+  using LooseMesh::Fixed;
+  using LooseMesh::hasSpare;
+  using LooseMesh::LooseMesh;
+  using LooseMesh::Now;
+  using LooseMesh::NumberOfSwaps;
+  using LooseMesh::OnBackbones;
+  using LooseMesh::takeSpare;
+};
+
+/// A hill of this width and height in the middle of a square of m x m, narrower than these.
+std::unique_ptr<meshes::TestMesh> hill(int m, double height)
+{
+  return meshes::patch(m, [=](double x, double y) {
+    const double r = std::hypot(x - 0.5 - 0.5 / m, y - 0.5 - 0.5 / m) * m;
+    return height * std::max(0., 1. - 2. * r);
+  });
+}
+}
+
+TEST(LooseTriangles, FansReplaceDisks)
+{
+  const auto t = meshes::patch(3);
+  LooseTriangles loose(t->mesh);
+  // The two triangles of the square in the middle, and their rim.
+  const std::vector<int> disk = loose.beside(Vertex(5), Vertex(10));
+  ASSERT_EQ(disk.size(), 2U);
+  const std::size_t before = loose.triangles().size();
+  // Vertex 0 goes there: a corner, of which only numbers matter here.
+  loose.fan(disk, { { { 5, 6 } }, { { 6, 10 } }, { { 10, 9 } }, { { 9, 5 } } }, Vertex(0));
+  EXPECT_EQ(loose.triangles().size(), before + 2);
+  for (const int v : { 5, 6, 10, 9 })
+  {
+    EXPECT_EQ(loose.beside(Vertex(v), Vertex(0)).size(), 2U + (v == 5 ? 2U : 0U)) << v;
+  }
+  EXPECT_TRUE(loose.beside(Vertex(5), Vertex(10)).empty());
+}
+
+TEST(LooseTriangles, PlacesOnCreasesAreSharesOfTheWay)
+{
+  const auto t = meshes::patch(4);
+  LooseTriangles loose(t->mesh);
+  const auto there = loose.onChains(Vertex(1), Vertex(2), 0.25);
+  const auto back = loose.onChains(Vertex(2), Vertex(1), 0.75);
+  ASSERT_EQ(there.size(), 1U);
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_NEAR(there[0].arcLength, 0.25 + 0.25 * 0.25, 1e-12);
+  EXPECT_NEAR(back[0].arcLength, there[0].arcLength, 1e-12);
+  EXPECT_TRUE(loose.onChains(Vertex(6), Vertex(7), 0.5).empty()) << "no crease";
+  loose.splitCrease(Vertex(1), Vertex(2), there, Vertex(12));
+  EXPECT_TRUE(loose.isCrease(Vertex(1), Vertex(12)) && loose.isCrease(Vertex(12), Vertex(2)));
+  EXPECT_FALSE(loose.isCrease(Vertex(1), Vertex(2)));
+  const LooseTriangles::Chain& chain = loose.chains()[there[0].chain];
+  ASSERT_EQ(chain.size(), 6U);
+  EXPECT_EQ(chain[2].vertex, Vertex(12));
+  EXPECT_TRUE(std::is_sorted(chain.begin(), chain.end(),
+    [](const BackboneVertex& a, const BackboneVertex& b) { return a.arcLength < b.arcLength; }));
+}
+
+TEST(LooseMesh, AVertexGoesFromAFaceToACrease)
+{
+  const auto t = meshes::patch(6);
+  OptimizedMesh& mesh = t->mesh;
+  const double area = areaOf(mesh);
+  Opened loose(mesh);
+  ASSERT_TRUE(loose.hasSpare());
+  const auto places = loose.Now.onChains(Vertex(2), Vertex(3), 0.5);
+  ASSERT_EQ(places.size(), 1U);
+  const SurfacePoint there = t->pointAt(2.5 / 6., 0.);
+  const Vertex v = loose.takeSpare(there, false);
+  EXPECT_TRUE(mesh.isFree(v)) << "from inside a face";
+  loose.Now.splitCrease(Vertex(2), Vertex(3), places, v);
+  loose.OnBackbones.push_back({ v, places[0].chain, places[0].arcLength });
+  loose.NumberOfSwaps = 1;
+  ASSERT_TRUE(mesh.rebuild(loose.finish()).ok());
+  EXPECT_EQ(mesh.freedom(v), Freedom::Backbone);
+  EXPECT_LT((mesh.position(v) - Vec3(2.5 / 6., 0., 0.)).norm(), 1e-12);
+  EXPECT_TRUE(mesh.isBoundary(v));
+  EXPECT_EQ(mesh.chains()[0].size(), 8U);
+  EXPECT_EQ(mesh.samples()[v.index()].kind, SampleKind::Backbone);
+  EXPECT_EQ(mesh.samples()[v.index()].backbone, 0);
+  EXPECT_EQ(mesh.vertices().size(), 49);
+  EXPECT_EQ(eulerOf(mesh), 1);
+  EXPECT_NEAR(areaOf(mesh), area, 1e-12);
+  EXPECT_TRUE(t->edit.trySlide(v, 0.02, []() { return true; })) << "it slides on";
+}
+
+TEST(FarPlaces, AreFoundAndReached)
+{
+  const auto t = hill(10, 0.12);
+  OptimizedMesh& mesh = t->mesh;
+  std::vector<FarPlace> places;
+  ASSERT_TRUE(farPlaces(mesh, 0.5, {}, places).ok());
+  ASSERT_FALSE(places.empty()) << "the hill lies between the mesh's vertices";
+  EXPECT_NEAR(places.front().distance, 0.12, 1e-9);
+  EXPECT_LT(
+    (t->atlas->surface().points[places.front().point] - Vec3(0.55, 0.55, 0.12)).norm(), 1e-9);
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end(),
+    [](const FarPlace& a, const FarPlace& b) { return a.distance > b.distance; }));
+  ASSERT_TRUE(reachPlaces(mesh, places, 1.).ok());
+  EXPECT_EQ(mesh.numberOfChanges(), 1);
+  EXPECT_EQ(mesh.vertices().size(), 121);
+  EXPECT_EQ(eulerOf(mesh), 1);
+  std::vector<FarPlace> left;
+  ASSERT_TRUE(farPlaces(mesh, 0.5, {}, left).ok());
+  EXPECT_TRUE(left.empty());
+  const auto isAtTop = [&](Vertex v) { return std::abs(mesh.position(v).z() - 0.12) < 1e-9; };
+  const auto all = mesh.vertices();
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), isAtTop), 1) << "and it stays there";
+  for (const Vertex v : all)
+  {
+    EXPECT_TRUE(!isAtTop(v) || mesh.freedom(v) == Freedom::None);
+  }
+}
+
+TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
+{
+  const auto t = hill(10, 0.3); // at the top, triangles have some 19 degrees
+  std::vector<FarPlace> places;
+  ASSERT_TRUE(farPlaces(t->mesh, 4., {}, places).ok());
+  EXPECT_TRUE(places.empty()) << "no farther than four edges";
+  ASSERT_TRUE(farPlaces(t->mesh, 0.5, {}, places).ok());
+  ASSERT_FALSE(places.empty());
+  std::vector<FarPlace> near = places;
+  for (FarPlace& place : near)
+  {
+    place.distance *= 0.01;
+  }
+  const meshes::Snapshot before(t->mesh);
+  ASSERT_TRUE(reachPlaces(t->mesh, near, 1.).ok());
+  EXPECT_TRUE(meshes::Snapshot(t->mesh) == before);
+  ASSERT_TRUE(reachPlaces(t->mesh, places, 1.).ok());
+  EXPECT_FALSE(meshes::Snapshot(t->mesh) == before);
+  EXPECT_LT(meshes::worstOf(t->mesh), 0.5);
+}
