@@ -25,7 +25,6 @@ public:
   Simplification(const OptimizedMesh& mesh, double tolerance)
     : LooseMesh(mesh)
     , Tolerance(tolerance)
-    , Largest(Tuning::FarthestOfDiagonal * mesh.atlas().surface().boundingBoxDiagonal())
   {
   }
 
@@ -106,16 +105,11 @@ public:
   }
 
 private:
-  /// How far the surface may move.
-  double farthestAt(Vertex v) const
-  {
-    return this->Tolerance * std::min(this->spacingAt(v), this->Largest);
-  }
-  /// How far it may for a triangle. One without an angle is worth the whole
+  /// How far the surface may move for a triangle. One without an angle is worth the whole
   /// tolerance, one that is good enough nothing.
   double worthOf(Vertex v, double angle) const
   {
-    return (1. - angle / Tuning::PoorFeatureAngle) * this->farthestAt(v);
+    return (1. - angle / Tuning::PoorFeatureAngle) * this->Tolerance * this->spacingAt(v);
   }
   /// From a place to the nearest triangle that is left about v when v has gone to u.
   double distanceToRest(const Vec3& p, Vertex v, Vertex u) const
@@ -155,7 +149,7 @@ private:
     double largest = distanceOf(this->position(v));
     const std::vector<Vec3>& absorbed = this->Absorbed[v];
     if (std::any_of(absorbed.begin(), absorbed.end(),
-          [&](const Vec3& p) { return distanceOf(p) > this->farthestAt(v); }))
+          [&](const Vec3& p) { return distanceOf(p) > this->Tolerance * this->spacingAt(v); }))
     {
       return Never;
     }
@@ -499,7 +493,6 @@ private:
 
   static constexpr double Never = 1e300;
   const double Tolerance; // over the spacing
-  const double Largest;   // of what a whole tolerance allows
 };
 }
 

@@ -190,9 +190,6 @@ struct Tuning
   static constexpr double LeastGainOfCollapse = 0.02; ///< by the sum of what triangles lack of it
   /// Swaps before an edge that others are in the way of is collapsed.
   static constexpr int MostObstacles = 3;
-  /// Over the diagonal: how far a feature may move, however few points there are. What a remesh is
-  /// held to at 5,000 points.
-  static constexpr double FarthestOfDiagonal = 0.015;
   /// Share of a crease's edge, from its ends on, in which it is split.
   static constexpr double NearestSplit = 1. / 3.;
   /// Vertices that are asked whether they can go elsewhere, in a look at features: it takes as long

@@ -14,7 +14,6 @@ using namespace synthetic;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 using Shape = std::function<Vec3(double, double)>;
 
 /// The sizes on a surface over the unit square, with all sides of it where others are.

@@ -138,12 +138,13 @@ TEST(FarPlaces, AreFoundAndReached)
   ASSERT_TRUE(farPlaces(mesh, 0.5, {}, left).ok());
   EXPECT_TRUE(left.empty());
   const auto isAtTop = [&](Vertex v) { return std::abs(mesh.position(v).z() - 0.12) < 1e-9; };
-  const auto all = mesh.vertices();
-  EXPECT_EQ(std::count_if(all.begin(), all.end(), isAtTop), 1) << "and it stays there";
-  for (const Vertex v : all)
+  int atTop = 0;
+  for (const Vertex v : mesh.vertices())
   {
-    EXPECT_TRUE(!isAtTop(v) || mesh.freedom(v) == Freedom::None);
+    atTop += isAtTop(v) ? 1 : 0;
+    EXPECT_TRUE(!isAtTop(v) || mesh.freedom(v) == Freedom::None) << "it stays there";
   }
+  EXPECT_EQ(atTop, 1);
 }
 
 TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
@@ -154,11 +155,8 @@ TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
   EXPECT_TRUE(places.empty()) << "no farther than four edges";
   ASSERT_TRUE(farPlaces(t->mesh, 0.5, {}, places).ok());
   ASSERT_FALSE(places.empty());
-  std::vector<FarPlace> near = places;
-  for (FarPlace& place : near)
-  {
-    place.distance *= 0.01;
-  }
+  std::vector<FarPlace> near = { places.front() };
+  near.front().distance *= 0.01;
   const meshes::Snapshot before(t->mesh);
   ASSERT_TRUE(reachPlaces(t->mesh, near, 1.).ok());
   EXPECT_TRUE(meshes::Snapshot(t->mesh) == before);
