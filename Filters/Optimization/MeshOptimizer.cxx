@@ -41,7 +41,8 @@ Tuning::Pace paceAt(double progress, bool uniform)
 
 bool maySimplify(const OptimizerOptions& options)
 {
-  return options.moves != Moves::None && options.swaps != Swaps::None && !options.ribs;
+  return options.moves != Moves::None && options.swaps != Swaps::None && !options.ribs &&
+    options.featureTolerance > 0;
 }
 
 void swapEdges(MeshEdit& edit, Swaps swaps, int passes)

@@ -10,6 +10,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkControlMap.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkImageData.h"
@@ -139,6 +140,7 @@ Statistics remesh(const Model& model, std::optional<int> numberOfIterations)
   }
   // Sharp edges are backbones that stay; only seams are looked at.
   remesher->SetFeatureAngle(180.);
+  remesher->GetControlMap()->SetGrowth(0.); // edges are shorter on horns, and seams lead there
   remesher->Update();
   TriangleSurface mesh = fromPolyData(remesher->GetOutput());
   mesh.connect();

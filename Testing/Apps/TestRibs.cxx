@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <gtest/gtest.h>
@@ -197,6 +198,7 @@ TEST(Ribs, Fandisk)
   ribbed->SetPresetToRib();
   const Ribs without = remesh(plain, model, 1000);
   EXPECT_LT(without.complete, 0.85 * without.vertices) << "the default has ribs, too";
+  plain->GetOptimizer()->SetFeatureTolerance(0.); // ribs leave creases the vertices that they have
   for (const int points :
     { 200, 205, 210, 220, 240, 260, 300, 400, 600, 1000, 1400, 2500, 5000, 10000 })
   {
