@@ -63,6 +63,11 @@ public:
   }
   /// From where one is to where the other one is.
   Vec3 chord() const { return this->Back.position() - this->Ahead.position(); }
+  /// Of the chord to what both have walked.
+  double squaredRatio(double walked) const
+  {
+    return this->chord().squaredNorm() / (4. * walked * walked);
+  }
   /// How fast they come nearer to one another, for the length that both go.
   double approach() const
   {
@@ -100,6 +105,19 @@ public:
     const auto directionAt = [&](double angle) -> Vec3 {
       return std::cos(angle) * along + std::sin(angle) * normal.cross(along);
     };
+    // Two directions at right angles have the mean of all, and all but one go on straight on a
+    // cylinder: nearly everywhere that is enough to know that there is none.
+    const double farthest = 0.125 * longest;
+    double mean = 0;
+    for (const double angle : { 0., std::acos(0.) })
+    {
+      WalkBothWays walk(this->Surface, this->IsFeature, place, directionAt(angle));
+      mean += walk.advance(farthest) ? 0.5 * walk.squaredRatio(farthest) : -1.; // no telling
+    }
+    if (mean > 0.5 * (1. + Constants::BentChord * Constants::BentChord))
+    {
+      return {};
+    }
     // Where a loop is an eighth done both ways, the walks are nearer to one another than they have
     // walked. On a cylinder, (chord / walked)^2 = a + b cos 2 angle + c sin 2 angle, as with
     // Euler's normal curvatures, which four directions tell.
@@ -112,7 +130,7 @@ public:
     double walked = 0;
     for (double share : Constants::ProbesOfGirth)
     {
-      const double step = 0.125 * share * longest - walked;
+      const double step = share * farthest - walked;
       walked += step;
       std::array<double, 4> ratio;
       for (int i = 0; i < 4; ++i)
@@ -121,7 +139,7 @@ public:
         {
           return {};
         }
-        ratio[i] = walks[i].chord().squaredNorm() / (4. * walked * walked);
+        ratio[i] = walks[i].squaredRatio(walked);
       }
       const double b = 0.5 * (ratio[0] - ratio[2]);
       const double c = 0.5 * (ratio[1] - ratio[3]);

@@ -50,8 +50,14 @@ class Keys(ViewTest):
         x, y = place
         reach = np.arange(-40, 41)
         was = before[np.ix_(y + reach, x + reach)]
-        now = near[np.ix_(y + np.rint(1.2**6 * reach).astype(int), x + np.rint(1.2**6 * reach).astype(int))]
-        self.assertLess(np.abs(now - was).mean(), 8)
+        larger = np.rint(1.2**6 * reach).astype(int)
+
+        def difference(dx, dy):
+            return np.abs(near[np.ix_(y + dy + larger, x + dx + larger)] - was).mean()
+
+        # Lines and dots stay as wide as they were; what lies elsewhere differs by far more.
+        elsewhere = [difference(dx, dy) for dx in (-20, 0, 20) for dy in (-20, 0, 20) if dx or dy]
+        self.assertLess(difference(0, 0), 0.5 * min(elsewhere))
         self.assertGreater(pictures.worst_pixel(near[VIEWS], before[VIEWS]), 60)
 
     def test_zooming_out_leads_back(self):
