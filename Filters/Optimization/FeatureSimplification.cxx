@@ -485,8 +485,7 @@ private:
           std::transform(t.begin(), t.end(), p.begin(),
             [&](int v) { return v == gone ? middle : this->position(v); });
           return angleOf(p) > worst - Tuning::LeastGainOfCollapse &&
-            (this->angle(t) < Tuning::LeastSoundHeight ||
-              (p[1] - p[0]).cross(p[2] - p[0]).dot(normal) > 0);
+            (p[1] - p[0]).cross(p[2] - p[0]).dot(normal) > 0;
         });
       });
   }
