@@ -55,8 +55,10 @@ void SessionWorker::work()
   {
     if (!this->Next)
     {
+      // Woken for a session that was taken back meanwhile, it is idle again: no wait for a
+      // condition.
       this->Busy = false;
-      this->Wake.wait(lock, [this] { return this->Next || this->Quit; });
+      this->Wake.wait(lock);
       continue;
     }
     const std::unique_ptr<Session> session = std::move(this->Next);
