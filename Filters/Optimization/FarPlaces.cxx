@@ -18,20 +18,6 @@ namespace stipple
 {
 namespace
 {
-/// Points of the surface on creases and boundaries.
-std::vector<char> pointsOnCreases(const Atlas& atlas)
-{
-  std::vector<char> isOn(atlas.surface().points.size(), 0);
-  for (const Backbone& b : atlas.graph().backbones)
-  {
-    for (const int p : b.points)
-    {
-      isOn[p] = isOn[p] != 0 || b.type != BackboneType::Seam ? 1 : 0;
-    }
-  }
-  return isOn;
-}
-
 class Insertion : public LooseMesh
 {
 public:
@@ -42,25 +28,34 @@ public:
   {
   }
 
-  /// Puts a vertex at a place, in a disk of triangles about the nearest one. The disk grows from
-  /// there, by the neighbour that leaves the largest smallest angle, as long as there is one.
+  /// Puts a vertex at a place, in a disk of triangles about the nearest one, or about the edge of
+  /// the crease that it lies on. The disk grows from there, by the neighbour that leaves the
+  /// largest smallest angle, as long as there is one.
   void reach(const FarPlace& place)
   {
-    const SurfacePoint there = this->Mesh.pointAt(this->Mesh.atlas().placeOfPoint(place.point));
-    if (!this->isToUse(place.face.index()))
+    const LooseTriangles::EdgeOfChain edge = place.backbone < 0
+      ? LooseTriangles::EdgeOfChain()
+      : this->Now.edgeAt(place.backbone, place.arcLength);
+    const auto [a, b] = edge.ends;
+    const std::vector<int> beside =
+      a.valid() && a != b ? this->Now.beside(a, b) : std::vector<int>();
+    const bool isOnCrease = !beside.empty() && this->Now.keep(a, b) != Keep::Edges;
+    if (isOnCrease ? !std::all_of(beside.begin(), beside.end(), [&](int t) { return isToUse(t); })
+                   : !this->isToUse(place.face.index()))
     {
       return;
     }
-    Cavity now = this->cavityOf(place.face.index(), there.position);
+    Cavity now = isOnCrease ? this->cavityOf(beside, pairOf(a, b), place.position)
+                            : this->cavityOf({ place.face.index() }, {}, place.position);
     Cavity best = now;
-    while (now.disk.size() < Tuning::LargestCavity && this->grow(now, there.position))
+    while (now.disk.size() < Tuning::LargestCavity && this->grow(now, place.position))
     {
       if (now.angle > best.angle)
       {
         best = now;
       }
     }
-    const Vertex corner(this->Now.triangle(place.face.index())[0]);
+    const Vertex corner(this->Now.triangle(best.disk.front())[0]);
     const double lack = place.distance / (this->Tolerance * this->spacingAt(corner));
     if (best.angle < std::max(Tuning::HopelessAngle, (1. - lack) * Tuning::PoorFeatureAngle))
     {
@@ -79,23 +74,41 @@ public:
     {
       return;
     }
-    const Vertex v = this->takeSpare(there, false);
-    this->Placed.push_back(v);
-    this->Fixed.push_back(v);
+    const Vertex v = this->takeSpare(this->Mesh.pointAt(place.place), false);
+    std::vector<std::array<int, 2>> rim;
+    for (const RimEdge& e : best.rim)
+    {
+      rim.push_back(e.ends);
+    }
     for (const int t : best.disk)
     {
       this->IsWhole[t] = 0;
     }
-    this->Now.fan(best.disk, best.rim, v);
+    this->Fixed.push_back(v);
+    this->Now.fan(best.disk, rim, v);
+    if (isOnCrease)
+    {
+      this->Now.lead(a, b, this->Now.onChains(a, b, edge.share), v);
+      this->OnBackbones.push_back({ v, place.backbone, place.arcLength });
+    }
+    else
+    {
+      this->Placed.push_back(v);
+    }
     ++this->NumberOfSwaps;
   }
 
 private:
+  struct RimEdge
+  {
+    std::array<int, 2> ends;
+    Vec3 normal; ///< of the disk's triangle there
+  };
   /// Triangles to be replaced by a fan, and how good that is.
   struct Cavity
   {
     std::vector<int> disk;
-    std::vector<std::array<int, 2>> rim;
+    std::vector<RimEdge> rim;
     double angle = -1; ///< the smallest; below 0 if one is turned over
   };
 
@@ -104,34 +117,42 @@ private:
     return t < static_cast<int>(this->IsWhole.size()) && this->IsWhole[t] != 0 &&
       !this->Now.isGone(t);
   }
-  Cavity cavityOf(int t, const Vec3& tip) const
+  /// Of one triangle, or those of an edge, which is inside it then, or on the boundary.
+  Cavity cavityOf(const std::vector<int>& disk, const VertexPair& edge, const Vec3& tip) const
   {
-    const Triangle& c = this->Now.triangle(t);
     Cavity cavity;
-    cavity.disk = { t };
-    cavity.rim = { { { c[0], c[1] } }, { { c[1], c[2] } }, { { c[2], c[0] } } };
+    cavity.disk = disk;
+    for (const int t : disk)
+    {
+      const Triangle& c = this->Now.triangle(t);
+      int first = 0; // its edge behind that edge
+      while (edge.first.valid() && pairOf(Vertex(c[(first + 2) % 3]), Vertex(c[first])) != edge)
+      {
+        ++first;
+      }
+      for (int k = first; k < first + (edge.first.valid() ? 2 : 3); ++k)
+      {
+        cavity.rim.push_back({ { { c[k % 3], c[(k + 1) % 3] } }, this->normal(c) });
+      }
+    }
     cavity.angle = this->angleOfFan(cavity, tip);
     return cavity;
   }
   /// The smallest angle of a fan's triangles; -1 if one turns its back on the surface at the rim,
-  /// or where that is creases, on the disk.
+  /// or where that is creases, on the disk there.
   double angleOfFan(const Cavity& cavity, const Vec3& tip) const
   {
     double least = 10;
-    Vec3 ofDisk = Vec3::Zero();
-    for (const int t : cavity.disk)
+    for (const auto& [ends, normal] : cavity.rim)
     {
-      ofDisk += this->normal(this->Now.triangle(t));
-    }
-    for (const auto& [a, b] : cavity.rim)
-    {
+      const auto [a, b] = ends;
       const Vec3 n = (this->position(a) - tip).cross(this->position(b) - tip);
       Vec3 surface = Vec3::Zero();
       for (const int u : { a, b })
       {
         surface += this->IsFree[Vertex(u)] != 0 ? this->Place[Vertex(u)].normal : Vec3::Zero();
       }
-      surface = surface == Vec3::Zero() ? ofDisk : surface;
+      surface = surface == Vec3::Zero() ? normal : surface;
       if (!(n.dot(surface) > Tuning::LeastAgreement * n.norm() * surface.norm()))
       {
         return -1;
@@ -147,8 +168,8 @@ private:
     best.angle = -2;
     for (std::size_t k = 0; k < cavity.rim.size(); ++k)
     {
-      const Vertex a(cavity.rim[k][0]);
-      const Vertex b(cavity.rim[k][1]);
+      const Vertex a(cavity.rim[k].ends[0]);
+      const Vertex b(cavity.rim[k].ends[1]);
       const std::vector<int> pair = this->Now.beside(a, b);
       if (pair.size() != 2 || this->Now.isCrease(a, b))
       {
@@ -157,18 +178,19 @@ private:
       const bool isFirst =
         std::find(cavity.disk.begin(), cavity.disk.end(), pair[0]) == cavity.disk.end();
       const int other = pair[isFirst ? 0 : 1];
-      const Vertex d = apexOf(this->Now.triangle(other), a, b);
-      const bool closes = std::any_of(
-        cavity.rim.begin(), cavity.rim.end(), [&](const auto& e) { return e[0] == d.index(); });
+      const Triangle& added = this->Now.triangle(other);
+      const Vertex d = apexOf(added, a, b);
+      const bool closes = std::any_of(cavity.rim.begin(), cavity.rim.end(),
+        [&](const RimEdge& e) { return e.ends[0] == d.index() || e.ends[1] == d.index(); });
       if (!this->isToUse(other) || closes)
       {
         continue;
       }
       Cavity with = cavity;
       with.disk.push_back(other);
-      with.rim[k] = { { a.index(), d.index() } };
-      with.rim.insert(
-        with.rim.begin() + static_cast<std::ptrdiff_t>(k) + 1, { { d.index(), b.index() } });
+      with.rim[k] = { { { a.index(), d.index() } }, this->normal(added) };
+      with.rim.insert(with.rim.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+        { { { d.index(), b.index() } }, this->normal(added) });
       with.angle = this->angleOfFan(with, tip);
       if (with.angle > best.angle)
       {
@@ -186,34 +208,167 @@ private:
   const double Tolerance;
   std::vector<char> IsWhole; // by triangle, of those that were there at first
 };
+
+/// Where the surface is looked at.
+class Lookout
+{
+public:
+  Lookout(const OptimizedMesh& mesh, double share)
+    : Mesh(mesh)
+    , Error(mesh)
+    , Spacing(spacingAtUnitDensity(mesh))
+    , Share(share)
+    , SpacingAt(mesh.atlas().surface().points.size(), this->Spacing)
+  {
+    for (const Vertex v : mesh.vertices())
+    {
+      for (const int p : this->Error.pointsOf(v))
+      {
+        this->SpacingAt[p] = this->spacing(v);
+      }
+    }
+  }
+
+  std::vector<FarPlace> places() const
+  {
+    std::vector<FarPlace> result;
+    this->addPoints(result);
+    this->addCreases(result);
+    this->addInsides(result);
+    return result;
+  }
+  /// What is farther from a triangle of the mesh is far.
+  double bound(Face face) const
+  {
+    double sum = 0;
+    for (const Vertex v : this->Mesh.corners(face))
+    {
+      sum += this->spacing(v);
+    }
+    return this->Share * sum / 3.;
+  }
+
+private:
+  double spacing(Vertex v) const { return this->Spacing / std::sqrt(this->Mesh.density(v)); }
+  void add(std::vector<FarPlace>& places, const SurfacePlace& place, int backbone = -1,
+    double arcLength = 0.) const
+  {
+    FarPlace there;
+    there.place = place;
+    there.position = this->Mesh.atlas().surface().position(Face(place.face), place.bary);
+    there.backbone = backbone;
+    there.arcLength = arcLength;
+    places.push_back(there);
+  }
+  /// Points on no crease that may be far: distances to the triangles about one vertex are too large
+  /// at most.
+  void addPoints(std::vector<FarPlace>& places) const
+  {
+    const Atlas& atlas = this->Mesh.atlas();
+    std::vector<char> isOnCrease(atlas.surface().points.size(), 0);
+    for (const Backbone& b : atlas.graph().backbones)
+    {
+      for (const int p : b.points)
+      {
+        isOnCrease[p] = isOnCrease[p] != 0 || b.type != BackboneType::Seam ? 1 : 0;
+      }
+    }
+    ElementArray<Vertex, char> mayBeFar(static_cast<std::size_t>(this->Mesh.vertices().size()), 0);
+    parallelFor(this->Mesh.vertices(), [&](Vertex v) {
+      const double bound = this->Share * this->spacing(v);
+      mayBeFar[v] = this->Error.at(v).largest > bound * bound ? 1 : 0;
+    });
+    for (const Vertex v : this->Mesh.vertices())
+    {
+      for (const int p : mayBeFar[v] != 0 ? this->Error.pointsOf(v) : std::vector<int>())
+      {
+        if (isOnCrease[p] == 0)
+        {
+          this->add(places, atlas.placeOfPoint(p));
+        }
+      }
+    }
+  }
+  void addCreases(std::vector<FarPlace>& places) const
+  {
+    const Atlas& atlas = this->Mesh.atlas();
+    for (std::size_t b = 0; b < atlas.graph().backbones.size(); ++b)
+    {
+      const Backbone& backbone = atlas.graph().backbones[b];
+      const BackboneTrace& trace = atlas.traces()[b];
+      for (int i = 0;
+           (backbone.type == BackboneType::Sharp || backbone.type == BackboneType::Boundary) &&
+           i < backbone.numberOfSegments();
+           ++i)
+      {
+        const double from = trace.arcLength[i];
+        const double to = trace.arcLength[i + 1];
+        const int steps = static_cast<int>(
+          std::ceil(std::max(1., (to - from) / this->SpacingAt[backbone.points[i]])));
+        for (int k = 0; k < steps; ++k)
+        {
+          const double there = from + (to - from) * k / steps;
+          this->add(
+            places, atlas.placeOfBackbone(static_cast<int>(b), there), static_cast<int>(b), there);
+        }
+      }
+    }
+  }
+  /// Rows along the longest edge of each triangle that is larger than the mesh's.
+  void addInsides(std::vector<FarPlace>& places) const
+  {
+    const AtlasSurface& surface = this->Mesh.atlas().surface();
+    for (const Face f : surface.faces())
+    {
+      const Triangle& t = surface.triangle(f);
+      const auto length = [&](int k) {
+        return (surface.points[t[(k + 1) % 3]] - surface.points[t[k]]).norm();
+      };
+      int longest = 0;
+      for (int k = 1; k < 3; ++k)
+      {
+        longest = length(k) > length(longest) ? k : longest;
+      }
+      const double step =
+        std::min({ this->SpacingAt[t[0]], this->SpacingAt[t[1]], this->SpacingAt[t[2]] });
+      if (length(longest) <= step)
+      {
+        continue;
+      }
+      const double height = 2. *
+        triangleArea(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]) /
+        length(longest);
+      const int rows = static_cast<int>(std::ceil(height / step));
+      for (int j = 0; j < rows; ++j)
+      {
+        const double up = (j + 0.5) / rows;
+        const int steps = static_cast<int>(std::ceil((1. - up) * length(longest) / step));
+        for (int i = 0; i < steps; ++i)
+        {
+          Vec3 bary;
+          bary[(longest + 2) % 3] = up;
+          bary[(longest + 1) % 3] = (1. - up) * (i + 0.5) / steps;
+          bary[longest] = 1. - up - bary[(longest + 1) % 3];
+          this->add(places, { f.index(), bary });
+        }
+      }
+    }
+  }
+
+  const OptimizedMesh& Mesh;
+  const SurfaceError Error;
+  const double Spacing; // at a density of 1
+  const double Share;
+  std::vector<double> SpacingAt; // by point of the surface
+};
 }
 
 Status farPlaces(
   const OptimizedMesh& mesh, double share, const Progress& progress, std::vector<FarPlace>& places)
 {
-  places.clear();
-  const SurfaceError error(mesh);
-  const double spacing = spacingAtUnitDensity(mesh);
-  const auto boundAt = [&](Vertex v) { return share * spacing / std::sqrt(mesh.density(v)); };
-  // Distances to the triangles about one vertex are too large at most.
-  ElementArray<Vertex, char> mayBeFar(static_cast<std::size_t>(mesh.vertices().size()), 0);
-  parallelFor(mesh.vertices(),
-    [&](Vertex v) { mayBeFar[v] = error.at(v).largest > boundAt(v) * boundAt(v) ? 1 : 0; });
-  const std::vector<char> isOnCrease = pointsOnCreases(mesh.atlas());
-  std::vector<int> points;
-  std::vector<double> bounds;
-  for (const Vertex v : mesh.vertices())
-  {
-    for (const int p : mayBeFar[v] != 0 ? error.pointsOf(v) : std::vector<int>())
-    {
-      if (isOnCrease[p] == 0)
-      {
-        points.push_back(p);
-        bounds.push_back(boundAt(v));
-      }
-    }
-  }
-  if (points.empty())
+  const Lookout lookout(mesh, share);
+  places = lookout.places();
+  if (places.empty())
   {
     return Status::success();
   }
@@ -224,24 +379,23 @@ Status farPlaces(
   }
   whole.triangles = mesh.triangles();
   std::vector<Vec3> positions;
-  std::transform(points.begin(), points.end(), std::back_inserter(positions),
-    [&](int p) { return mesh.atlas().surface().points[p]; });
+  std::transform(places.begin(), places.end(), std::back_inserter(positions),
+    [](const FarPlace& place) { return place.position; });
   std::vector<NearestPlace> nearest;
   if (Status status = nearestPlaces(positions, whole, progress, nearest); !status.ok())
   {
     return status;
   }
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const double distance = std::sqrt(nearest[i].squaredDistance);
-    if (distance > bounds[i])
-    {
-      places.push_back({ points[i], Face(nearest[i].face), distance });
-    }
+    places[i].face = Face(nearest[i].face);
+    places[i].distance = std::sqrt(nearest[i].squaredDistance);
   }
-  std::sort(places.begin(), places.end(), [](const FarPlace& a, const FarPlace& b) {
-    return a.distance != b.distance ? a.distance > b.distance : a.point < b.point;
-  });
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](const FarPlace& p) { return p.distance <= lookout.bound(p.face); }),
+    places.end());
+  std::stable_sort(places.begin(), places.end(),
+    [](const FarPlace& a, const FarPlace& b) { return a.distance > b.distance; });
   return Status::success();
 }
 

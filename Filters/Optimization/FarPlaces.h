@@ -10,21 +10,26 @@
 
 namespace stipple
 {
-/// A point of the surface, and the nearest triangle of the mesh.
+/// A place of the surface, and the nearest triangle of the mesh.
 struct FarPlace
 {
-  int point;
+  SurfacePlace place;
+  Vec3 position = Vec3::Zero();
+  int backbone = -1; ///< that it lies on; none inside faces
+  double arcLength = 0;
   Face face;
-  double distance;
+  double distance = 0;
 };
 
-/// Points of the surface, on no crease, that are farther from the mesh than a share of the spacing
-/// there; the farthest first.
+/// Places of the surface that are farther from the mesh than a share of the spacing there, the
+/// farthest first: of its points, and of others on creases and inside large triangles, an edge of
+/// the mesh apart.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status farPlaces(
   const OptimizedMesh& mesh, double share, const Progress& progress, std::vector<FarPlace>& places);
 
 /// Puts vertices that are needed less elsewhere at far places, where they stay, if the triangles
-/// about them are good enough for what it brings: the farther away, the less so. What a distance is
+/// about them are good enough for what it brings: the farther away, the less so. Those on a crease
+/// that the mesh has go into its edge there. What a distance is
 /// worth is the exchange rate of simplifyFeatures(): one as long as `tolerance` spacings a triangle
 /// without an angle, less one with more of it.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status reachPlaces(

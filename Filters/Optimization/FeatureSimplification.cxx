@@ -111,22 +111,6 @@ private:
   {
     return (1. - angle / Tuning::PoorFeatureAngle) * this->Tolerance * this->spacingAt(v);
   }
-  /// From a place to the nearest triangle that is left about v when v has gone to u.
-  double distanceToRest(const Vec3& p, Vertex v, Vertex u) const
-  {
-    double least = (p - this->position(u)).norm();
-    for (const int t : this->Now.about(v))
-    {
-      if (!has(this->Now.triangle(t), u))
-      {
-        const auto [i, j, k] = replaced(this->Now.triangle(t), v, u);
-        least = std::min(least,
-          std::sqrt(
-            squaredDistanceToTriangle(p, this->position(i), this->position(j), this->position(k))));
-      }
-    }
-    return least;
-  }
   /// Of v, and of what has gone to it, from the creases that go with it to u; if there are none,
   /// from the triangles: how far the surface moves. Where it goes farther than the spacing, the
   /// middles of its edges, too.

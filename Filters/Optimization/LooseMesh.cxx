@@ -3,6 +3,7 @@
 #include "LooseMesh.h"
 
 #include "Relaxation.h"
+#include "TriangleDistance.h"
 #include "Tuning.h"
 
 #include <algorithm>
@@ -243,6 +244,22 @@ bool LooseMesh::isInside(Vertex v) const
     !this->Now.isOnBoundary(v);
 }
 
+double LooseMesh::distanceToRest(const Vec3& p, Vertex v, Vertex u) const
+{
+  double least = (p - this->position(u)).norm();
+  for (const int t : this->Now.about(v))
+  {
+    if (!has(this->Now.triangle(t), u))
+    {
+      const auto [i, j, k] = replaced(this->Now.triangle(t), v, u);
+      least = std::min(least,
+        std::sqrt(
+          squaredDistanceToTriangle(p, this->position(i), this->position(j), this->position(k))));
+    }
+  }
+  return least;
+}
+
 double LooseMesh::angleWithout(Vertex v, Vertex u) const
 {
   double worst = 10;
@@ -254,7 +271,8 @@ double LooseMesh::angleWithout(Vertex v, Vertex u) const
       : this->isTurnedOver(before, after) ? -1.
                                           : std::min(worst, this->angle(after));
   }
-  return worst;
+  return worst -
+    Tuning::PoorFeatureAngle * this->distanceToRest(this->position(v), v, u) / this->spacingAt(v);
 }
 
 double LooseMesh::areaOf(const Triangle& t) const

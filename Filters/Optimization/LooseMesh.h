@@ -34,6 +34,8 @@ protected:
   bool isTurnedOver(const Triangle& before, const Triangle& after) const;
   /// No triangle about v is folded onto a neighbour after v has gone to u, unless it was.
   bool staysOpen(Vertex v, Vertex u) const;
+  /// From a place to the nearest triangle that is left about v when v has gone to u.
+  double distanceToRest(const Vec3& p, Vertex v, Vertex u) const;
   /// The nearest place to one in space, less far from it than that, at which straight walks from
   /// vertices end.
   std::optional<SurfacePoint> placeNear(
@@ -64,7 +66,7 @@ private:
   std::vector<std::pair<double, VertexPair>> spareVertices() const;
   bool isInside(Vertex v) const;
   /// How good triangles about an inner vertex and its neighbours, all free, are if it goes to one
-  /// of these: their smallest angle.
+  /// of these: their smallest angle, less what the distance is worth by which the surface moves.
   double angleWithout(Vertex v, Vertex u) const;
   /// Under the wanted density, up to a factor.
   double areaOf(const Triangle& t) const;

@@ -176,10 +176,35 @@ void LooseTriangles::bend(Vertex p, Vertex q, Vertex v)
     this->put(own, replaced(beyond, q, v));
     this->put(other, replaced(beyond, p, v));
   }
-  this->Creases.erase(pairOf(p, q));
-  this->Creases.try_emplace(pairOf(p, v), Keep::Nothing);
-  this->Creases.try_emplace(pairOf(v, q), Keep::Nothing);
-  this->insert(places, v);
+  this->lead(p, q, places, v);
+}
+
+void LooseTriangles::lead(Vertex a, Vertex b, const std::vector<OnChain>& places, Vertex over)
+{
+  const Keep keep = this->keep(a, b);
+  this->Creases.erase(pairOf(a, b));
+  this->Creases.try_emplace(pairOf(a, over), keep);
+  this->Creases.try_emplace(pairOf(over, b), keep);
+  this->insert(places, over);
+}
+
+LooseTriangles::EdgeOfChain LooseTriangles::edgeAt(int c, double arcLength) const
+{
+  const Chain& chain = this->Chains[c];
+  const double length = this->Mesh.atlas().traces()[c].length();
+  const bool isClosed = this->Mesh.atlas().graph().backbones[c].closed;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+  {
+    const double begin = chain[i - 1].arcLength;
+    const bool wraps = isClosed && chain[i].arcLength <= begin;
+    const double end = chain[i].arcLength + (wraps ? length : 0.);
+    const double there = arcLength + (wraps && arcLength < begin ? length : 0.);
+    if (begin <= there && there <= end && end > begin)
+    {
+      return { { chain[i - 1].vertex, chain[i].vertex }, (there - begin) / (end - begin) };
+    }
+  }
+  return {};
 }
 
 std::vector<LooseTriangles::OnChain> LooseTriangles::onChains(
@@ -211,12 +236,8 @@ std::vector<LooseTriangles::OnChain> LooseTriangles::onChains(
 void LooseTriangles::splitCrease(
   Vertex a, Vertex b, const std::vector<OnChain>& places, Vertex middle)
 {
-  const Keep keep = this->keep(a, b);
   this->split(a, b, middle);
-  this->Creases.erase(pairOf(a, b));
-  this->Creases.try_emplace(pairOf(a, middle), keep);
-  this->Creases.try_emplace(pairOf(middle, b), keep);
-  this->insert(places, middle);
+  this->lead(a, b, places, middle);
 }
 
 void LooseTriangles::insert(const std::vector<OnChain>& places, Vertex v)

@@ -92,6 +92,16 @@ public:
   };
   /// The places on an edge of creases at a share of the way from a to b, one a chain.
   std::vector<OnChain> onChains(Vertex a, Vertex b, double share) const;
+  /// The edge of a chain that runs over an arc length, and the share of the way from its first
+  /// vertex to its second at which that is.
+  struct EdgeOfChain
+  {
+    VertexPair ends; ///< in the chain's direction; not valid if no edge does
+    double share = 0;
+  };
+  EdgeOfChain edgeAt(int chain, double arcLength) const;
+  /// Creases that ran along an edge run over another vertex now, at these places.
+  void lead(Vertex a, Vertex b, const std::vector<OnChain>& places, Vertex over);
   /// Puts a vertex, which is in no triangle, on an edge of creases at these places.
   void splitCrease(Vertex a, Vertex b, const std::vector<OnChain>& places, Vertex middle);
 
@@ -99,7 +109,8 @@ public:
   void swap(Vertex p, Vertex q);
 
   /// Puts a vertex, which is in no triangle, in the middle of some that are a disk without inner
-  /// vertices, whose rim has these edges, counterclockwise.
+  /// vertices, whose rim has these edges, counterclockwise; or on its boundary, where the rim has
+  /// all edges but one.
   void fan(const std::vector<int>& disk, const std::vector<std::array<int, 2>>& rim, Vertex middle);
 
   /// Puts a vertex, which is in no triangle, on an edge between two.

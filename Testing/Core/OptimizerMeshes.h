@@ -67,12 +67,13 @@ struct TestMesh
 };
 
 /// m x m squares, each cut in two along its diagonal from low (u, v), on the surface position(u, v)
-/// over the unit square, which has 4 m x 4 m squares. Vertex (i, j) is j (m + 1) + i; the sides are
-/// backbones, counterclockwise from v = 0.
-inline std::unique_ptr<TestMesh> patchOf(int m, const std::function<Vec3(double, double)>& position)
+/// over the unit square, which has n x n squares, 4 m x 4 m unless told. Vertex (i, j) is
+/// j (m + 1) + i; the sides are backbones, counterclockwise from v = 0.
+inline std::unique_ptr<TestMesh> patchOf(
+  int m, const std::function<Vec3(double, double)>& position, int n = 0)
 {
   auto t = std::make_unique<TestMesh>();
-  const int n = 4 * m;
+  n = n > 0 ? n : 4 * m;
   const auto at = [=](int i, int j) {
     return position(static_cast<double>(i) / n, static_cast<double>(j) / n);
   };
@@ -111,7 +112,10 @@ inline std::unique_ptr<TestMesh> patchOf(int m, const std::function<Vec3(double,
           : s.backbone == 1               ? j
           : s.backbone == 2               ? m - i
                                           : m - j;
-        s.arcLength = t->atlas->traces()[s.backbone].arcLength[4 * along];
+        const std::vector<double>& arc = t->atlas->traces()[s.backbone].arcLength;
+        const int segment = along * n / m;
+        s.arcLength = arc[segment] +
+          (along * n % m) * (arc[segment + 1] - arc[segment]) / static_cast<double>(m);
       }
       t->samples.push_back(s);
       if (i > 0 && j > 0)

@@ -126,8 +126,7 @@ TEST(FarPlaces, AreFoundAndReached)
   ASSERT_TRUE(farPlaces(mesh, 0.5, {}, places).ok());
   ASSERT_FALSE(places.empty()) << "the hill lies between the mesh's vertices";
   EXPECT_NEAR(places.front().distance, 0.12, 1e-9);
-  EXPECT_LT(
-    (t->atlas->surface().points[places.front().point] - Vec3(0.55, 0.55, 0.12)).norm(), 1e-9);
+  EXPECT_LT((places.front().position - Vec3(0.55, 0.55, 0.12)).norm(), 1e-9);
   EXPECT_TRUE(std::is_sorted(places.begin(), places.end(),
     [](const FarPlace& a, const FarPlace& b) { return a.distance > b.distance; }));
   ASSERT_TRUE(reachPlaces(mesh, places, 1.).ok());
@@ -145,6 +144,46 @@ TEST(FarPlaces, AreFoundAndReached)
     EXPECT_TRUE(!isAtTop(v) || mesh.freedom(v) == Freedom::None) << "it stays there";
   }
   EXPECT_EQ(atTop, 1);
+}
+
+TEST(FarPlaces, OnCreasesGoIntoTheirEdges)
+{
+  const auto t = meshes::patch(10, [](double x, double y) {
+    return 0.12 * std::max(0., 1. - 20. * std::hypot(x - 0.55, y)); // at the boundary
+  });
+  OptimizedMesh& mesh = t->mesh;
+  std::vector<FarPlace> places;
+  ASSERT_TRUE(farPlaces(mesh, 0.5, {}, places).ok());
+  ASSERT_FALSE(places.empty());
+  EXPECT_EQ(places.front().backbone, 0);
+  EXPECT_LT((places.front().position - Vec3(0.55, 0., 0.12)).norm(), 1e-9);
+  ASSERT_TRUE(reachPlaces(mesh, places, 1.).ok());
+  EXPECT_EQ(eulerOf(mesh), 1);
+  const OptimizedMesh::Chain& chain = mesh.chains()[0];
+  ASSERT_EQ(chain.size(), 12U);
+  const auto top = std::find_if(chain.begin(), chain.end(),
+    [&](const BackboneVertex& v) { return std::abs(mesh.position(v.vertex).z() - 0.12) < 1e-9; });
+  ASSERT_NE(top, chain.end());
+  EXPECT_TRUE(mesh.isBoundary(top->vertex));
+  EXPECT_EQ(mesh.freedom(top->vertex), Freedom::None);
+  EXPECT_TRUE(std::is_sorted(chain.begin(), chain.end(),
+    [](const BackboneVertex& a, const BackboneVertex& b) { return a.arcLength < b.arcLength; }));
+}
+
+TEST(FarPlaces, AreFoundInsideLargeTriangles)
+{
+  // A roof of two large squares, which edges of the mesh cross below its ridge.
+  const auto roof = [](double x, double y) { return Vec3(x, y, 0.6 * (0.5 - std::abs(x - 0.5))); };
+  const auto t = meshes::patchOf(5, roof, 2);
+  std::vector<FarPlace> places;
+  ASSERT_TRUE(farPlaces(t->mesh, 0.1, {}, places).ok());
+  EXPECT_TRUE(std::any_of(places.begin(), places.end(),
+    [](const FarPlace& p) { return p.backbone < 0 && p.place.bary.minCoeff() > 0.01; }));
+  for (const FarPlace& p : places)
+  {
+    EXPECT_LT(p.distance, 0.06 + 1e-9);
+    EXPECT_NEAR(p.position.x(), 0.5, 0.1) << "elsewhere the mesh lies on the roof";
+  }
 }
 
 TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
