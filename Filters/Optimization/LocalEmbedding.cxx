@@ -153,11 +153,16 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
     places.push_back(mesh.position(v));
   }
   placeInwards(edit, vertices);
-  for (int round = 0; round < Tuning::RoundsOfEmbedding; ++round)
+  double longest = Tuning::SettledStep * before.mean;
+  for (int round = 0;
+       round < Tuning::RoundsOfEmbedding && longest >= Tuning::SettledStep * before.mean; ++round)
   {
+    longest = 0;
     for (const Vertex v : vertices)
     {
-      edit.put(v, mesh.walk(mesh.place(v), stepToMiddle(mesh, v)));
+      const Vec3 step = stepToMiddle(mesh, v);
+      longest = std::max(longest, step.norm());
+      edit.put(v, mesh.walk(mesh.place(v), step));
     }
   }
   for (int round = 0; round < Tuning::RoundsAfterEmbedding; ++round)
@@ -253,7 +258,7 @@ int unfold(MeshEdit& edit, FailedEmbeddings& failed)
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
     const std::vector<Face> changed = embedAbout(
-      edit, group, Tuning::RingsOfUnfolding, failed,
+      edit, group, Tuning::MostRings, failed,
       [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;

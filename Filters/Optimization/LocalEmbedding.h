@@ -60,6 +60,10 @@ std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int
   {
     const std::vector<Vertex> vertices = filtered(withRings(mesh, cornersOf(mesh, faces), rings),
       [&](Vertex v) { return mesh.isFree(v) && !mesh.isBoundary(v); });
+    if (vertices.empty())
+    {
+      continue;
+    }
     const std::vector<Face> changed = facesAbout(mesh, vertices);
     const auto before = measure(changed);
     if (edit.attempt(

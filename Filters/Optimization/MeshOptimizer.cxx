@@ -235,8 +235,8 @@ void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& over
 }
 
 /// Vertices for what the mesh has lost all the same: tips, and pockets.
-Status reachFarPlaces(
-  OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options, const Progress& progress)
+Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
+  KnownOverlaps& overlaps, const Progress& progress)
 {
   const int changes = mesh.numberOfChanges();
   for (int i = 0; i < Tuning::LooksAtFarPlaces; ++i)
@@ -260,8 +260,7 @@ Status reachFarPlaces(
   }
   if (mesh.numberOfChanges() > changes)
   {
-    KnownOverlaps anew; // triangles have new ids
-    resolveSelfIntersections(edit, Tuning::PassesOfParting, anew);
+    resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
   }
   return Status::success();
 }
@@ -361,7 +360,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   }
   if (maySimplify(options))
   {
-    status = reachFarPlaces(mesh, edit, options, goesOn);
+    status = reachFarPlaces(mesh, edit, options, overlaps, goesOn);
     if (!status.ok())
     {
       return status;

@@ -113,6 +113,8 @@ struct Tuning
 
   // Placing regions anew (LocalEmbedding).
   static constexpr int RoundsOfEmbedding = 60;
+  /// Of the mean edge: vertices that are all as near to the middle of their neighbours stay there.
+  static constexpr double SettledStep = 0.01;
   static constexpr int RoundsAfterEmbedding = 6;  ///< of swaps and moves
   static constexpr double AngleOfEmbedding = 0.6; ///< up to which these improve triangles
   /// Of the longest edge: more, and vertices were drawn off a part of the surface.
@@ -125,8 +127,9 @@ struct Tuning
   static constexpr double FarthestLeft = 0.5;
   /// Of the mean edge: triangles that have moved less are where they were.
   static constexpr double SamePlace = 0.1;
-  static constexpr int RingsOfUnfolding = 4;
-  static constexpr int RingsOfParting = 5;
+  /// Of 60 groups that embedding helped in 18 models at 1,500 and 5,000 points, 40 took no ring,
+  /// four as many; none of 339 was helped by five.
+  static constexpr int MostRings = 4;
   static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air
   static constexpr int SwapsOfFan = 8;            ///< that join one vertex to others
   static constexpr double LeastGainOfFolds = 0.5; ///< of a triangle that is folded by 90 degrees

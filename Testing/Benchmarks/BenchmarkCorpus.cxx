@@ -3,6 +3,7 @@
 // Any models: a first remesh next to CGAL's isotropic_remeshing to as many points, timed in turns,
 // and how far both are from the model.
 //   StippleBenchmarkCorpus POINTS FILE...
+// CGAL 5.5 crashes on some files: give those to a process of their own.
 #include "CgalRemeshing.h"
 #include "MeshFile.h"
 #include "MeshQuality.h"
