@@ -18,15 +18,51 @@ std::uint64_t edgeKey(int p, int q)
 }
 
 /// Points in the middle of edges, by the edge's ends; one for all triangles that share it.
-using Middles = std::unordered_map<std::uint64_t, int>;
+class Middles
+{
+public:
+  explicit Middles(std::size_t numberOfPoints)
+    : IsEnd(numberOfPoints, 0)
+  {
+  }
+  bool empty() const { return this->Middle.empty(); }
+  std::size_t size() const { return this->Middle.size(); }
+  /// True if the edge had none.
+  bool add(int p, int q, int middle)
+  {
+    this->IsEnd[p] = this->IsEnd[q] = 1;
+    return this->Middle.try_emplace(edgeKey(p, q), middle).second;
+  }
+  /// -1 if there is none.
+  int of(int p, int q) const
+  {
+    if (this->IsEnd[p] == 0 || this->IsEnd[q] == 0)
+    {
+      return -1;
+    }
+    const auto found = this->Middle.find(edgeKey(p, q));
+    return found == this->Middle.end() ? -1 : found->second;
+  }
+
+private:
+  std::vector<char> IsEnd; // by point: has an edge with a middle
+  std::unordered_map<std::uint64_t, int> Middle;
+};
 
 class Splitter
 {
 public:
-  Splitter(RefinedSurface& current, const Middles& middles)
+  Splitter(RefinedSurface& current, std::vector<char>& isSettled, const Middles& middles)
     : Current(current)
+    , IsSettled(isSettled)
     , Middle(middles)
   {
+    // Inside, an edge with a middle makes two triangles more.
+    const std::size_t most = current.triangles.size() + 2 * middles.size();
+    this->Next.triangles.reserve(most);
+    this->Next.uv.reserve(most);
+    this->Next.face.reserve(most);
+    this->NextIsSettled.reserve(most);
   }
 
   void split(int t)
@@ -39,8 +75,7 @@ public:
     int marked = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const auto found = this->Middle.find(edgeKey(p[k], p[(k + 1) % 3]));
-      middle[k] = found == this->Middle.end() ? -1 : found->second;
+      middle[k] = this->Middle.of(p[k], p[(k + 1) % 3]);
       middleUV[k] = 0.5 * (uv[k] + uv[(k + 1) % 3]);
       marked += middle[k] >= 0;
     }
@@ -57,6 +92,7 @@ public:
     {
       case 0:
         this->add(corner(0), corner(1), corner(2));
+        this->NextIsSettled.back() = 1;
         break;
       case 1:
         this->add(corner(0), mid(0), corner(2));
@@ -80,6 +116,7 @@ public:
     this->Current.triangles.swap(this->Next.triangles);
     this->Current.uv.swap(this->Next.uv);
     this->Current.face.swap(this->Next.face);
+    this->IsSettled.swap(this->NextIsSettled);
   }
 
 private:
@@ -93,10 +130,13 @@ private:
     this->Next.triangles.push_back({ a.point, b.point, c.point });
     this->Next.uv.push_back({ a.uv, b.uv, c.uv });
     this->Next.face.push_back(this->Face);
+    this->NextIsSettled.push_back(0);
   }
   RefinedSurface& Current;
+  std::vector<char>& IsSettled;
   const Middles& Middle;
   RefinedSurface Next;
+  std::vector<char> NextIsSettled;
   int Face = -1;
 };
 }
@@ -119,11 +159,17 @@ RefinedSurface refine(const AtlasSurface& surface, const std::vector<ControlImag
     result.uv.push_back({ surface.cornerUV(f, 0), surface.cornerUV(f, 1), surface.cornerUV(f, 2) });
     result.face.push_back(f);
   }
+  // Of those, no edge was too long when it was asked.
+  std::vector<char> isSettled(result.triangles.size(), 0);
   for (;;)
   {
-    Middles middles;
+    Middles middles(result.points.size());
     for (int t = 0; t < result.numberOfTriangles(); ++t)
     {
+      if (isSettled[t] != 0)
+      {
+        continue;
+      }
       const Triangle& p = result.triangles[t];
       const ControlImage& image = images[surface.faceChart[result.face[t]]];
       const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
@@ -134,7 +180,7 @@ RefinedSurface refine(const AtlasSurface& surface, const std::vector<ControlImag
         const Vec3& b = result.points[q];
         const Vec2 e = (result.uv[t][(k + 1) % 3] - result.uv[t][k]).cwiseProduct(toPixel);
         if (e.norm() > 2. && isTooLong(a, b) &&
-          middles.try_emplace(edgeKey(p[k], q), static_cast<int>(result.points.size())).second)
+          middles.add(p[k], q, static_cast<int>(result.points.size())))
         {
           const Vec3 middle = 0.5 * (a + b);
           result.points.push_back(middle);
@@ -145,7 +191,7 @@ RefinedSurface refine(const AtlasSurface& surface, const std::vector<ControlImag
     {
       return result;
     }
-    Splitter splitter(result, middles);
+    Splitter splitter(result, isSettled, middles);
     for (int t = 0; t < result.numberOfTriangles(); ++t)
     {
       splitter.split(t);
