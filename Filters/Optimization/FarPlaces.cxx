@@ -39,14 +39,14 @@ public:
     const auto [a, b] = edge.ends;
     const std::vector<int> beside =
       a.valid() && a != b ? this->Now.beside(a, b) : std::vector<int>();
-    const bool isOnCrease = !beside.empty() && this->Now.keep(a, b) != Keep::Edges;
-    if (isOnCrease ? !std::all_of(beside.begin(), beside.end(), [&](int t) { return isToUse(t); })
-                   : !this->isToUse(place.face.index()))
+    const bool isOnCrease = !beside.empty();
+    const std::vector<int> disk = isOnCrease ? beside : std::vector<int>{ place.face.index() };
+    if (std::any_of(disk.begin(), disk.end(), [&](int t) { return !this->isToUse(t); }) ||
+      (isOnCrease && this->Now.keep(a, b) == Keep::Edges))
     {
       return;
     }
-    Cavity now = isOnCrease ? this->cavityOf(beside, pairOf(a, b), place.position)
-                            : this->cavityOf({ place.face.index() }, {}, place.position);
+    Cavity now = this->cavityOf(disk, isOnCrease ? pairOf(a, b) : VertexPair(), place.position);
     Cavity best = now;
     while (now.disk.size() < Tuning::LargestCavity && this->grow(now, place.position))
     {

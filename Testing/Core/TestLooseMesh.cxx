@@ -90,6 +90,23 @@ TEST(LooseTriangles, PlacesOnCreasesAreSharesOfTheWay)
     [](const BackboneVertex& a, const BackboneVertex& b) { return a.arcLength < b.arcLength; }));
 }
 
+TEST(LooseTriangles, EdgesOfChainsAreFoundByArcLength)
+{
+  const auto t = meshes::patch(4);
+  LooseTriangles loose(t->mesh);
+  const auto second = loose.edgeAt(0, 0.3);
+  EXPECT_EQ(second.ends, VertexPair(Vertex(1), Vertex(2)));
+  EXPECT_NEAR(second.share, 0.2, 1e-12);
+  const auto there = loose.onChains(second.ends.first, second.ends.second, second.share);
+  ASSERT_EQ(there.size(), 1U);
+  EXPECT_NEAR(there[0].arcLength, 0.3, 1e-12);
+  EXPECT_EQ(loose.edgeAt(0, 0.).ends, VertexPair(Vertex(0), Vertex(1)));
+  EXPECT_FALSE(loose.edgeAt(0, 1.1).ends.first.valid()) << "the side is 1 long";
+  loose.lead(Vertex(1), Vertex(2), there, Vertex(6));
+  EXPECT_EQ(loose.edgeAt(0, 0.29).ends, VertexPair(Vertex(1), Vertex(6)));
+  EXPECT_EQ(loose.edgeAt(0, 0.31).ends, VertexPair(Vertex(6), Vertex(2)));
+}
+
 TEST(LooseMesh, AVertexGoesFromAFaceToACrease)
 {
   const auto t = meshes::patch(6);
