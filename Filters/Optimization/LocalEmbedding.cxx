@@ -258,7 +258,7 @@ int unfold(MeshEdit& edit, FailedEmbeddings& failed)
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
     const std::vector<Face> changed = embedAbout(
-      edit, group, Tuning::MostRings, failed,
+      edit, group, Tuning::RingsOfUnfolding, failed,
       [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;

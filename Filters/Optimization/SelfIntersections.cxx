@@ -362,7 +362,7 @@ bool partByEmbedding(MeshEdit& edit, SelfIntersections& intersections,
     double quality;
   };
   const std::vector<Face> changed = embedAbout(
-    edit, faces, Tuning::MostRings, failed,
+    edit, faces, Tuning::RingsOfParting, failed,
     [&](const std::vector<Face>& now) {
       budget -= static_cast<int>(now.size());
       return State{ intersections.count(now), worstQuality(edit.mesh(), now) };
