@@ -296,10 +296,11 @@ private:
     {
       const Backbone& backbone = atlas.graph().backbones[b];
       const BackboneTrace& trace = atlas.traces()[b];
-      for (int i = 0;
-           (backbone.type == BackboneType::Sharp || backbone.type == BackboneType::Boundary) &&
-           i < backbone.numberOfSegments();
-           ++i)
+      if (backbone.type == BackboneType::Seam)
+      {
+        continue;
+      }
+      for (int i = 0; i < backbone.numberOfSegments(); ++i)
       {
         const double from = trace.arcLength[i];
         const double to = trace.arcLength[i + 1];

@@ -17,11 +17,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace
 {
 constexpr int Turns = 3;
-constexpr int NumberOfStages = vtkGeometryRemesher::OPTIMISATION + 1;
 
 double secondsOf(const std::function<void()>& work)
 {
@@ -57,7 +58,6 @@ void compare(const std::string& file, int points, Ratios& ratios)
     return;
   }
   vtkSmartPointer<vtkGeometryRemesher> remesher;
-  double stages[NumberOfStages] = {};
   std::vector<double> ours;
   std::vector<double> theirs;
   const benchmarks::CgalRemeshing cgal(model, points);
@@ -76,10 +76,6 @@ void compare(const std::string& file, int points, Ratios& ratios)
     std::printf("%-32.32s %8.3f s: refused\n", name.c_str(), median(ours));
     return;
   }
-  for (int stage = 0; stage < NumberOfStages; ++stage)
-  {
-    stages[stage] = remesher->GetStageSeconds(stage);
-  }
   const stipple::TriangleSurface surface = stipple::fromPolyData(model);
   const stipple::TriangleSurface other = cgal.surface();
   const double rms = rmsOf(stipple::fromPolyData(remesher->GetOutput()), surface);
@@ -88,9 +84,9 @@ void compare(const std::string& file, int points, Ratios& ratios)
   ratios.rms.push_back(otherRms > 0 ? rms / otherRms : 1.);
   std::printf("%-32.32s %8.3f %8.3f %6.2f   %8.4f %8.4f %6.2f   %7zu  ", name.c_str(), median(ours),
     median(theirs), ratios.time.back(), rms, otherRms, ratios.rms.back(), other.points.size());
-  for (const double seconds : stages)
+  for (int stage = vtkGeometryRemesher::ATLAS; stage <= vtkGeometryRemesher::OPTIMISATION; ++stage)
   {
-    std::printf(" %.3f", seconds);
+    std::printf(" %.3f", remesher->GetStageSeconds(stage));
   }
   std::printf("\n");
   std::fflush(stdout);
