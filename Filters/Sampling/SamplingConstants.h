@@ -73,6 +73,12 @@ struct SamplingConstants
   /// before samples were moved.
   static constexpr int TriedFactor = 2;
   static constexpr int TriedSurplus = 100;
+  /// What is tried beyond a number that is too few grows by this factor, so that a refusal costs
+  /// few samplings; and is narrowed down to this one, as near as steps of a half came.
+  static constexpr int GrowthOfTries = 4;
+  static constexpr double NarrowRange = 1.5;
+  /// Times the number asked for, up to which one that works is looked for.
+  static constexpr int FarthestTry = 16;
   /// Times that samples are moved into charts at fault, one, two, four ... at a time.
   static constexpr int MostMoves = 6;
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace stipple
@@ -383,6 +384,21 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
 }
 }
 
+int nextToTry(int tooFew, int enough, int most)
+{
+  if (enough < 0)
+  {
+    return tooFew < most
+      ? static_cast<int>(std::min<double>(Constants::GrowthOfTries * (tooFew + 1.), most))
+      : -1;
+  }
+  if (enough <= Constants::NarrowRange * (tooFew + 1))
+  {
+    return -1;
+  }
+  return static_cast<int>(std::sqrt((tooFew + 1.) * enough));
+}
+
 Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPolyData* lines)
 {
   Atlas::Pointer atlas;
@@ -484,19 +500,29 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
     " too few for these features, constraints and charts";
   const Progress goOn = [&progress](double) { return report(progress, 1.); };
   const int first = std::max(numberOfSamples + 1, this->Minimum);
-  for (int n = first; n <= Constants::TriedFactor * first + Constants::TriedSurplus;
-       n += 1 + (n - first) / 2)
+  const double farthest =
+    std::min(Constants::FarthestTry * static_cast<double>(first) + Constants::TriedSurplus,
+      static_cast<double>(std::numeric_limits<int>::max() - 1));
+  const int most = static_cast<int>(farthest) - first;
+  // What is added grows until a number works, a whole sampling each time; then the range in which
+  // the least such number is thought to lie is halved, on a scale of ratios, until it is narrow.
+  int tooFew = -1; // above the first number tried
+  int enough = -1;
+  for (int more = 0; more >= 0;)
   {
-    const StatusCode code = this->sampleToMesh(images, n, goOn, method, result).code();
+    const StatusCode code = this->sampleToMesh(images, first + more, goOn, method, result).code();
     result = {};
     if (code == StatusCode::Aborted)
     {
       return Status::aborted();
     }
-    if (code != StatusCode::TooFewPoints)
-    {
-      return Status::tooFewPoints(sentence + ": ask for at least " + std::to_string(n) + ".", n);
-    }
+    (code == StatusCode::TooFewPoints ? tooFew : enough) = more;
+    more = nextToTry(tooFew, enough, most);
+  }
+  if (enough >= 0)
+  {
+    const int n = first + enough;
+    return Status::tooFewPoints(sentence + ": ask for at least " + std::to_string(n) + ".", n);
   }
   return Status::tooFewPoints(sentence + ": " + status.message());
 }

@@ -35,8 +35,8 @@ public:
   /// Exactly numberOfSamples samples in proportion to the control images, one a chart, that can be
   /// meshed: where charts of few samples have no triangulation together, some move inside the chart
   /// at fault. Where these cannot be spared, or there are fewer samples than the minimum, they are
-  /// too few points, and the status has the next number that can be had. Sooner for images that
-  /// differ from the last ones in their control only.
+  /// too few points, and the status has a number that can be had, near the next. Sooner for images
+  /// that differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
     const Progress& progress, SurfaceSamples& result,
     DiffusionMethod method = DiffusionMethod::Ostromoukhov);
@@ -51,6 +51,12 @@ private:
   std::vector<BandMask> Bands; ///< by chart
   int Minimum = 0;
 };
+
+/// The search for a number that works, when trying one is dear: what to try after one that is too
+/// few (-1: none yet) and, if it is not negative, one that is enough; -1 if no more is to be
+/// gained. It ends: what is tried lies beyond what was too few, up to the most, or between the two.
+/// The last one that was enough is at most half more than what was too few.
+STIPPLEFILTERSSAMPLING_EXPORT int nextToTry(int tooFew, int enough, int most);
 }
 
 #endif

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace synthetic;
@@ -137,6 +138,30 @@ TEST(SurfaceSampler, TooFewIsAnErrorThatNamesTheLeast)
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message().find("at least 8"), std::string::npos) << status.message();
   EXPECT_TRUE(result.samples.empty());
+}
+
+TEST(SurfaceSampler, TheSearchForEnoughIsShortAndNear)
+{
+  constexpr int Most = 100000;
+  for (int least = 0; least <= Most; least += 1 + least / 3)
+  {
+    int tooFew = -1;
+    int enough = -1;
+    int tries = 0;
+    for (int more = 0; more >= 0; more = nextToTry(tooFew, enough, Most))
+    {
+      ++tries;
+      ASSERT_LE(more, Most);
+      ASSERT_TRUE(more > tooFew && (enough < 0 || more < enough)) << least;
+      (more < least ? tooFew : enough) = more;
+    }
+    ASSERT_GE(enough, least);
+    EXPECT_LE(enough, least + least / 2 + 1);
+    EXPECT_LE(tries, 13) << least;
+  }
+  EXPECT_EQ(nextToTry(Most, -1, Most), -1) << "none up to the most";
+  const int huge = std::numeric_limits<int>::max() - 1;
+  EXPECT_EQ(nextToTry(huge / 2, -1, huge), huge);
 }
 
 TEST(SurfaceSampler, ThreeSamplesAroundAChartWantOneInside)
