@@ -35,8 +35,8 @@ public:
   /// Exactly numberOfSamples samples in proportion to the control images, one a chart, that can be
   /// meshed: where charts of few samples have no triangulation together, some move inside the chart
   /// at fault. Where these cannot be spared, or there are fewer samples than the minimum, they are
-  /// too few points, and the status has a number that can be had, near the next. Sooner for images
-  /// that differ from the last ones in their control only.
+  /// too few points, and the status has a number that can be had of these images, near the next.
+  /// Sooner for images that differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
     const Progress& progress, SurfaceSamples& result,
     DiffusionMethod method = DiffusionMethod::Ostromoukhov);
