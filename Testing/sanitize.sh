@@ -19,6 +19,14 @@ folder=build-sanitize
 [ "$sanitizers" = thread ] && folder=build-sanitize-thread
 fuzz=ON
 [ "$sanitizers" = thread ] && fuzz=OFF
+# Also while building, which runs programs. libtbb, MPI and the GL drivers are not instrumented: what they keep until
+# the end is not ours. An allocation that is too large fails as it does without sanitizers.
+export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
+export UBSAN_OPTIONS=print_stacktrace=1
+export TSAN_OPTIONS="suppressions=$PWD/Testing/Fuzz/thread.supp"
+# VTK's own threads, which ThreadSanitizer sees start and end; oneTBB's it does not.
+[ "$sanitizers" != thread ] || export VTK_SMP_BACKEND_IN_USE=STDThread
+unset DISPLAY WAYLAND_DISPLAY XAUTHORITY
 stipple_say "building with $sanitizers in $folder"
 mkdir -p "$folder"
 # VTK's Python wrappers bring their own interpreter, which is not instrumented.
@@ -27,14 +35,6 @@ stipple_quietly "$folder/configure.log" cmake -S . -B "$folder" -G Ninja -DCMAKE
   -DSTIPPLE_WRAP_PYTHON=OFF
 stipple_quietly "$folder/build.log" cmake --build "$folder"
 
-# libtbb and the GL drivers are not instrumented: what they keep until the end is not ours. An allocation that is too
-# large fails as it does without sanitizers.
-export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
-export UBSAN_OPTIONS=print_stacktrace=1
-export TSAN_OPTIONS="suppressions=$PWD/Testing/Fuzz/thread.supp"
-# VTK's own threads, which ThreadSanitizer sees start and end; oneTBB's it does not.
-[ "$sanitizers" != thread ] || export VTK_SMP_BACKEND_IN_USE=STDThread
-unset DISPLAY WAYLAND_DISPLAY XAUTHORITY
 failed=0
 # shellcheck disable=SC2086 # words on purpose
 ctest --test-dir "$folder" --output-on-failure -j 2 ${CTEST_ARGUMENTS:--R ^Core} || failed=1
