@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFile.h"
 
+#include "CornerTexture.h"
 #include "FileCheck.h"
 #include "Messages.h"
 #include "OffFile.h"
@@ -30,7 +31,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <new>
+#include <utility>
 
 #include <unistd.h>
 
@@ -308,6 +311,45 @@ Status readChecked(
   return status;
 }
 
+/// The texture coordinates of a mesh's corners in an OBJ file: each pair once.
+class ObjTexture
+{
+public:
+  ObjTexture(vtkPolyData* mesh, std::ostream& stream)
+  {
+    vtkDataArray* corners = cornerTexture(mesh);
+    std::map<std::pair<double, double>, std::size_t> numbers;
+    for (vtkIdType f = 0; corners && f < mesh->GetNumberOfPolys(); ++f)
+    {
+      const vtkIdType size = mesh->GetPolys()->GetCellSize(f);
+      this->First.push_back(this->Number.size());
+      for (int k = 0; k < size; ++k)
+      {
+        const std::pair<double, double> uv(
+          corners->GetComponent(f, 2 * k), corners->GetComponent(f, 2 * k + 1));
+        const auto [entry, fresh] = numbers.try_emplace(uv, numbers.size() + 1);
+        if (fresh)
+        {
+          stream << "vt " << shortestText(uv.first) << ' ' << shortestText(uv.second) << '\n';
+        }
+        this->Number.push_back(entry->second);
+      }
+    }
+  }
+  /// What follows the number of a corner's point.
+  std::string of(vtkIdType face, vtkIdType corner) const
+  {
+    return this->First.empty() ? std::string()
+                               : '/' +
+        std::to_string(this->Number[this->First[static_cast<std::size_t>(face)] +
+          static_cast<std::size_t>(corner)]);
+  }
+
+private:
+  std::vector<std::size_t> First; // by face, of its corners
+  std::vector<std::size_t> Number;
+};
+
 /// VTK 9.1's writer keeps six digits.
 Status writeObj(vtkPolyData* mesh, const std::string& file)
 {
@@ -320,6 +362,7 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
     stream << "v " << shortestText(x[0]) << ' ' << shortestText(x[1]) << ' ' << shortestText(x[2])
            << '\n';
   }
+  const ObjTexture texture(mesh, stream);
   const MeshRegions regions(mesh);
   if (const std::string library = objMaterialLibrary(mesh, regions); !library.empty())
   {
@@ -332,7 +375,7 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
     stream << 'f';
     for (vtkIdType k = 0; k < size; ++k)
     {
-      stream << ' ' << ids[k] + 1;
+      stream << ' ' << ids[k] + 1 << texture.of(f, k);
     }
     stream << '\n';
   };
@@ -384,6 +427,12 @@ Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh)
 Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves)
 {
   return readChecked(file, curves, { checkCells, checkPoints, checkLines });
+}
+
+Status writeRemesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)
+{
+  const bool ofPoints = extension == ".vtp" || extension == ".vtk";
+  return writeMesh(ofPoints ? splitTextureSeams(mesh).Get() : mesh, file, extension);
 }
 
 Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)

@@ -30,9 +30,14 @@ namespace stipple
 
 /// Writes binary where the format has it, in full precision where the format has it (all but STL).
 /// .vtp and .vtk keep all arrays; .obj (groups or materials), .stl (solids, as text) and .ply (a
-/// property of faces) the regions of vtkConformalAtlas::RegionArrayName. The format is that of
-/// `extension`.
+/// property of faces) the regions of vtkConformalAtlas::RegionArrayName; .obj and .ply the texture
+/// coordinates of corners. The format is that of `extension`.
 [[nodiscard]] Status writeMesh(
+  vtkPolyData* mesh, const std::string& file, const std::string& extension);
+
+/// Likewise what vtkGeometryRemesher made: the texture coordinates of corners, which .obj and .ply
+/// have beside one point a place, become those of points in .vtp and .vtk (vtkTextureSeamSplitter).
+[[nodiscard]] Status writeRemesh(
   vtkPolyData* mesh, const std::string& file, const std::string& extension);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyFile.h"
 
+#include "CornerTexture.h"
 #include "RegionFile.h"
 #include "Text.h"
 #include "TextNumbers.h"
@@ -30,6 +31,8 @@ namespace stipple
 {
 namespace
 {
+constexpr vtkIdType MostTextureNumbers = 254; ///< of a face: pairs that a byte can count
+
 enum class Type
 {
   None,
@@ -350,7 +353,30 @@ private:
         mesh->GetPointData()->AddArray(array);
       }
     }
+    addTexture(mesh->GetPointData());
     return Status::success();
+  }
+
+  /// The first pair of arrays that has a name for texture coordinates, as such.
+  static void addTexture(vtkPointData* data)
+  {
+    for (const auto& [first, second] : { std::pair("s", "t"), std::pair("u", "v"),
+           std::pair("texture_s", "texture_t"), std::pair("texture_u", "texture_v") })
+    {
+      vtkDataArray* u = data->GetArray(first);
+      vtkDataArray* v = data->GetArray(second);
+      if (u && v)
+      {
+        vtkNew<vtkDoubleArray> texture;
+        texture->SetName("TextureCoordinates");
+        texture->SetNumberOfComponents(2);
+        texture->SetNumberOfTuples(u->GetNumberOfTuples());
+        texture->CopyComponent(0, u, 0);
+        texture->CopyComponent(1, v, 0);
+        data->SetTCoords(texture);
+        return;
+      }
+    }
   }
 
   Status readFaces(const Element& element, vtkPolyData* mesh)
@@ -361,6 +387,7 @@ private:
     vtkNew<vtkCellArray> polys;
     std::vector<double> values;
     std::vector<vtkIdType> ids;
+    std::vector<std::vector<double>> texture; // by face
     for (long long i = 0; i < element.count; ++i)
     {
       for (std::size_t k = 0; k < element.properties.size(); ++k)
@@ -392,6 +419,11 @@ private:
             cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
           }
         }
+        else if (property.name == "texcoord")
+        {
+          texture.resize(static_cast<std::size_t>(i));
+          texture.push_back(values);
+        }
       }
     }
     mesh->SetVerts(verts);
@@ -405,7 +437,49 @@ private:
         mesh->GetCellData()->AddArray(array);
       }
     }
+    if (!texture.empty() && polys->GetNumberOfCells() == element.count)
+    {
+      // Points with several pairs become several, as VTK draws them.
+      mesh->GetCellData()->AddArray(cornersOf(texture, polys));
+      if (hasPoints(polys, mesh->GetNumberOfPoints()))
+      {
+        mesh->ShallowCopy(splitTextureSeams(mesh));
+      }
+    }
     return Status::success();
+  }
+
+  /// Whether all ids are of points that there are; if not, whoever reads the file is told.
+  static bool hasPoints(vtkCellArray* polygons, vtkIdType points)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    for (vtkIdType f = 0; f < polygons->GetNumberOfCells(); ++f)
+    {
+      polygons->GetCellAtId(f, size, ids);
+      if (std::any_of(ids, ids + size, [&](vtkIdType id) { return id < 0 || id >= points; }))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// What a face has too little of is 0.
+  static vtkSmartPointer<vtkDoubleArray> cornersOf(
+    const std::vector<std::vector<double>>& texture, vtkCellArray* polygons)
+  {
+    auto corners = newCornerTexture(polygons->GetNumberOfCells(), polygons->GetMaxCellSize());
+    for (std::size_t f = 0; f < texture.size(); ++f)
+    {
+      const auto face = static_cast<vtkIdType>(f);
+      const auto size = static_cast<std::size_t>(2 * polygons->GetCellSize(face));
+      for (std::size_t k = 0; k < std::min(size, texture[f].size()); ++k)
+      {
+        corners->SetComponent(face, static_cast<int>(k), texture[f][k]);
+      }
+    }
+    return corners;
   }
 
   std::string File;
@@ -475,7 +549,9 @@ Status writePly(vtkPolyData* mesh, const std::string& file)
          << "_endian 1.0\ncomment Stipple\nelement vertex " << mesh->GetNumberOfPoints()
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
          << mesh->GetNumberOfPolys() << "\nproperty list uchar int vertex_indices\n";
-  stream << labels.header() << "end_header\n";
+  vtkDataArray* texture = cornerTexture(mesh);
+  stream << labels.header() << (texture ? "property list uchar float texcoord\n" : "")
+         << "end_header\n";
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     double x[3];
@@ -494,6 +570,15 @@ Status writePly(vtkPolyData* mesh, const std::string& file)
       stream.write(reinterpret_cast<const char*>(&id), sizeof(id));
     }
     labels.write(stream, f);
+    if (texture)
+    {
+      stream.put(static_cast<char>(std::min<vtkIdType>(2 * size, MostTextureNumbers)));
+      for (int k = 0; k < std::min<vtkIdType>(2 * size, MostTextureNumbers); ++k)
+      {
+        const auto number = static_cast<float>(texture->GetComponent(f, k));
+        stream.write(reinterpret_cast<const char*>(&number), sizeof(number));
+      }
+    }
   }
   stream.close();
   return stream ? Status::success() : Status::error("cannot write '" + file + "'");

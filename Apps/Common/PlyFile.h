@@ -14,11 +14,14 @@ class vtkPolyData;
 namespace stipple
 {
 /// Text and binary of either byte order. Vertices' and faces' other numbers become arrays of their
-/// names; other elements and other lists are passed over.
+/// names; vertices' s and t, u and v, texture_s and texture_t, texture_u and texture_v, or faces'
+/// lists texcoord, also the texture coordinates of points, which then are there once for each pair.
+/// Other elements and other lists are passed over.
 [[nodiscard]] Status readPly(const std::string& file, vtkPolyData* mesh);
 
-/// Binary, coordinates as doubles, no arrays but the labels of regions (see RegionFile.h). Faces
-/// have at most 255 corners.
+/// Binary, coordinates as doubles, no arrays but the labels of regions (see RegionFile.h) and, as
+/// faces' lists texcoord of single precision, the texture coordinates of corners (see
+/// CornerTexture.h). Faces have at most 255 corners.
 [[nodiscard]] Status writePly(vtkPolyData* mesh, const std::string& file);
 }
 

@@ -51,7 +51,8 @@ std::string valueText(const Option& option, const OptionValue& value)
     return rowsText(option, *rows);
   }
   const auto* word = std::get_if<std::string>(&value);
-  return word ? quotedJson(*word)
+  return word                           ? quotedJson(*word)
+    : option.kind == Option::Kind::Flag ? std::get<double>(value) != 0 ? "true" : "false"
     : option.kind == Option::Kind::Integer
     ? std::to_string(static_cast<int>(std::get<double>(value)))
     : shortestText(std::get<double>(value));
@@ -94,6 +95,11 @@ bool readRow(const Json::Value& row, std::size_t columns, std::vector<double>& n
 std::string readEntry(const Json::Value& entry, const Option& option, Session& session)
 {
   using Kind = Option::Kind;
+  if (option.kind == Kind::Flag)
+  {
+    session.set(option.name, entry.isBool() && entry.asBool() ? 1. : 0.);
+    return entry.isBool() ? "" : "must be true or false";
+  }
   if (option.kind == Kind::Integer || option.kind == Kind::Number)
   {
     const bool number = entry.isNumeric() && !entry.isBool();

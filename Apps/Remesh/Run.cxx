@@ -287,7 +287,7 @@ Status writeFiles(const Session& o, vtkPolyData* input, vtkGeometryRemesher* rem
 {
   const Stopwatch watch;
   vtkPolyData* mesh = remesher->GetOutput();
-  Status status = writeMesh(mesh, files.aside(o.text("output")), fileExtension(o.text("output")));
+  Status status = writeRemesh(mesh, files.aside(o.text("output")), fileExtension(o.text("output")));
   Report report = makeReport(o, input, remesher, load, watch.seconds());
   if (status.ok() && o.has("save_charts"))
   {

@@ -108,6 +108,7 @@ private:
     Choice* choice;
   };
   std::vector<std::pair<std::string, Choice*>> OptionChoices;
+  Choice* TextureSeams = nullptr;
   std::vector<std::pair<std::string, NumberField*>> OptionFields;
   std::vector<ArrayChoice> ArrayChoices;
 };

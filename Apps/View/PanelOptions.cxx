@@ -109,7 +109,14 @@ void Panel::addSizes(Commands& commands)
 void Panel::addInputs(Commands& commands)
 {
   this->heading("Regions, arrays and pictures");
-  this->row({ this->arrayChoice(commands, "region_array", "regions") }, FieldHeight);
+  this->TextureSeams = this->make<Choice>(
+    Choice::Kind::Several, std::vector<std::string>{ "UV seams" }, 1, [&commands](int) {
+      commands.edit(
+        [](Session& s) { s.set("keep_uv_seams", s.flag("keep_uv_seams") ? 0. : 1.); }, true);
+    });
+  this->TextureSeams->setHints({ hintOf(*findOption("keep_uv_seams")) });
+  this->row(
+    { this->arrayChoice(commands, "region_array", "regions"), this->TextureSeams }, FieldHeight);
   this->row({ this->arrayChoice(commands, "importance_array", "importance from") }, FieldHeight);
   this->Picture = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ "" }, 1,
     [&commands](int) { commands.choosePicture(); });
@@ -154,6 +161,7 @@ void Panel::showOptions(const Session& s)
     choice->setWord(0, label + ": " + (array.empty() ? "none" : array));
     choice->setOn(0, !array.empty());
   }
+  this->TextureSeams->setOn(0, s.flag("keep_uv_seams"));
   const std::string& picture = s.text("importance_image");
   this->Picture->setWord(0,
     "picture: " + (picture.empty() ? "none" : std::filesystem::path(picture).filename().string()));

@@ -134,7 +134,7 @@ void Viewer::saveMesh()
   if (status.ok())
   {
     status =
-      writeMesh(this->Mesh->mesh, files.aside(this->Files.mesh), fileExtension(this->Files.mesh));
+      writeRemesh(this->Mesh->mesh, files.aside(this->Files.mesh), fileExtension(this->Files.mesh));
   }
   if (status.ok())
   {

@@ -25,6 +25,10 @@ struct AtlasConstants
 
   // Flat faces.
 
+  /// Over the range of texture coordinates: what they jump by at a seam, at least. It is a tenth of
+  /// a pixel of the largest pictures that graphics cards take (16384), and ten times what rounding
+  /// to six digits moves.
+  static constexpr double TextureJump = 1e-5;
   /// How far the surface may move where an edge is flipped, over the diagonal, and over the edge,
   /// so that what is finely sampled is not flat. Coordinates of single precision, as STL files have
   /// them, leave planes flat to 1e-7, those with six digits to 1e-6.

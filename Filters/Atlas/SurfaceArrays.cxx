@@ -3,6 +3,7 @@
 #include "SurfaceArrays.h"
 
 #include "AtlasConstants.h"
+#include "CornerTexture.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -30,12 +31,38 @@ bool isContinuous(vtkAbstractArray* array)
 /// For every inserted point the original one that weighs most in it; of two, the first.
 std::vector<int> nearestOriginalPoints(const CutSurface& surface)
 {
-  using Weights = std::vector<std::pair<int, double>>; // points inserted on inserted edges, too
-  std::vector<Weights> weightsOf(surface.inserted.size());
   std::vector<int> nearest;
+  for (const PointWeights& weights : weightsOfInserted(surface))
+  {
+    nearest.push_back(
+      std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second || (a.second == b.second && a.first > b.first);
+      })->first);
+  }
+  return nearest;
+}
+
+/// Whether two tuples are the same in every component.
+bool isSame(vtkAbstractArray* array, vtkIdType i, vtkIdType j)
+{
+  const int n = array->GetNumberOfComponents();
+  for (int k = 0; i != j && k < n; ++k)
+  {
+    if (array->GetVariantValue(i * n + k) != array->GetVariantValue(j * n + k))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+std::vector<PointWeights> weightsOfInserted(const CutSurface& surface)
+{
+  std::vector<PointWeights> weightsOf(surface.inserted.size());
   for (std::size_t j = 0; j < surface.inserted.size(); ++j)
   {
-    Weights& weights = weightsOf[j];
+    PointWeights& weights = weightsOf[j];
     const auto add = [&](int point, double weight) {
       const auto found = std::find_if(
         weights.begin(), weights.end(), [&](const auto& other) { return other.first == point; });
@@ -62,34 +89,16 @@ std::vector<int> nearestOriginalPoints(const CutSurface& surface)
     const CutSurface::EdgePoint& e = surface.inserted[j];
     addEnd(e.a, 1. - e.t);
     addEnd(e.b, e.t);
-    nearest.push_back(
-      std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
-        return a.second < b.second || (a.second == b.second && a.first > b.first);
-      })->first);
   }
-  return nearest;
-}
-
-/// Whether two tuples are the same in every component.
-bool isSame(vtkAbstractArray* array, vtkIdType i, vtkIdType j)
-{
-  const int n = array->GetNumberOfComponents();
-  for (int k = 0; i != j && k < n; ++k)
-  {
-    if (array->GetVariantValue(i * n + k) != array->GetVariantValue(j * n + k))
-    {
-      return false;
-    }
-  }
-  return true;
-}
+  return weightsOf;
 }
 
 bool isReservedArrayName(const char* name)
 {
-  for (const char* own : { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature",
-         "SourceCellId", "AreaDistortion", "ChartId", "ChartCellId", "BarycentricCoordinates",
-         "SampleKind", "BackboneId", "ArcLength", "Density", "Control", "FaceIndex" })
+  for (const char* own :
+    { "UV", "SurfacePointId", "GaussianCurvature", "MeanCurvature", "SourceCellId",
+      "AreaDistortion", "ChartId", "ChartCellId", "BarycentricCoordinates", "SampleKind",
+      "BackboneId", "ArcLength", "Density", "Control", "FaceIndex", CornerTextureName })
   {
     if (std::string(own) == name)
     {

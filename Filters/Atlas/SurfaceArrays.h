@@ -9,6 +9,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
@@ -21,6 +22,11 @@ namespace stipple
 /// Stipple has all of those.
 std::vector<vtkAbstractArray*> usersArrays(vtkDataSetAttributes* data);
 bool isReservedArrayName(const char* name);
+
+/// Original points and how much each weighs in a point that was inserted between them.
+using PointWeights = std::vector<std::pair<int, double>>;
+/// Of every inserted point; those inserted on inserted edges, too.
+std::vector<PointWeights> weightsOfInserted(const CutSurface& surface);
 
 vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* array);
 

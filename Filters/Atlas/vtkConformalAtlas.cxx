@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConformalAtlas.h"
 
+#include "AtlasSurface.h"
 #include "ChartPartition.h"
 #include "ChartWriter.h"
 #include "Curvature.h"
@@ -15,6 +16,7 @@
 #include "RegionArrays.h"
 #include "SurfaceArrays.h"
 #include "SurfaceRepair.h"
+#include "TextureSeams.h"
 #include "UserArrays.h"
 
 #include "vtkCellData.h"
@@ -318,6 +320,18 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   }
   const stipple::Curvature curvature = stipple::computeCurvature(repaired.surface);
   stipple::CutSurface surface(repaired.surface, repaired.sourceCell);
+  std::optional<stipple::TextureSeams> texture;
+  if (this->Self->KeepTextureSeams)
+  {
+    vtkDataArray* coordinates = this->Input->GetPointData()->GetTCoords();
+    if (!coordinates || coordinates->GetNumberOfComponents() < 2)
+    {
+      return stipple::Status::error(
+        "The input has no texture coordinates, two numbers a point, whose seams could be kept.");
+    }
+    texture.emplace(this->Input, repaired);
+    texture->mark(surface);
+  }
   stipple::FeatureDetectionOptions detection;
   detection.angle = this->Self->FeatureAngle;
   detection.minimumLength = this->Self->MinimumFeatureLength;
@@ -363,6 +377,11 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
       !status.ok())
   {
     return status;
+  }
+  for (std::size_t c = 0; texture && c < flat.size(); ++c)
+  {
+    vtkPolyData* chart = stipple::chartOf(this->Charts, static_cast<unsigned int>(c));
+    chart->GetCellData()->AddArray(texture->corners(surface, flat[c].mesh.faces));
   }
   this->Graph->ShallowCopy(stipple::toPolyData(graph, surface.points));
   return stipple::Status::success();
@@ -515,6 +534,7 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureCurves: " << this->FeatureCurves << "\n";
   os << indent << "ChartConstraints: " << this->ChartConstraints << "\n";
   os << indent << "Constraints: " << this->Constraints << "\n";
+  os << indent << "KeepTextureSeams: " << this->KeepTextureSeams << "\n";
   os << indent << "RegionArrayName: " << (this->RegionArrayName ? this->RegionArrayName : "(none)")
      << "\n";
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";

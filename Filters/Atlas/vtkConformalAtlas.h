@@ -166,6 +166,19 @@ public:
 
   ///@{
   /**
+   * Whether the edges where the input's active texture coordinates jump are kept, straightened
+   * where a mesh is coarser, as borders of regions are. Charts and meshes then have the cell array
+   * "CornerTextureCoordinates": two components for each corner of a cell. Jumps are of more than
+   * 1e-5 of the coordinates' range. Without texture coordinates it is an error. The default is
+   * false. See vtkTextureSeamSplitter.
+   */
+  vtkSetMacro(KeepTextureSeams, bool);
+  vtkGetMacro(KeepTextureSeams, bool);
+  vtkBooleanMacro(KeepTextureSeams, bool);
+  ///@}
+
+  ///@{
+  /**
    * Positions that must become vertices; each is moved to the nearest place on the surface. The
    * default is none.
    */
@@ -320,6 +333,7 @@ private:
   vtkPoints* Constraints = nullptr;
   vtkDoubleArray* ChartConstraints = nullptr;
   char* RegionArrayName = nullptr;
+  bool KeepTextureSeams = false;
   int NumberOfCharts = 1;
   double MaximumDensityRatio = 100;
   int RefinementLevel = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AttributeTransfer.h"
 
+#include "CornerTexture.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -17,7 +19,7 @@ namespace stipple
 bool isChartArray(const std::string& name)
 {
   return name == "UV" || name == "SurfacePointId" || name == "SourceCellId" ||
-    name == "AreaDistortion" || name == "LargestNormalCurvature";
+    name == "AreaDistortion" || name == "LargestNormalCurvature" || name == CornerTextureName;
 }
 
 namespace

@@ -5,6 +5,7 @@
 #include "FilterExecution.h"
 #include "MeshCreation.h"
 #include "RegionTransfer.h"
+#include "TextureTransfer.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -51,6 +52,7 @@ int vtkAtlasMeshAlgorithm::RequestData(
       if (status.ok())
       {
         stipple::transferRegions(request.atlas, request.lines, request.mesh);
+        status = stipple::transferTexture(request.atlas, request.lines, request.mesh);
       }
     }
     return status;

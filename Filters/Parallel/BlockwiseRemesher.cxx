@@ -6,6 +6,7 @@
 #include "BlockStorage.h"
 #include "BorderHealing.h"
 
+#include "vtkConformalAtlas.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkMath.h"
 #include "vtkRemeshOptimizer.h"
@@ -117,6 +118,11 @@ private:
     if (this->Points > std::numeric_limits<int>::max())
     {
       return Status::error("A mesh has at most 2147483647 points: ask for less.");
+    }
+    if (this->Blocks.count > 1 && this->Remesher->GetAtlas()->GetKeepTextureSeams())
+    {
+      return Status::error("The seams of a texture are kept in one block only: use "
+                           "vtkGeometryRemesher, or blocks that are larger.");
     }
     Status status = this->outline();
     const double length = edgeLengthOf(this->Blocks.area, static_cast<double>(this->Points));

@@ -57,6 +57,8 @@ struct Property
 /// A number: its range is that of the class.
 #define STIPPLE_NUMBER(CLASS, NAME)                                                                \
   STIPPLE_PROPERTY(CLASS, NAME, fresh->Get##NAME##MinValue(), fresh->Get##NAME##MaxValue())
+/// A truth: 0 or 1.
+#define STIPPLE_FLAG(CLASS, NAME) STIPPLE_PROPERTY(CLASS, NAME, 0, 1)
 /// One of an enum.
 #define STIPPLE_ENUM(CLASS, NAME) STIPPLE_PROPERTY(CLASS, NAME, 0, 0)
 
@@ -171,6 +173,11 @@ public:
       set(stage, std::get<double>(value));
     };
     return o;
+  }
+
+  Option& flag(const char* name, const char* help, const Property& property)
+  {
+    return this->number(Kind::Flag, name, "", "", help, property);
   }
 
   Option& choice(const char* name, const char* argument, std::vector<std::string> choices,
@@ -343,6 +350,10 @@ void Maker::features()
   this->arrayName("region_array",
     "the input's cell array of labels: its regions' borders are kept, and cells labelled exactly",
     "vtkConformalAtlas", "RegionArrayName", &vtkConformalAtlas::SetRegionArrayName);
+  this->flag("keep_uv_seams",
+    "the seams of the input's texture coordinates are kept as regions' borders are, and corners of "
+    "triangles beside them have the coordinates of their side",
+    STIPPLE_FLAG(vtkConformalAtlas, KeepTextureSeams));
   this->arrayName("select_array",
     "the input's cell array by which a part is remeshed, to N points besides those on its border: "
     "cells that are 0 come out as they came in",

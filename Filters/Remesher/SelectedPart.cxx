@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelectedPart.h"
 
+#include "CornerTexture.h"
 #include "PolyDataConversion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -247,6 +249,63 @@ Status SelectedPart::split(vtkPolyData* input, const std::string& array)
   return Status::success();
 }
 
+void SelectedPart::joinTexture(
+  vtkPolyData* mesh, const std::vector<vtkIdType>& idOfMeshPoint, vtkPolyData* result) const
+{
+  vtkDataArray* ofMesh = cornerTexture(mesh);
+  vtkDataArray* ofPoints = this->Input->GetPointData()->GetTCoords();
+  vtkCellArray* polygons = result->GetPolys();
+  auto joined = newCornerTexture(polygons->GetNumberOfCells(), polygons->GetMaxCellSize());
+  const auto set = [&](vtkIdType cell, vtkIdType k, vtkDataArray* from, vtkIdType i, int first) {
+    for (int d = 0; d < 2; ++d)
+    {
+      joined->SetComponent(cell, static_cast<int>(2 * k) + d, from->GetComponent(i, first + d));
+    }
+  };
+  vtkIdType size;
+  const vtkIdType* ids;
+  vtkIdType cell = 0;
+  for (const vtkIdType f : this->RestCells)
+  {
+    this->Input->GetPolys()->GetCellAtId(f, size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      set(cell, k, ofPoints, ids[k], 0);
+    }
+    ++cell;
+  }
+  // By the cell's own corners, and in cells whose edge was swapped by those that their points had.
+  std::map<vtkIdType, std::pair<vtkIdType, int>> another;
+  std::vector<std::pair<vtkIdType, vtkIdType>> missing; // a cell and its corner
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t, ++cell)
+  {
+    const vtkIdType* now;
+    mesh->GetPolys()->GetCellAtId(t, size, ids);
+    polygons->GetCellAtId(cell, size, now);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      const vtkIdType* before =
+        std::find_if(ids, ids + size, [&](vtkIdType p) { return idOfMeshPoint[p] == now[k]; });
+      if (before != ids + size)
+      {
+        set(cell, k, ofMesh, t, static_cast<int>(2 * (before - ids)));
+      }
+      else
+      {
+        missing.emplace_back(cell, k);
+      }
+      another.try_emplace(idOfMeshPoint[ids[k]], t, static_cast<int>(2 * k));
+    }
+  }
+  for (const auto& [lacking, k] : missing)
+  {
+    polygons->GetCellAtId(lacking, size, ids);
+    const auto& [t, first] = another.at(ids[k]);
+    set(lacking, k, ofMesh, t, first);
+  }
+  result->GetCellData()->AddArray(joined);
+}
+
 Status SelectedPart::join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* result) const
 {
   // The rest's points, then the mesh's that are none of them.
@@ -337,6 +396,10 @@ Status SelectedPart::join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* re
   std::iota(allOfMesh.begin(), allOfMesh.end(), 0);
   joinArrays(this->Input->GetCellData(), sourceOfRest, mesh->GetCellData(), allOfMesh,
     result->GetCellData());
+  if (cornerTexture(mesh))
+  {
+    this->joinTexture(mesh, idOfMeshPoint, result);
+  }
   if (vtkDataArray* source = result->GetPointData()->GetArray("SourceCellId"))
   {
     for (auto p = static_cast<vtkIdType>(rest.size()); p < source->GetNumberOfTuples(); ++p)

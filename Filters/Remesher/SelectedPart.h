@@ -41,6 +41,10 @@ public:
   Status join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* result) const;
 
 private:
+  /// CornerTextureCoordinates: the mesh's, and for the rest what its points have.
+  void joinTexture(
+    vtkPolyData* mesh, const std::vector<vtkIdType>& idOfMeshPoint, vtkPolyData* result) const;
+
   vtkSmartPointer<vtkPolyData> Input; // polygons, in the order of the input's cells
   vtkSmartPointer<vtkPolyData> Part;
   vtkSmartPointer<vtkIdTypeArray> BorderEdges;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CornerTexture.h"
 #include "MeshFile.h"
 #include "OffFile.h"
 #include "OutputFiles.h"
@@ -7,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -235,6 +237,76 @@ TEST_F(MeshFile, RegionsComeBackFromEveryFormatThatHasThem)
       }
     }
   }
+}
+
+TEST_F(MeshFile, TextureOfCornersComesBackFromEveryFormatThatHasIt)
+{
+  // Point 0 has other coordinates in the first face.
+  const auto mesh = makeTetrahedron();
+  auto corners = newCornerTexture(4);
+  for (vtkIdType f = 0; f < 4; ++f)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(f, size, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto id = static_cast<double>(ids[k]);
+      corners->SetComponent(f, 2 * k, f == 0 && ids[k] == 0 ? 0.75 : 0.125 * id);
+      corners->SetComponent(f, 2 * k + 1, 1. - 0.125 * id);
+    }
+  }
+  mesh->GetCellData()->AddArray(corners);
+  for (const std::string extension : { ".obj", ".ply", ".vtp", ".vtk" })
+  {
+    SCOPED_TRACE(extension);
+    const std::string file = this->Folder + "/mesh" + extension;
+    ASSERT_TRUE(writeRemesh(mesh, file, extension).ok());
+    vtkSmartPointer<vtkPolyData> read;
+    ASSERT_TRUE(readMesh(file, read).ok());
+    vtkDataArray* texture = read->GetPointData()->GetTCoords();
+    ASSERT_NE(texture, nullptr);
+    for (vtkIdType f = 0; f < 4; ++f)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      read->GetPolys()->GetCellAtId(f, size, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int d = 0; d < 2; ++d)
+        {
+          EXPECT_EQ(texture->GetComponent(ids[k], d), corners->GetComponent(f, 2 * k + d));
+        }
+      }
+    }
+  }
+  // One point a place, as was asked for.
+  std::ifstream stream(this->Folder + "/mesh.obj");
+  int points = 0;
+  int textures = 0;
+  for (std::string line; std::getline(stream, line);)
+  {
+    points += line.rfind("v ", 0) == 0 ? 1 : 0;
+    textures += line.rfind("vt ", 0) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(points, 4);
+  EXPECT_EQ(textures, 5);
+}
+
+TEST_F(MeshFile, PlyVerticesHaveTexturesByName)
+{
+  const std::string file = this->Folder + "/mesh.ply";
+  std::ofstream(file)
+    << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+       "property float z\nproperty float s\nproperty float t\nelement face 1\n"
+       "property list uchar int vertex_indices\nend_header\n"
+       "0 0 0 .5 .25\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n";
+  vtkSmartPointer<vtkPolyData> read;
+  ASSERT_TRUE(readMesh(file, read).ok());
+  vtkDataArray* texture = read->GetPointData()->GetTCoords();
+  ASSERT_NE(texture, nullptr);
+  EXPECT_EQ(texture->GetComponent(0, 0), 0.5);
+  EXPECT_EQ(texture->GetComponent(0, 1), 0.25);
 }
 
 TEST_F(MeshFile, OneSolidIsNoRegion)

@@ -12,7 +12,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkTexturedSphereSource
 
 import shapes
 import stipple
@@ -91,6 +91,26 @@ class Regions(unittest.TestCase):
     def test_an_array_that_is_missing(self):
         with self.assertRaisesRegex(ValueError, "no array 'part'"):
             stipple.remesh(shapes.sphere(), points=500, region_array="part")
+
+
+class Textures(unittest.TestCase):
+    def test_seams_are_kept(self):
+        source = vtkTexturedSphereSource()
+        source.SetThetaResolution(40)
+        source.SetPhiResolution(40)
+        source.Update()
+        result = stipple.remesh(source.GetOutput(), points=1000, keep_uv_seams=True)
+        points, triangles = shapes.arrays(result)
+        self.assertEqual(len(np.unique(points, axis=0)), 1000)
+        self.assertGreater(len(points), 1000)
+        # Away from the poles, where any longitude will do: no triangle reaches over the whole texture.
+        u = vtk_to_numpy(result.GetPointData().GetTCoords())[:, 0][triangles]
+        away = np.abs(points[triangles].mean(axis=1)[:, 2]) < 0.45
+        self.assertLess(np.ptp(u[away], axis=1).max(), 0.25)
+        with self.assertRaisesRegex(stipple.StippleError, "no texture coordinates"):
+            stipple.remesh(shapes.sphere(), points=500, keep_uv_seams=True)
+        with self.assertRaisesRegex(TypeError, "keep_uv_seams must be True or False"):
+            stipple.remesh(shapes.sphere(), points=500, keep_uv_seams=1)
 
 
 class Selection(unittest.TestCase):

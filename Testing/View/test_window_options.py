@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource, vtkTexturedSphereSource
 from vtkmodules.vtkImagingSources import vtkImageCanvasSource2D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -17,7 +17,8 @@ from view_program import ViewTest
 
 DOWN = [("MouseWheelBackwardEvent", 1150, 300)] * 20  # to the panel's end, in a window of 1280x800
 EDGE_LENGTH, DISTANCE, TURN, SHORTEST, LONGEST, GROWTH = ((1200, y) for y in (418, 389, 360, 331, 302, 273))
-LENGTHS_FROM, REGIONS, IMPORTANCE_FROM, PICTURE = ((1150, y) for y in (245, 185, 157, 127))
+LENGTHS_FROM, IMPORTANCE_FROM, PICTURE = ((1150, y) for y in (245, 157, 127))
+REGIONS, UV_SEAMS = ((x, 185) for x in (1075, 1205))
 ALONG_Z, LLOYD, AREA, ROUNDS = (1237, 98), (1236, 508), (1111, 508), (1200, 476)
 FINEST, COARSEST = ((x, 51) for x in (1075, 1205))
 
@@ -144,6 +145,24 @@ class Options(ViewTest):
             self.assertEqual(red[0], 0)
             self.assertGreater(red[1], 300)
         np.testing.assert_array_equal(same[30:], chosen[30:])
+
+    def test_the_seams_of_a_texture(self):
+        ball = vtkTexturedSphereSource()
+        ball.SetThetaResolution(48)
+        ball.SetPhiResolution(48)
+        ball.Update()
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.ball))
+        writer.SetInputData(ball.GetOutput())
+        writer.Write()
+        self.assertIs(self.play(*click(UV_SEAMS))["keep_uv_seams"], True)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.mesh))
+        reader.Update()
+        points = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+        self.assertEqual(len(np.unique(points, axis=0)), 700)
+        self.assertGreater(len(points), 700)
+        self.assertIs(self.play(*click(UV_SEAMS), *click(UV_SEAMS))["keep_uv_seams"], False)
 
     def test_an_array_is_the_importance(self):
         session = self.play(*click(IMPORTANCE_FROM), "1")

@@ -201,6 +201,11 @@ _SPECIAL = {
         "vtkImageData | ArrayLike | None",
         "The first row of an array is the lowest.",
     ),
+    "keep_uv_seams": (
+        "bool",
+        "bool | None",
+        "Points on these seams are there once for each side, as VTK draws them: besides the number asked for.",
+    ),
     "feature_curves": (
         "vtkPolyData with lines or sequence of (k, 3) arrays",
         "_Curves | None",
@@ -211,6 +216,16 @@ _ATLAS_OPTIONS = {**of_stage("vtkConformalAtlas"), "feature_curves": TABLE["feat
 
 
 # remesh
+
+
+def _drawable(mesh):
+    """The mesh with texture coordinates of points, as VTK draws them, if its corners have some."""
+    if not mesh.GetCellData().HasArray("CornerTextureCoordinates"):
+        return mesh
+    splitter = _classes.vtkTextureSeamSplitter()
+    splitter.SetInputData(mesh)
+    splitter.Update()
+    return splitter.GetOutput()
 
 
 @takes(TABLE, ("points", "importance", "gamma", "feature_angle"), special=_SPECIAL)
@@ -267,7 +282,7 @@ def remesh(mesh, given, progress=None):
     with _threads(given.get("threads")):
         update(remesher, progress, stages, empty="the mesh has no triangle with an area")
     _warn_of_splits(remesher.GetAtlas())
-    return to_mesh(remesher.GetOutput(), mesh)
+    return to_mesh(_drawable(remesher.GetOutput()), mesh)
 
 
 # atlas

@@ -37,7 +37,7 @@ class Option:
             if self.automatic and self.default == 0:
                 self.default = self.word or None
         elif self.kind != "choice":
-            self.default = None
+            self.default = False if self.kind == "flag" else None
 
     def number(self, value, name):
         """A number within the range, or a TypeError or ValueError that names the argument."""
@@ -90,6 +90,10 @@ class Option:
             if not isinstance(value, str):
                 raise TypeError(f"{name} must be a str, not {type(value).__name__}")
             value = [value]
+        elif self.kind == "flag":
+            if not isinstance(value, (bool, np.bool_)):
+                raise TypeError(f"{name} must be True or False, not {value!r}")
+            value = [bool(value)]
         elif self.kind == "rows":
             value = self.rows(value, name)
             value = list(map(float, value[0])) if self.one_row else [_data_array(value)]
@@ -103,6 +107,8 @@ class Option:
         if self.integer or self.kind == "number":
             doc_type = "int" if self.integer else "float"
             text += f"; {_bounds(self.low, self.high)} {self.unit}".rstrip()
+        elif self.kind == "flag":
+            doc_type = "bool"
         elif self.kind == "choice":
             doc_type = doc_type or _or([f'"{choice}"' for choice in self.choices])
         elif self.kind == "rows":
@@ -119,7 +125,7 @@ class Option:
 
     def stub(self):
         """The type of the argument, for a stub."""
-        types = {"integer": "int", "number": "float", "text": "str"}
+        types = {"flag": "bool", "integer": "int", "number": "float", "text": "str"}
         text = types.get(self.kind) or (
             f"Literal[{', '.join(repr(c) for c in self.choices)}]" if self.choices else "ArrayLike"
         )

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TextureTransfer.h"
+
+#include "CornerTexture.h"
+#include "SampleSet.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace stipple
+{
+namespace
+{
+/// The surface's texture coordinates, by face and corner.
+class SurfaceTexture
+{
+public:
+  explicit SurfaceTexture(const AtlasSurface& surface)
+    : Surface(surface)
+  {
+    for (vtkPolyData* chart : surface.charts)
+    {
+      this->Corners.push_back(cornerTexture(chart));
+    }
+  }
+  bool complete() const
+  {
+    return !this->Corners.empty() &&
+      std::all_of(this->Corners.begin(), this->Corners.end(), [](auto* a) { return a != nullptr; });
+  }
+  Vec2 at(int face, const Vec3& bary) const
+  {
+    const int chart = this->Surface.faceChart[face];
+    Vec2 result = Vec2::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      const vtkIdType cell = face - this->Surface.chartBegin[chart];
+      result += bary[k] *
+        Vec2(this->Corners[chart]->GetComponent(cell, 2 * k),
+          this->Corners[chart]->GetComponent(cell, 2 * k + 1));
+    }
+    return result;
+  }
+
+private:
+  const AtlasSurface& Surface;
+  std::vector<vtkDataArray*> Corners;
+};
+
+/// A corner of a cell of the mesh, and its neighbours on the cell's edge.
+struct Corner
+{
+  vtkIdType cell;
+  int k;
+  vtkIdType before;
+  vtkIdType after;
+};
+
+/// The coordinates beside the mesh's edges along kept backbones, by the edge as the cell on that
+/// side goes round: at its tail and at its head.
+using BesideEdges = std::map<std::pair<vtkIdType, vtkIdType>, std::array<Vec2, 2>>;
+
+BesideEdges besideEdges(const Atlas& atlas, const SurfaceTexture& texture,
+  const std::vector<Sample>& samples, vtkPolyData* lines)
+{
+  BesideEdges result;
+  vtkDataArray* backbones = lines->GetCellData()->GetArray("BackboneId");
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  {
+    const auto b = static_cast<int>(backbones->GetComponent(line, 0));
+    if (atlas.graph().backbones[static_cast<std::size_t>(b)].keep == Keep::Nothing)
+    {
+      continue;
+    }
+    const BackboneTrace& trace = atlas.traces()[static_cast<std::size_t>(b)];
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(line, size, ids);
+    const auto arcLength = [&](vtkIdType i) { // of samples, or of the nodes at the ends
+      const Sample& sample = samples[static_cast<std::size_t>(ids[i])];
+      return sample.backbone == b ? sample.arcLength : i == 0 ? 0. : trace.length();
+    };
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      for (const int side : { 0, 1 })
+      {
+        if (trace.chart[side] < 0)
+        {
+          continue;
+        }
+        const auto at = [&](vtkIdType point) {
+          const BackboneTrace::Place place = trace.locate(arcLength(point));
+          return texture.at(trace.face(place, side), trace.bary(place, side));
+        };
+        if (side == 0)
+        {
+          result[{ ids[i - 1], ids[i] }] = { at(i - 1), at(i) };
+        }
+        else
+        {
+          result[{ ids[i], ids[i - 1] }] = { at(i), at(i - 1) };
+        }
+      }
+    }
+  }
+  return result;
+}
+}
+
+Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh)
+{
+  const SurfaceTexture texture(atlas.surface());
+  if (!texture.complete() || mesh->GetNumberOfPolys() == 0)
+  {
+    return Status::success();
+  }
+  std::vector<Sample> samples;
+  if (Status status = readSamples(mesh, atlas, samples); !status.ok())
+  {
+    return status;
+  }
+  const BesideEdges beside = besideEdges(atlas, texture, samples, lines);
+
+  vtkCellArray* polygons = mesh->GetPolys();
+  auto array = newCornerTexture(mesh->GetNumberOfPolys(), polygons->GetMaxCellSize());
+  std::map<vtkIdType, std::vector<Corner>> fans; // around the points on kept backbones
+  std::vector<char> isOnSeam(samples.size(), 0);
+  for (const auto& edge : beside)
+  {
+    isOnSeam[static_cast<std::size_t>(edge.first.first)] = 1;
+    isOnSeam[static_cast<std::size_t>(edge.first.second)] = 1;
+  }
+  const auto set = [&](vtkIdType cell, int k, const Vec2& value) {
+    array->SetComponent(cell, 2 * k, value.x());
+    array->SetComponent(cell, 2 * k + 1, value.y());
+  };
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    polygons->GetCellAtId(cell, size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      const Sample& sample = samples[static_cast<std::size_t>(ids[k])];
+      set(cell, static_cast<int>(k), texture.at(sample.face, sample.bary));
+      if (isOnSeam[static_cast<std::size_t>(ids[k])])
+      {
+        fans[ids[k]].push_back(
+          { cell, static_cast<int>(k), ids[(k + size - 1) % size], ids[(k + 1) % size] });
+      }
+    }
+  }
+  for (const auto& [point, corners] : fans)
+  {
+    // From each kept edge the cells on its side, one after the other up to the next kept edge.
+    std::map<vtkIdType, const Corner*> byAfter;
+    std::map<vtkIdType, const Corner*> byBefore;
+    for (const Corner& corner : corners)
+    {
+      byAfter[corner.after] = &corner;
+      byBefore[corner.before] = &corner;
+    }
+    for (const Corner& corner : corners)
+    {
+      // The kept edge leaves the point, and the fan turns left; or it comes, and the fan turns
+      // right.
+      if (const auto leaving = beside.find({ point, corner.after }); leaving != beside.end())
+      {
+        for (const Corner* c = &corner; c;)
+        {
+          set(c->cell, c->k, leaving->second[0]);
+          const auto next = byAfter.find(c->before);
+          c = next == byAfter.end() || beside.count({ point, c->before }) > 0 ? nullptr
+                                                                              : next->second;
+        }
+      }
+      else if (const auto coming = beside.find({ corner.before, point }); coming != beside.end())
+      {
+        for (const Corner* c = &corner; c;)
+        {
+          set(c->cell, c->k, coming->second[1]);
+          const auto next = byBefore.find(c->after);
+          c = next == byBefore.end() || beside.count({ c->after, point }) > 0 ? nullptr
+                                                                              : next->second;
+        }
+      }
+    }
+  }
+  mesh->GetCellData()->AddArray(array);
+  return Status::success();
+}
+}
