@@ -3,6 +3,7 @@
 #include "Run.h"
 
 #include "CommandLine.h"
+#include "DrawingLibrary.h"
 #include "MeshFile.h"
 #include "Messages.h"
 #include "OptionText.h"
@@ -323,6 +324,11 @@ Status writeFiles(const Session& o, vtkPolyData* input, vtkGeometryRemesher* rem
 Status drawPicture(
   const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, OutputFiles& files)
 {
+  const DrawingLibrary* drawing = nullptr;
+  if (Status loaded = loadDrawing(drawing); !loaded.ok())
+  {
+    return loaded;
+  }
   PictureContent content;
   content.name = o.text("model");
   content.before = input;
@@ -338,9 +344,10 @@ Status drawPicture(
   if (wanted != "each")
   {
     const auto panel = std::find(names.begin(), names.end(), wanted) - names.begin();
-    return writePicture(content, static_cast<PicturePanel>(panel), files.aside(picture), picture);
+    return drawing->writePicture(
+      content, static_cast<PicturePanel>(panel), files.aside(picture), picture);
   }
-  Status status = writePicture(content, PicturePanel::All, files.aside(picture), picture);
+  Status status = drawing->writePicture(content, PicturePanel::All, files.aside(picture), picture);
   for (std::size_t panel = 1; panel < names.size(); ++panel)
   {
     const std::string file = picture.substr(0, picture.rfind('.')) + "-" + names[panel] + ".png";
@@ -350,7 +357,8 @@ Status drawPicture(
     }
     if (status.ok())
     {
-      status = writePicture(content, static_cast<PicturePanel>(panel), files.aside(file), file);
+      status =
+        drawing->writePicture(content, static_cast<PicturePanel>(panel), files.aside(file), file);
     }
   }
   return status;
@@ -383,6 +391,7 @@ Status run(const OptionValues& given)
   }
   const double load = watch.seconds();
   vtkNew<vtkGeometryRemesher> remesher;
+  loadDrawingForMaps(o.text("map_backend"));
   status = setUp(o, input, remesher);
   if (status.ok())
   {

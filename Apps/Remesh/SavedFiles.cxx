@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SavedFiles.h"
 
-#include "AtlasSurface.h"
+#include "ChartsInOnePiece.h"
 #include "MapPicture.h"
 #include "MeshFile.h"
 #include "Messages.h"
 #include "OutputFiles.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkCellData.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -39,23 +36,6 @@ Status write(WriterT* writer, DataT* data, const std::string& now, const std::st
 }
 }
 
-vtkSmartPointer<vtkPolyData> chartsInOnePiece(vtkPartitionedDataSetCollection* charts)
-{
-  vtkNew<vtkAppendPolyData> append;
-  for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
-  {
-    vtkNew<vtkPolyData> chart;
-    chart->ShallowCopy(chartOf(charts, c));
-    vtkNew<vtkIntArray> id;
-    id->SetName("ChartId");
-    id->SetNumberOfValues(chart->GetNumberOfCells());
-    id->FillValue(static_cast<int>(c));
-    chart->GetCellData()->AddArray(id);
-    append->AddInputData(chart);
-  }
-  append->Update();
-  return append->GetOutput();
-}
 Status saveCharts(
   vtkPartitionedDataSetCollection* charts, const std::string& file, OutputFiles& files)
 {

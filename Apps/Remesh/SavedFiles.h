@@ -6,8 +6,6 @@
 
 #include "Progress.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 
 class vtkPartitionedDataSetCollection;
@@ -16,10 +14,6 @@ class vtkPolyData;
 namespace stipple
 {
 class OutputFiles;
-
-/// All charts in one surface, with a cell array ChartId.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> chartsInOnePiece(
-  vtkPartitionedDataSetCollection* charts);
 
 /// .vtpc: one vtkPolyData a chart. .vtp: all charts in one, with a cell array ChartId.
 [[nodiscard]] Status saveCharts(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Versions.h"
 
-#include "vtkHeadlessRenderWindow.h"
-#include "vtkNew.h"
+#include "DrawingLibrary.h"
+
 #include "vtkVersion.h"
 
 #include <CGAL/version.h>
@@ -15,11 +15,10 @@ namespace stipple
 {
 std::string versionText()
 {
-  vtkNew<vtkHeadlessRenderWindow> window;
-  window->SetSize(16, 16);
-  const std::string renderer = window->GetRendererName();
+  const DrawingLibrary* drawing = nullptr;
+  const std::string renderer = loadDrawing(drawing).ok() ? drawing->rendererName() : "";
   return "stipple " STIPPLE_VERSION "\nVTK " + std::string(vtkVersion::GetVTKVersion()) +
     "\nCGAL " STIPPLE_STRING_OF(CGAL_VERSION) "\nOpenGL renderer: " +
-    (renderer.empty() ? "none" : renderer + " (" + window->GetPlatformName() + ")") + "\n";
+    (renderer.empty() ? "none" : renderer) + "\n";
 }
 }

@@ -46,6 +46,33 @@ bool isBeside(const PlacedTriangle& s, const PlacedTriangle& t)
   return sides == 1 || sides == 2;
 }
 
+/// The plane through an edge of s, upright on s, parts the triangles: all corners of t, but for one
+/// that is shared and ends the edge, lie beyond it, and not by a hair's breadth. Of triangles in
+/// one plane that have a corner in common at most, and do not touch elsewhere, either has such an
+/// edge.
+bool isBeyondAnEdge(const PlacedTriangle& s, const PlacedTriangle& t)
+{
+  const Vec3 n = (s.point[1] - s.point[0]).cross(s.point[2] - s.point[0]);
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const Vec3 outwards = (s.point[next] - s.point[k]).cross(n);
+    const double scale = CoplanarTolerance * outwards.norm();
+    // s itself is on this side, whatever rounding made of the normal.
+    bool beyond = outwards.dot(s.point[(k + 2) % 3] - s.point[k]) < 0.;
+    for (int j = 0; beyond && j < 3; ++j)
+    {
+      const Vec3 p = t.point[j] - s.point[k];
+      beyond = t.id[j] == s.id[k] || t.id[j] == s.id[next] || outwards.dot(p) > scale * p.norm();
+    }
+    if (beyond)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What a triangle or an edge is: CGAL's predicates want none that is less than it seems.
 using Simplex = std::variant<Kernel::Point_3, Kernel::Segment_3, Kernel::Triangle_3>;
 
@@ -112,7 +139,8 @@ bool intersect(const PlacedTriangle& s, const PlacedTriangle& t)
       }
     }
   }
-  if (shared > 1 || isBeside(s, t) || isBeside(t, s))
+  if (shared > 1 || isBeside(s, t) || isBeside(t, s) || isBeyondAnEdge(s, t) ||
+    isBeyondAnEdge(t, s))
   {
     return false;
   }

@@ -34,7 +34,9 @@ DeviationSearch::DeviationSearch(double wanted, double first, double least, doub
   : Wanted(wanted)
   , Least(std::max(1., std::ceil(least)))
   , Most(std::floor(most))
-  , Next(static_cast<int>(std::clamp(first, this->Least, std::max(this->Least, this->Most))))
+  // Of a first that is NaN, the least.
+  , Next(
+      static_cast<int>(std::min(std::max(this->Least, first), std::max(this->Least, this->Most))))
   , Nearest(std::numeric_limits<double>::infinity())
 {
 }

@@ -596,6 +596,10 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   }
   stipple::TriangleSurface reference = stipple::fromPolyData(s.Part.part() ? s.Part.part() : input);
   const double diagonal = reference.boundingBoxDiagonal();
+  if (!(diagonal > 0.) || !std::isfinite(diagonal))
+  {
+    return this->RunStagesAndCheck(); // they say what is wrong, or make nothing of nothing
+  }
   double wanted = std::numeric_limits<double>::infinity();
   for (const double bound :
     { 0.01 * this->MaximumDeviation * diagonal, this->MaximumDeviationLength })

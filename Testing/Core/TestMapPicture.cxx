@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MapContactSheet.h"
 #include "MapPicture.h"
 #include "SyntheticCharts.h"
 

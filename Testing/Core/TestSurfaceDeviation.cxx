@@ -263,6 +263,9 @@ TEST(DeviationSearch, EndsWhereThereAreNoFewerAndWhereMoreDoNotHelp)
 
 TEST(DeviationSearch, StartsWithTheNumberOfASphere)
 {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(DeviationSearch(1., nan, 5., 100.).next(), 5);
+  EXPECT_EQ(DeviationSearch(1., nan, nan, 100.).next(), 1);
   const TriangleSurface sphere = shapes::sphere(1., 4);
   const double off = deviation(sphere, shapes::sphere(1., 6), 1e-5).upper;
   const double points = pointsOfSphere(2. * std::sqrt(3.), off);

@@ -4,6 +4,7 @@
 // lazy, do not depend on the number of threads, and bad input is one clear sentence.
 #include "Check.h"
 #include "ImageRegression.h"
+#include "MapContactSheet.h"
 #include "MapPicture.h"
 #include "PolyDataConversion.h"
 #include "SyntheticCharts.h"

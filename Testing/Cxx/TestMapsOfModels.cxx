@@ -9,7 +9,7 @@
 #include "Curvature.h"
 #include "ImageRegression.h"
 #include "MapComparison.h"
-#include "MapPicture.h"
+#include "MapContactSheet.h"
 #include "ModelFile.h"
 #include "PolyDataConversion.h"
 #include "SyntheticCharts.h"

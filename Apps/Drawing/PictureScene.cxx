@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureScene.h"
 
-#include "MapPicture.h"
+#include "ChartsInOnePiece.h"
+#include "MapContactSheet.h"
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
-#include "SavedFiles.h"
 #include "SceneActors.h"
 
 #include "vtkActor.h"
