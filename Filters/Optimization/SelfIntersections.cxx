@@ -4,15 +4,17 @@
 
 #include "LocalEmbedding.h"
 #include "MeshRegion.h"
-#include "ParallelFor.h"
 #include "Relaxation.h"
 #include "TriangleIntersections.h"
 #include "Tuning.h"
 #include "VertexStar.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace stipple
 {
@@ -46,7 +48,8 @@ struct SelfIntersections::Internals
     std::uint64_t cell;
   };
   std::vector<Entry> Entries;
-  std::vector<int> Buckets; // first entry, or -1; their number is a power of two
+  std::size_t NumberOfBuckets = 1024; // a power of two
+  std::vector<int> Buckets; // first entry, or -1; empty while nobody has asked what is near
 
   explicit Internals(const OptimizedMesh& mesh)
     : Mesh(mesh)
@@ -87,31 +90,48 @@ struct SelfIntersections::Internals
           // Teschner et al., Optimized Spatial Hashing (2003).
           const std::uint64_t hash = (static_cast<std::uint64_t>(i) * 73856093) ^
             (static_cast<std::uint64_t>(j) * 19349663) ^ (static_cast<std::uint64_t>(k) * 83492791);
-          visit(numberOf(i, j, k), static_cast<std::size_t>(hash & (this->Buckets.size() - 1)));
+          visit(numberOf(i, j, k), static_cast<std::size_t>(hash & (this->NumberOfBuckets - 1)));
         }
       }
     }
   }
-  /// Calls visit(g) once for every face from `first` on whose box overlaps the box.
+  /// Whether boxes overlap and do so from this cell on: of all cells that both touch, one.
+  bool countsIn(std::uint64_t cell, const Box& box, const Box& other) const
+  {
+    if (!box.overlaps(other))
+    {
+      return false;
+    }
+    const auto begin = this->indexOf(box.low.cwiseMax(other.low));
+    return numberOf(begin[0], begin[1], begin[2]) == cell;
+  }
+  /// Calls visit(g) once for every face whose box overlaps the box.
   template <typename Visit>
-  void forEachNear(const Box& box, Face first, const Visit& visit) const
+  void forEachNear(const Box& box, const Visit& visit) const
   {
     this->forEachCell(box, [&](std::uint64_t cell, std::size_t bucket) {
       for (int e = this->Buckets[bucket]; e >= 0; e = this->Entries[e].next)
       {
         const Face g = this->Entries[e].face;
         const Box& other = this->Boxes[g];
-        if (!(g < first) && this->Entries[e].cell == cell && box.overlaps(other))
+        if (this->Entries[e].cell == cell && this->countsIn(cell, box, other))
         {
-          // Of all cells that both touch, it counts in the one where the overlap begins.
-          const auto begin = this->indexOf(box.low.cwiseMax(other.low));
-          if (numberOf(begin[0], begin[1], begin[2]) == cell)
-          {
-            visit(g);
-          }
+          visit(g);
         }
       }
     });
+  }
+  void fill()
+  {
+    if (this->Buckets.empty())
+    {
+      this->Buckets.assign(this->NumberOfBuckets, -1);
+      this->Entries.reserve(8 * static_cast<std::size_t>(this->Mesh.faces().size()));
+      for (const Face f : this->Mesh.faces())
+      {
+        this->insert(f);
+      }
+    }
   }
   void insert(Face f)
   {
@@ -137,18 +157,74 @@ struct SelfIntersections::Internals
       }
     });
   }
-  /// Those from `first` on that a face intersects.
-  std::vector<Face> partnersOf(Face f, Face first) const
+  /// Those that a face intersects.
+  std::vector<Face> partnersOf(Face f) const
   {
     std::vector<Face> result;
     const auto t = this->Mesh.corners(f);
-    this->forEachNear(this->Boxes[f], first, [&](Face g) {
+    this->forEachNear(this->Boxes[f], [&](Face g) {
       if (g != f && intersect(this->Mesh, t, this->Mesh.corners(g)))
       {
         result.push_back(g);
       }
     });
     return result;
+  }
+  /// All pairs: of the faces in a cell, each with each.
+  void findPartners()
+  {
+    std::vector<std::size_t> begin(this->NumberOfBuckets + 1, 0);
+    for (const Face f : this->Mesh.faces())
+    {
+      this->forEachCell(
+        this->Boxes[f], [&](std::uint64_t, std::size_t bucket) { ++begin[bucket + 1]; });
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    struct InCell
+    {
+      std::uint64_t cell;
+      Face face;
+    };
+    std::vector<InCell> sorted(begin.back());
+    std::vector<std::size_t> next = begin;
+    for (const Face f : this->Mesh.faces())
+    {
+      this->forEachCell(this->Boxes[f], [&](std::uint64_t cell, std::size_t bucket) {
+        sorted[next[bucket]++] = { cell, f };
+      });
+    }
+    constexpr std::size_t Chunk = 256; // buckets
+    std::vector<std::vector<std::array<Face, 2>>> found(this->NumberOfBuckets / Chunk);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType from, vtkIdType to) {
+      for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c)
+      {
+        for (std::size_t b = c * Chunk; b < (c + 1) * Chunk; ++b)
+        {
+          for (std::size_t i = begin[b]; i < begin[b + 1]; ++i)
+          {
+            const auto [cell, f] = sorted[i];
+            const Box& box = this->Boxes[f];
+            for (std::size_t j = i + 1; j < begin[b + 1]; ++j)
+            {
+              const Face g = sorted[j].face;
+              if (sorted[j].cell == cell && this->countsIn(cell, box, this->Boxes[g]) &&
+                intersect(this->Mesh, this->Mesh.corners(f), this->Mesh.corners(g)))
+              {
+                found[c].push_back({ f, g });
+              }
+            }
+          }
+        }
+      }
+    });
+    for (const auto& pairs : found)
+    {
+      for (const auto& [f, g] : pairs)
+      {
+        this->Partners[f].push_back(g);
+        this->Partners[g].push_back(f);
+      }
+    }
   }
   void part(Face f)
   {
@@ -174,37 +250,20 @@ SelfIntersections::SelfIntersections(const OptimizedMesh& mesh)
     sum += (grid.Boxes[f].high - grid.Boxes[f].low).maxCoeff();
   }
   grid.CellSize = n > 0 && sum > 0 ? sum / n : 1.;
-  std::size_t buckets = 1024;
-  while (buckets < static_cast<std::size_t>(n))
+  while (grid.NumberOfBuckets < static_cast<std::size_t>(n))
   {
-    buckets *= 2;
-  }
-  grid.Buckets.assign(buckets, -1);
-  grid.Entries.reserve(8 * static_cast<std::size_t>(n));
-  for (const Face f : mesh.faces())
-  {
-    grid.insert(f);
+    grid.NumberOfBuckets *= 2;
   }
   grid.Partners.resize(static_cast<std::size_t>(n));
-  parallelFor(
-    mesh.faces(), [&](Face f) { grid.Partners[f] = grid.partnersOf(f, Face(f.index() + 1)); });
-  for (const Face f : mesh.faces())
-  {
-    for (const Face g : grid.Partners[f])
-    {
-      if (f < g)
-      {
-        grid.Partners[g].push_back(f);
-      }
-    }
-  }
+  grid.findPartners();
 }
 
 SelfIntersections::~SelfIntersections() = default;
 
 int SelfIntersections::count(const std::vector<Face>& faces) const
 {
-  const Internals& grid = *this->Grid;
+  Internals& grid = *this->Grid;
+  grid.fill();
   std::vector<Face> inOrder = faces;
   std::sort(inOrder.begin(), inOrder.end());
   std::vector<Box> boxes;
@@ -213,7 +272,7 @@ int SelfIntersections::count(const std::vector<Face>& faces) const
   {
     const auto t = grid.Mesh.corners(f);
     const Box box = grid.boxOf(f);
-    grid.forEachNear(box, Face(0), [&](Face g) {
+    grid.forEachNear(box, [&](Face g) {
       if (!std::binary_search(inOrder.begin(), inOrder.end(), g))
       {
         pairs += intersect(grid.Mesh, t, grid.Mesh.corners(g)) ? 1 : 0;
@@ -234,6 +293,7 @@ int SelfIntersections::count(const std::vector<Face>& faces) const
 void SelfIntersections::update(const std::vector<Face>& faces)
 {
   Internals& grid = *this->Grid;
+  grid.fill();
   for (const Face f : faces)
   {
     grid.remove(f);
@@ -243,7 +303,7 @@ void SelfIntersections::update(const std::vector<Face>& faces)
   }
   for (const Face f : faces)
   {
-    for (const Face g : grid.partnersOf(f, Face(0)))
+    for (const Face g : grid.partnersOf(f))
     {
       std::vector<Face>& partners = grid.Partners[f];
       if (std::find(partners.begin(), partners.end(), g) == partners.end())
@@ -271,10 +331,11 @@ std::vector<Face> SelfIntersections::faces() const
 std::vector<Face> SelfIntersections::facesNear(const std::vector<Box>& places) const
 {
   std::vector<Face> result;
+  this->Grid->fill();
   for (const Box& place : places)
   {
     this->Grid->forEachNear(
-      place.grown(this->Grid->CellSize), Face(0), [&](Face f) { result.push_back(f); });
+      place.grown(this->Grid->CellSize), [&](Face f) { result.push_back(f); });
   }
   return result;
 }
