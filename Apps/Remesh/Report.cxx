@@ -90,9 +90,9 @@ std::string toJson(const Report& report)
   json.add("components", report.quality.components);
   json.add("boundary_loops", report.quality.boundaryLoops);
   json.add("euler_characteristic", report.quality.euler);
-  if (report.deviation >= 0)
+  if (report.deviation)
   {
-    json.add("deviation_pct", report.deviation);
+    json.add("deviation_pct", *report.deviation);
   }
   json.add("map_backend", quotedJson(report.mapBackend));
   json.add("seconds", seconds.text());

@@ -6,6 +6,7 @@
 
 #include "MeshQuality.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ struct Report
   std::string mapBackend;
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<std::pair<std::string, long long>> repairs;
-  double deviation = 0;  ///< that was verified, % of the diagonal; 0 if none was asked for
+  std::optional<double> deviation; ///< that was verified, % of the diagonal; if one was asked for
   MeshQuality quality;   ///< of the output; points, triangles and topology are told from it
   MeshDistance distance; ///< to the input, as repaired
 };

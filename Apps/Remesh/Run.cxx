@@ -249,10 +249,10 @@ void tell(const Report& report)
 {
   std::fprintf(stderr, "stipple: %s: %d points, %d triangles, %d charts\n", report.output.c_str(),
     report.quality.numberOfPoints, report.quality.numberOfTriangles, report.charts);
-  if (report.deviation >= 0)
+  if (report.deviation)
   {
     std::fprintf(
-      stderr, "stipple:   at most %.3g %% of the diagonal from the input\n", report.deviation);
+      stderr, "stipple:   at most %.3g %% of the diagonal from the input\n", *report.deviation);
   }
   for (const auto& stage : report.seconds)
   {

@@ -264,6 +264,11 @@ class LargestDeviation(MeshTest):
         self.assertLessEqual(verified, 1.001)
         self.assertAlmostEqual(points / numbers[0], 1, delta=0.3)
 
+    def test_none_is_told_where_none_was_asked_for(self):
+        report = self.folder / "report.json"
+        self.succeed(self.cube(), "-o", self.folder / "out.off", "--points", 100, "--report", report)
+        self.assertNotIn("deviation_pct", json.loads(report.read_text()))
+
     def test_what_cannot_be_held_is_refused(self):
         model = Sizes.sphere(self)
         self.fail_with(1, "at most 1e-07 %.*the nearest one does by", model, "-o", "x.ply", "--max-deviation", 1e-7)
