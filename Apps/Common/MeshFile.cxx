@@ -10,6 +10,7 @@
 #include "RegionFile.h"
 #include "Text.h"
 #include "TextNumbers.h"
+#include "XmlNames.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -17,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPoints.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkSTLReader.h"
@@ -148,6 +150,41 @@ std::string plainObj(const std::string& content)
   return result;
 }
 
+/// vtkOBJReader has an array of texture coordinates for each material, named like it, with -1 at
+/// the points of others: all in one, for no point is of two.
+void joinTexture(vtkPolyData* mesh)
+{
+  vtkPointData* data = mesh->GetPointData();
+  std::vector<vtkSmartPointer<vtkDataArray>> ofMaterials;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetNumberOfComponents() == 2)
+    {
+      ofMaterials.emplace_back(array);
+    }
+  }
+  if (ofMaterials.empty())
+  {
+    return;
+  }
+  auto joined = vtkSmartPointer<vtkDataArray>::Take(ofMaterials.front()->NewInstance());
+  joined->DeepCopy(ofMaterials.front());
+  joined->SetName("TCoords");
+  for (const auto& array : ofMaterials)
+  {
+    for (vtkIdType p = 0; p < joined->GetNumberOfTuples(); ++p)
+    {
+      if (array->GetComponent(p, 0) != -1. || array->GetComponent(p, 1) != -1.)
+      {
+        joined->SetTuple(p, p, array);
+      }
+    }
+    data->RemoveArray(array->GetName());
+  }
+  data->SetTCoords(joined);
+}
+
 Status readObj(const std::string& file, vtkPolyData* mesh)
 {
   const std::string content = contentOf(file);
@@ -163,6 +200,7 @@ Status readObj(const std::string& file, vtkPolyData* mesh)
   if (status.ok())
   {
     addObjRegions(file, mesh);
+    joinTexture(mesh);
   }
   return status;
 }
@@ -462,7 +500,7 @@ Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& 
   if (extension == ".vtp")
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
-    return writeByVTK(writer.Get(), mesh, file);
+    return writeByVTK(writer.Get(), withXmlNames(mesh).Get(), file);
   }
   if (extension == ".vtk")
   {

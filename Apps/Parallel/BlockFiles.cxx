@@ -4,6 +4,7 @@
 
 #include "MeshFile.h"
 #include "OptionTable.h"
+#include "XmlNames.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -205,7 +206,7 @@ Status writePieces(vtkPartitionedDataSet* blocks, const std::string& file,
     vtkNew<vtkXMLPolyDataWriter> writer;
     const std::string name = (fs::path(folder) / pieceName(file, b)).string();
     writer->SetFileName(name.c_str());
-    writer->SetInputData(block);
+    writer->SetInputData(withXmlNames(block));
     if (writer->Write() == 0 || writer->GetErrorCode() != 0)
     {
       status = Status::error("cannot write '" + (target / pieceName(file, b)).string() + "'");
@@ -253,7 +254,7 @@ Status writePieces(vtkPartitionedDataSet* blocks, const std::string& file,
                      ? "Float" + std::to_string(8 * array->GetDataTypeSize())
                      : (vtkDataArray::SafeDownCast(array)->GetDataTypeMin() < 0 ? "Int" : "UInt") +
                        std::to_string(8 * array->GetDataTypeSize()))
-              << "\" Name=\"" << array->GetName() << "\" NumberOfComponents=\""
+              << "\" Name=\"" << xmlName(array->GetName()) << "\" NumberOfComponents=\""
               << array->GetNumberOfComponents() << "\"/>\n";
       }
       index << "    </" << name << ">\n";

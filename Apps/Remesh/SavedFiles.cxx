@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SavedFiles.h"
 
+#include "AtlasSurface.h"
 #include "ChartsInOnePiece.h"
 #include "MapPicture.h"
 #include "MeshFile.h"
 #include "Messages.h"
 #include "OutputFiles.h"
+#include "XmlNames.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -50,8 +52,13 @@ Status saveCharts(
   {
     return status;
   }
+  vtkNew<vtkPartitionedDataSetCollection> named;
+  for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    named->SetPartition(c, 0, withXmlNames(chartOf(charts, c)));
+  }
   vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
-  return write(writer.Get(), charts, folder + "/" + target.filename().string(), file);
+  return write(writer.Get(), named.Get(), folder + "/" + target.filename().string(), file);
 }
 
 Status saveMaps(
@@ -70,7 +77,7 @@ Status saveMaps(
       continue;
     }
     vtkNew<vtkXMLImageDataWriter> writer;
-    status = write(writer.Get(), image, folder + "/" + chart + ".vti", target);
+    status = write(writer.Get(), withXmlNames(image).Get(), folder + "/" + chart + ".vti", target);
     for (std::size_t i = 0; status.ok() && i < names.size(); ++i)
     {
       std::string file = std::string(chart) + "_" + names[i] + ".png";

@@ -326,6 +326,22 @@ private:
   std::vector<Piece> Pieces;
 };
 
+/// What rounding leaves of lengths where coordinates are so large: finer than this, cutting has no
+/// end.
+double roundingOf(const TriangleSurface& a, const TriangleSurface& b)
+{
+  constexpr double Roundings = 64; // of one cut after another
+  double largest = 0;
+  for (const TriangleSurface* surface : { &a, &b })
+  {
+    for (const Vec3& p : surface->points)
+    {
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+  }
+  return Roundings * std::numeric_limits<double>::epsilon() * largest;
+}
+
 /// Calls visit(begin, end) for blocks of elements, on all threads; returns what is largest.
 template <typename Visit>
 Status forBlocks(
@@ -386,8 +402,9 @@ Status oneSidedDeviation(const TriangleSurface& from, const NearestTriangle& to,
       return status;
     }
     const double start = bounds.lower;
+    const double reachable = std::max(accuracy, roundingOf(from, to.surface()));
     return forBlocks(from.numberOfFaces(), inner, 0.3, 1., bounds, [&](int begin, int end) {
-      Deviation deviation(to, accuracy);
+      Deviation deviation(to, reachable);
       DeviationBounds block;
       for (int f = begin; f < end; ++f)
       {

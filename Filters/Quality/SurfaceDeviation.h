@@ -46,7 +46,8 @@ struct DeviationBounds
 };
 
 /// The largest distance of a place of `from`, anywhere on its triangles, to `to`, which both may be
-/// any soups. Within upper <= 1.01 lower + accuracy, where accuracy is a length above 0. Pieces of
+/// any soups. Within upper <= 1.01 lower + accuracy, where accuracy is a length; what rounding
+/// leaves of the surfaces' coordinates is the least. Pieces of
 /// triangles are cut until the distance to one triangle, which is convex, is small enough at all
 /// corners of a piece: along the prisms over the triangles nearest to them, so that there are about
 /// as many pieces as triangles that lie over one another. The same for any number of threads; 0 if

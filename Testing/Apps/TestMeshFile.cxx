@@ -293,6 +293,59 @@ TEST_F(MeshFile, TextureOfCornersComesBackFromEveryFormatThatHasIt)
   EXPECT_EQ(textures, 5);
 }
 
+TEST_F(MeshFile, TexturesOfSeveralMaterialsAreOne)
+{
+  std::ofstream(this->Folder + "/m.mtl") << "newmtl skin\nnewmtl bone\n";
+  const std::string file = this->Folder + "/mesh.obj";
+  std::ofstream(file) << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                         "vt .1 .2\nvt .3 .4\nvt .5 .6\nvt .7 .8\n"
+                         "usemtl skin\nf 1/1 2/2 3/3\nusemtl bone\nf 2/2 4/4 3/1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  ASSERT_TRUE(readMesh(file, mesh).ok());
+  vtkDataArray* texture = mesh->GetPointData()->GetTCoords();
+  ASSERT_NE(texture, nullptr);
+  EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 1);
+  const double wanted[2][3] = { { .1, .3, .5 }, { .3, .7, .1 } };
+  for (vtkIdType f = 0; f < 2; ++f)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(f, size, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(texture->GetComponent(ids[k], 0), wanted[f][k], 1e-6) << f << k;
+    }
+  }
+}
+
+TEST_F(MeshFile, NamesOfArraysDoNotSpoilFiles)
+{
+  const auto mesh = makeTetrahedron();
+  for (const std::string name :
+    { "a&b", "a<b>", "say \"a\"", "it's", "Gel\xC3\xA4nde", "Gel\xE4nde", "a\x01" })
+  {
+    vtkNew<vtkIntArray> values;
+    values->SetName(name.c_str());
+    values->SetNumberOfValues(4);
+    values->FillValue(7);
+    mesh->GetPointData()->AddArray(values);
+  }
+  mesh->GetPointData()->SetActiveScalars("a&b");
+  const std::string file = this->Folder + "/mesh.vtp";
+  ASSERT_TRUE(writeMesh(mesh, file, ".vtp").ok());
+  vtkSmartPointer<vtkPolyData> read;
+  const Status status = readMesh(file, read);
+  ASSERT_TRUE(status.ok()) << status.message();
+  for (const std::string name :
+    { "a&b", "a<b>", "say \"a\"", "it's", "Gel\xC3\xA4nde", "Gel?nde", "a?" })
+  {
+    EXPECT_TRUE(read->GetPointData()->HasArray(name.c_str())) << name;
+  }
+  ASSERT_NE(read->GetPointData()->GetScalars(), nullptr);
+  EXPECT_STREQ(read->GetPointData()->GetScalars()->GetName(), "a&b");
+  EXPECT_TRUE(mesh->GetPointData()->HasArray("a&b"));
+}
+
 TEST_F(MeshFile, PlyVerticesHaveTexturesByName)
 {
   const std::string file = this->Folder + "/mesh.ply";

@@ -261,6 +261,24 @@ TEST(DeviationSearch, EndsWhereThereAreNoFewerAndWhereMoreDoNotHelp)
   EXPECT_LT(raised.points, 130);
 }
 
+// Finer than coordinates are, pieces would be cut without end.
+TEST(SurfaceDeviation, EndsWhereTheAccuracyIsBelowRounding)
+{
+  TriangleSurface a = shapes::saddle(6);
+  TriangleSurface b = shapes::saddle(7);
+  for (TriangleSurface* surface : { &a, &b })
+  {
+    for (Vec3& p : surface->points)
+    {
+      p += Vec3::Constant(1e9);
+    }
+  }
+  DeviationBounds bounds;
+  ASSERT_TRUE(surfaceDeviation(a, b, 1e-300, nullptr, bounds).ok());
+  EXPECT_GT(bounds.lower, 1e-3);
+  EXPECT_LE(bounds.upper, 1.01 * bounds.lower + 1e-4);
+}
+
 TEST(DeviationSearch, StartsWithTheNumberOfASphere)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
