@@ -218,7 +218,7 @@ struct vtkGeometryRemesher::Internals
   }
 
   /// Whether the optimised mesh may be handed to a user.
-  stipple::Status check()
+  stipple::Status check(vtkPolyData* result)
   {
     stipple::Atlas::Pointer atlas; // the one that the stages share
     const stipple::Status status = stipple::Atlas::read(
@@ -228,7 +228,7 @@ struct vtkGeometryRemesher::Internals
     {
       return status;
     }
-    stipple::TriangleSurface mesh = stipple::fromPolyData(this->Optimizer->GetOutput());
+    stipple::TriangleSurface mesh = stipple::fromPolyData(result);
     mesh.connect();
     return stipple::checkMesh(mesh, atlas->surface(), atlas->topology(),
       [this](double) { return this->Self->GetAbortExecute() == 0; });
@@ -565,10 +565,18 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     {
       return true;
     }
-    const stipple::Status status = s.check();
+    stipple::Status status = s.check(s.Optimizer->GetOutput());
+    if (status.ok() && this->Pattern == SEMIREGULAR)
+    {
+      if (!this->RunStage(Subdivision))
+      {
+        return false;
+      }
+      status = s.check(s.Subdivider->GetOutput());
+    }
     if (status.ok())
     {
-      return this->Pattern != SEMIREGULAR || this->RunStage(Subdivision);
+      return true;
     }
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))

@@ -288,7 +288,8 @@ double BandMask::partWithin(int pixel, double reach, const Vec2& middle, const V
   // The distance changes by as much from the middle to a side.
   const double change = slope.cwiseProduct(half).maxCoeff();
   const double inside = std::min(reach, apart + change) - std::max(-reach, apart - change);
-  return change > 0 ? std::max(0., inside / (2. * change)) : 0.;
+  // Where the change is lost in the distance's rounding, any share may come out.
+  return change > 0 ? std::clamp(inside / (2. * change), 0., 1.) : 0.;
 }
 
 void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
