@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshQuality.h"
 
-#include "PolyDataConversion.h"
+#include "SurfaceDeviation.h"
 
-#include "vtkGenericCell.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -346,38 +341,20 @@ std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples
 Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& target,
   const Progress& progress, std::vector<NearestPlace>& nearest)
 {
-  // VTK's locators have tolerances of their own: at 1e-9 they look at all cells. A power of two
-  // changes no digit.
-  const double diagonal = target.boundingBoxDiagonal();
-  const double unit = diagonal > 0 && diagonal < 1e-3 ? std::ldexp(1., -std::ilogb(diagonal)) : 1.;
-  std::vector<Vec3> points = target.points;
-  for (Vec3& p : points)
-  {
-    p *= unit;
-  }
-  vtkSmartPointer<vtkPolyData> data = toPolyData(points, target.triangles);
-  data->BuildCells();
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
+  // Of two faces that are as near, VTK's locators find one or the other, depending on what sorts
+  // their cells: there, results would differ from machine to machine.
+  const NearestTriangle tree(target);
   nearest.resize(samples.size());
-  vtkSMPThreadLocalObject<vtkGenericCell> cells;
   const auto size = static_cast<vtkIdType>(samples.size());
   constexpr vtkIdType Portion = 5000; // a few hundredths of a second
   for (vtkIdType first = 0; first < size; first += Portion)
   {
     vtkSMPTools::For(first, std::min(first + Portion, size), [&](vtkIdType begin, vtkIdType end) {
-      vtkGenericCell* cell = cells.Local();
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const Vec3 place = unit * samples[i];
-        double closest[3];
-        vtkIdType cellId;
-        int subId;
-        double squared = 0;
-        locator->FindClosestPoint(place.data(), closest, cell, cellId, subId, squared);
-        nearest[i].squaredDistance = squared / (unit * unit);
-        nearest[i].face = static_cast<int>(cellId);
+        const NearestTriangle::Hit hit = tree.find(samples[i]);
+        nearest[i].squaredDistance = hit.squaredDistance;
+        nearest[i].face = hit.face;
       }
     });
     if (!report(progress, static_cast<double>(first) / static_cast<double>(size)))

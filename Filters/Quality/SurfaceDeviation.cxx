@@ -13,6 +13,11 @@
 
 namespace stipple
 {
+namespace
+{
+constexpr double SameDistance = 1e-12; ///< squared distances are as good as equal, over themselves
+}
+
 struct NearestTriangle::Node
 {
   Vec3 low;
@@ -84,6 +89,20 @@ double NearestTriangle::squaredDistance(const Vec3& p, int face) const
     p, this->Surface.point(face, 0), this->Surface.point(face, 1), this->Surface.point(face, 2));
 }
 
+bool NearestTriangle::isBelow(const Vec3& p, int face, int other) const
+{
+  if (other < 0)
+  {
+    return true;
+  }
+  const auto height = [&](int f) {
+    return std::abs(this->Surface.faceNormal(f).dot(p - this->Surface.point(f, 0)));
+  };
+  const double a = height(face);
+  const double b = height(other);
+  return a != b ? a > b : face < other;
+}
+
 NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint) const
 {
   const std::vector<Node>& nodes = this->Boxes->Nodes;
@@ -101,7 +120,7 @@ NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint) const
   {
     const Open next = stack[--open];
     const Node& node = nodes[next.node];
-    if (next.squared >= hit.squaredDistance)
+    if (next.squared > (1. + SameDistance) * hit.squaredDistance)
     {
       continue;
     }
@@ -111,9 +130,11 @@ NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint) const
       {
         const int face = this->Boxes->Order[k];
         const double squared = this->squaredDistance(p, face);
-        if (squared < hit.squaredDistance)
+        if (squared <= (1. + SameDistance) * hit.squaredDistance)
         {
-          hit = { face, squared };
+          const bool isIt =
+            squared < (1. - SameDistance) * hit.squaredDistance || this->isBelow(p, face, hit.face);
+          hit = { isIt ? face : hit.face, std::min(squared, hit.squaredDistance) };
         }
       }
       continue;

@@ -25,13 +25,17 @@ public:
     int face = -1;
     double squaredDistance = 0;
   };
-  /// The nearest triangle, found sooner if `hint` is near; -1: none known.
+  /// The nearest triangle, found sooner if `hint` is near; -1: none known. Of those that are as
+  /// near, beside an edge or about a vertex, the one that the place is highest above, whatever
+  /// their order.
   Hit find(const Vec3& p, int hint = -1) const;
   /// Squared distance of a place from one triangle.
   double squaredDistance(const Vec3& p, int face) const;
   const TriangleSurface& surface() const { return this->Surface; }
 
 private:
+  bool isBelow(const Vec3& p, int face, int other) const;
+
   struct Node;
   struct Tree;
   const TriangleSurface& Surface;

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the real `stipple` on real models. Meshes are judged by StippleMeshCheck, which shares no code with the project."""
 import json
+import os
 import struct
 import unittest
 
@@ -95,6 +96,18 @@ class Determinism(Case):
                 data.append(out.read_bytes())
             self.assertEqual(data[0], data[1], name)
             self.assertEqual(data[1], data[2], name)
+
+    def test_whatever_runs_vtks_threads(self):
+        # They sort and split differently; of faces that are as near, it must not matter which comes first.
+        for points, extra in ((900, ["--smoothing", "area"]), (3000, [])):
+            data = []
+            for backend in ("Sequential", "STDThread", "TBB"):
+                out = self.folder / f"out{len(data)}.ply"
+                environment = {**os.environ, "VTK_SMP_BACKEND_IN_USE": backend}
+                self.succeed(model("bunny00"), "-o", out, "--points", points, *extra, env=environment)
+                data.append(out.read_bytes())
+            self.assertEqual(data[0], data[1], points)
+            self.assertEqual(data[1], data[2], points)
 
 
 class Options(Case):
