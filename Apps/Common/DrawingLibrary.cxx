@@ -29,8 +29,9 @@ struct Loaded
       return;
     }
     const char* why = dlerror();
-    this->problem =
-      std::string("cannot load " STIPPLE_DRAWING_LIBRARY ": ") + (why ? why : "it is another one");
+    this->problem = std::string("cannot load " STIPPLE_DRAWING_LIBRARY
+                                ", or there is not enough memory for it: ") +
+      (why ? why : "it is another one");
   }
 };
 }
@@ -60,13 +61,16 @@ bool mayHaveGraphicsHardware()
 #endif
 }
 
-void loadDrawingForMaps(const std::string& backend)
+Status loadDrawingForMaps(const std::string& backend)
 {
   if (backend == "opengl" || (backend != "cpu" && mayHaveGraphicsHardware()))
   {
     const DrawingLibrary* library = nullptr;
-    // Without it the maps are the CPU's, or vtkGeometryMapRenderer says what is missing.
-    (void)loadDrawing(library);
+    if (Status status = loadDrawing(library); !status.ok() && backend == "opengl")
+    {
+      return status; // else the maps are the CPU's
+    }
   }
+  return Status::success();
 }
 }

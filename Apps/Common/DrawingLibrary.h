@@ -28,8 +28,9 @@ struct DrawingLibrary
 /// Whether there may be graphics hardware, which is seen without loading anything.
 [[nodiscard]] bool mayHaveGraphicsHardware();
 
-/// Loads it where maps are, or may be, drawn on OpenGL: `backend` is the option's word.
-void loadDrawingForMaps(const std::string& backend);
+/// Loads it where maps are, or may be, drawn on OpenGL: `backend` is the option's word. An error
+/// where they must be.
+[[nodiscard]] Status loadDrawingForMaps(const std::string& backend);
 }
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "BlockFiles.h"
 #include "BlockwiseRemesher.h"
-#include "DrawingLibrary.h"
 #include "MeshFile.h"
 #include "Program.h"
 
@@ -80,7 +79,6 @@ Status remesh(const OptionValues& o, const RankMessages& ranks, vtkPartitionedDa
     return status;
   }
   vtkNew<vtkGeometryRemesher> remesher;
-  loadDrawingForMaps(o.text("map_backend"));
   applyOptions(o, remesher);
   remesher->GetMapRenderer()->SetBackendToCPU();
   BlockwiseOptions options;

@@ -391,8 +391,11 @@ Status run(const OptionValues& given)
   }
   const double load = watch.seconds();
   vtkNew<vtkGeometryRemesher> remesher;
-  loadDrawingForMaps(o.text("map_backend"));
-  status = setUp(o, input, remesher);
+  status = loadDrawingForMaps(o.text("map_backend"));
+  if (status.ok())
+  {
+    status = setUp(o, input, remesher);
+  }
   if (status.ok())
   {
     status = remesh(input, o, remesher, bar);
