@@ -13,7 +13,6 @@ namespace stipple
 /// All charts in one surface, with a cell array ChartId.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> chartsInOnePiece(
   vtkPartitionedDataSetCollection* charts);
-
 }
 
 #endif

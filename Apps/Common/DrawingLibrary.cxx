@@ -34,15 +34,8 @@ struct Loaded
       (why ? why : "it is another one");
   }
 };
-}
 
-Status loadDrawing(const DrawingLibrary*& library)
-{
-  static const Loaded loaded;
-  library = loaded.library;
-  return library ? Status::success() : Status::error(loaded.problem);
-}
-
+/// Whether there may be graphics hardware, which is seen without loading anything.
 bool mayHaveGraphicsHardware()
 {
 #ifdef __linux__
@@ -59,6 +52,14 @@ bool mayHaveGraphicsHardware()
 #else
   return true;
 #endif
+}
+}
+
+Status loadDrawing(const DrawingLibrary*& library)
+{
+  static const Loaded loaded;
+  library = loaded.library;
+  return library ? Status::success() : Status::error(loaded.problem);
 }
 
 Status loadDrawingForMaps(const std::string& backend)

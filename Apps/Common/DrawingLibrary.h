@@ -25,9 +25,6 @@ struct DrawingLibrary
 /// Loads it once. An error says why it cannot be loaded.
 [[nodiscard]] Status loadDrawing(const DrawingLibrary*& library);
 
-/// Whether there may be graphics hardware, which is seen without loading anything.
-[[nodiscard]] bool mayHaveGraphicsHardware();
-
 /// Loads it where maps are, or may be, drawn on OpenGL: `backend` is the option's word. An error
 /// where they must be.
 [[nodiscard]] Status loadDrawingForMaps(const std::string& backend);

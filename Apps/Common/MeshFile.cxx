@@ -363,12 +363,11 @@ public:
       this->First.push_back(this->Number.size());
       for (int k = 0; k < size; ++k)
       {
-        const std::pair<double, double> uv(
-          corners->GetComponent(f, 2 * k), corners->GetComponent(f, 2 * k + 1));
-        const auto [entry, fresh] = numbers.try_emplace(uv, numbers.size() + 1);
+        const Vec2 uv = textureOfCorner(corners, f, k);
+        const auto [entry, fresh] = numbers.try_emplace({ uv.x(), uv.y() }, numbers.size() + 1);
         if (fresh)
         {
-          stream << "vt " << shortestText(uv.first) << ' ' << shortestText(uv.second) << '\n';
+          stream << "vt " << shortestText(uv.x()) << ' ' << shortestText(uv.y()) << '\n';
         }
         this->Number.push_back(entry->second);
       }

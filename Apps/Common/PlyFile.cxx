@@ -6,6 +6,7 @@
 #include "RegionFile.h"
 #include "Text.h"
 #include "TextNumbers.h"
+#include "UserArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -441,28 +442,12 @@ private:
     {
       // Points with several pairs become several, as VTK draws them.
       mesh->GetCellData()->AddArray(cornersOf(texture, polys));
-      if (hasPoints(polys, mesh->GetNumberOfPoints()))
+      if (checkCells(polys, mesh->GetNumberOfPoints(), "").ok()) // else the reader is told later
       {
         mesh->ShallowCopy(splitTextureSeams(mesh));
       }
     }
     return Status::success();
-  }
-
-  /// Whether all ids are of points that there are; if not, whoever reads the file is told.
-  static bool hasPoints(vtkCellArray* polygons, vtkIdType points)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    for (vtkIdType f = 0; f < polygons->GetNumberOfCells(); ++f)
-    {
-      polygons->GetCellAtId(f, size, ids);
-      if (std::any_of(ids, ids + size, [&](vtkIdType id) { return id < 0 || id >= points; }))
-      {
-        return false;
-      }
-    }
-    return true;
   }
 
   /// What a face has too little of is 0.

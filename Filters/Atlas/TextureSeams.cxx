@@ -111,33 +111,37 @@ void TextureSeams::mark(CutSurface& surface) const
   }
 }
 
-vtkSmartPointer<vtkDoubleArray> TextureSeams::corners(
-  const CutSurface& surface, const std::vector<Face>& faces) const
+std::vector<vtkSmartPointer<vtkDoubleArray>> TextureSeams::corners(
+  const CutSurface& surface, const std::vector<FlatChart>& charts) const
 {
   const std::vector<PointWeights> weights = weightsOfInserted(surface);
-  auto array = newCornerTexture(static_cast<vtkIdType>(faces.size()));
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    const int cell = surface.sourceCell[faces[f].index()];
-    for (int k = 0; k < 3; ++k)
+  const auto value = [&](int cell, int p) -> Vec2 {
+    if (p < surface.numberOfOriginalPoints)
     {
-      const int p = surface.vertex(faces[f], k).index();
-      Vec2 value = Vec2::Zero();
-      if (p < surface.numberOfOriginalPoints)
+      return this->at(cell, p);
+    }
+    Vec2 sum = Vec2::Zero();
+    for (const auto& [origin, weight] : weights[p - surface.numberOfOriginalPoints])
+    {
+      sum += weight * this->at(cell, origin);
+    }
+    return sum;
+  };
+  std::vector<vtkSmartPointer<vtkDoubleArray>> result;
+  for (const FlatChart& chart : charts)
+  {
+    const std::vector<Face>& faces = chart.mesh.faces;
+    result.push_back(newCornerTexture(static_cast<vtkIdType>(faces.size())));
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const int cell = surface.sourceCell[faces[f].index()];
+      for (int k = 0; k < 3; ++k)
       {
-        value = this->at(cell, p);
+        setTextureOfCorner(result.back(), static_cast<vtkIdType>(f), k,
+          value(cell, surface.vertex(faces[f], k).index()));
       }
-      else
-      {
-        for (const auto& [origin, weight] : weights[p - surface.numberOfOriginalPoints])
-        {
-          value += weight * this->at(cell, origin);
-        }
-      }
-      array->SetComponent(static_cast<vtkIdType>(f), 2 * k, value.x());
-      array->SetComponent(static_cast<vtkIdType>(f), 2 * k + 1, value.y());
     }
   }
-  return array;
+  return result;
 }
 }

@@ -5,11 +5,11 @@
 #define stipple_TextureSeams_h
 
 #include "CutSurface.h"
+#include "DensityCuts.h"
 #include "SurfaceRepair.h"
 
 #include "vtkSmartPointer.h"
 
-#include <map>
 #include <vector>
 
 class vtkDataArray;
@@ -30,10 +30,10 @@ public:
   /// borders of regions are kept.
   void mark(CutSurface& surface) const;
 
-  /// The array CornerTextureCoordinates for faces of the cut surface, whose corners are the
-  /// surface's, in its order. Along edges coordinates are linear, and so they are over a face.
-  vtkSmartPointer<vtkDoubleArray> corners(
-    const CutSurface& surface, const std::vector<Face>& faces) const;
+  /// The array CornerTextureCoordinates of every chart of the cut surface. Along edges coordinates
+  /// are linear, and so they are over a face.
+  std::vector<vtkSmartPointer<vtkDoubleArray>> corners(
+    const CutSurface& surface, const std::vector<FlatChart>& charts) const;
 
 private:
   Vec2 coordinates(int inputPoint) const;

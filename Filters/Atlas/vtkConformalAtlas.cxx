@@ -378,10 +378,13 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   {
     return status;
   }
-  for (std::size_t c = 0; texture && c < flat.size(); ++c)
+  if (texture)
   {
-    vtkPolyData* chart = stipple::chartOf(this->Charts, static_cast<unsigned int>(c));
-    chart->GetCellData()->AddArray(texture->corners(surface, flat[c].mesh.faces));
+    unsigned int c = 0;
+    for (const auto& corners : texture->corners(surface, flat))
+    {
+      stipple::chartOf(this->Charts, c++)->GetCellData()->AddArray(corners);
+    }
   }
   this->Graph->ShallowCopy(stipple::toPolyData(graph, surface.points));
   return stipple::Status::success();

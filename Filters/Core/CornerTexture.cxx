@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CornerTexture.h"
 
-#include "Geometry.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -85,6 +83,19 @@ vtkSmartPointer<vtkDoubleArray> newCornerTexture(vtkIdType cells, int corners)
   return array;
 }
 
+Vec2 textureOfCorner(vtkDataArray* corners, vtkIdType cell, vtkIdType k)
+{
+  const int first = static_cast<int>(2 * k);
+  return { corners->GetComponent(cell, first), corners->GetComponent(cell, first + 1) };
+}
+
+void setTextureOfCorner(vtkDataArray* corners, vtkIdType cell, vtkIdType k, const Vec2& coordinates)
+{
+  const int first = static_cast<int>(2 * k);
+  corners->SetComponent(cell, first, coordinates.x());
+  corners->SetComponent(cell, first + 1, coordinates.y());
+}
+
 vtkSmartPointer<vtkPolyData> splitTextureSeams(vtkPolyData* surface)
 {
   vtkDataArray* corners = cornerTexture(surface);
@@ -100,9 +111,9 @@ vtkSmartPointer<vtkPolyData> splitTextureSeams(vtkPolyData* surface)
     const vtkIdType* ids;
     surface->GetPolys()->GetCellAtId(cell, size, ids);
     polygons->InsertNextCell(static_cast<int>(size));
-    for (int k = 0; k < size; ++k)
+    for (vtkIdType k = 0; k < size; ++k)
     {
-      const Vec2 value(corners->GetComponent(cell, 2 * k), corners->GetComponent(cell, 2 * k + 1));
+      const Vec2 value = textureOfCorner(corners, cell, k);
       polygons->InsertCellPoint(split.with(ids[k], value.allFinite() ? value : Vec2(0., 0.)));
     }
   }

@@ -5,7 +5,7 @@
 #ifndef stipple_CornerTexture_h
 #define stipple_CornerTexture_h
 
-#include "Progress.h"
+#include "Geometry.h"
 #include "StippleFiltersCoreModule.h"
 
 #include "vtkSmartPointer.h"
@@ -25,6 +25,11 @@ constexpr const char* CornerTextureName = "CornerTextureCoordinates";
 STIPPLEFILTERSCORE_EXPORT vtkDataArray* cornerTexture(vtkPolyData* surface);
 STIPPLEFILTERSCORE_EXPORT vtkSmartPointer<vtkDoubleArray> newCornerTexture(
   vtkIdType cells, int corners = 3);
+
+/// Of corner k of a cell; only pairs that are there may be asked for.
+STIPPLEFILTERSCORE_EXPORT Vec2 textureOfCorner(vtkDataArray* corners, vtkIdType cell, vtkIdType k);
+STIPPLEFILTERSCORE_EXPORT void setTextureOfCorner(
+  vtkDataArray* corners, vtkIdType cell, vtkIdType k, const Vec2& coordinates);
 
 /// The surface as VTK draws it: points are there once for each of the texture coordinates that the
 /// corners around them have, the first with its id, the others behind all points, with the same

@@ -40,13 +40,11 @@ public:
   Vec2 at(int face, const Vec3& bary) const
   {
     const int chart = this->Surface.faceChart[face];
+    const vtkIdType cell = face - this->Surface.chartBegin[chart];
     Vec2 result = Vec2::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const vtkIdType cell = face - this->Surface.chartBegin[chart];
-      result += bary[k] *
-        Vec2(this->Corners[chart]->GetComponent(cell, 2 * k),
-          this->Corners[chart]->GetComponent(cell, 2 * k + 1));
+      result += bary[k] * textureOfCorner(this->Corners[chart], cell, k);
     }
     return result;
   }
@@ -60,7 +58,7 @@ private:
 struct Corner
 {
   vtkIdType cell;
-  int k;
+  vtkIdType k;
   vtkIdType before;
   vtkIdType after;
 };
@@ -114,6 +112,47 @@ BesideEdges besideEdges(const Atlas& atlas, const SurfaceTexture& texture,
   }
   return result;
 }
+
+/// From each kept edge about a point the cells on its side, one after the other up to the next kept
+/// edge, have what is beside the edge. corners: the point's.
+void spreadFromEdges(vtkIdType point, const std::vector<Corner>& corners, const BesideEdges& beside,
+  vtkDataArray* texture)
+{
+  std::map<vtkIdType, const Corner*> byAfter;
+  std::map<vtkIdType, const Corner*> byBefore;
+  for (const Corner& corner : corners)
+  {
+    byAfter[corner.after] = &corner;
+    byBefore[corner.before] = &corner;
+  }
+  const auto find = [](const auto& map, vtkIdType p) {
+    const auto found = map.find(p);
+    return found == map.end() ? nullptr : found->second;
+  };
+  const auto toTheLeft = [&](const Corner& c) {
+    return beside.count({ point, c.before }) > 0 ? nullptr : find(byAfter, c.before);
+  };
+  const auto toTheRight = [&](const Corner& c) {
+    return beside.count({ c.after, point }) > 0 ? nullptr : find(byBefore, c.after);
+  };
+  const auto spread = [&](const Corner* c, const Vec2& value, const auto& next) {
+    for (; c; c = next(*c))
+    {
+      setTextureOfCorner(texture, c->cell, c->k, value);
+    }
+  };
+  for (const Corner& corner : corners)
+  {
+    if (const auto leaving = beside.find({ point, corner.after }); leaving != beside.end())
+    {
+      spread(&corner, leaving->second[0], toTheLeft);
+    }
+    else if (const auto coming = beside.find({ corner.before, point }); coming != beside.end())
+    {
+      spread(&corner, coming->second[1], toTheRight);
+    }
+  }
+}
 }
 
 Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh)
@@ -139,10 +178,6 @@ Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh
     isOnSeam[static_cast<std::size_t>(edge.first.first)] = 1;
     isOnSeam[static_cast<std::size_t>(edge.first.second)] = 1;
   }
-  const auto set = [&](vtkIdType cell, int k, const Vec2& value) {
-    array->SetComponent(cell, 2 * k, value.x());
-    array->SetComponent(cell, 2 * k + 1, value.y());
-  };
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
   {
     vtkIdType size;
@@ -151,49 +186,16 @@ Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh
     for (vtkIdType k = 0; k < size; ++k)
     {
       const Sample& sample = samples[static_cast<std::size_t>(ids[k])];
-      set(cell, static_cast<int>(k), texture.at(sample.face, sample.bary));
+      setTextureOfCorner(array, cell, k, texture.at(sample.face, sample.bary));
       if (isOnSeam[static_cast<std::size_t>(ids[k])])
       {
-        fans[ids[k]].push_back(
-          { cell, static_cast<int>(k), ids[(k + size - 1) % size], ids[(k + 1) % size] });
+        fans[ids[k]].push_back({ cell, k, ids[(k + size - 1) % size], ids[(k + 1) % size] });
       }
     }
   }
   for (const auto& [point, corners] : fans)
   {
-    // From each kept edge the cells on its side, one after the other up to the next kept edge.
-    std::map<vtkIdType, const Corner*> byAfter;
-    std::map<vtkIdType, const Corner*> byBefore;
-    for (const Corner& corner : corners)
-    {
-      byAfter[corner.after] = &corner;
-      byBefore[corner.before] = &corner;
-    }
-    for (const Corner& corner : corners)
-    {
-      // The kept edge leaves the point, and the fan turns left; or it comes, and the fan turns
-      // right.
-      if (const auto leaving = beside.find({ point, corner.after }); leaving != beside.end())
-      {
-        for (const Corner* c = &corner; c;)
-        {
-          set(c->cell, c->k, leaving->second[0]);
-          const auto next = byAfter.find(c->before);
-          c = next == byAfter.end() || beside.count({ point, c->before }) > 0 ? nullptr
-                                                                              : next->second;
-        }
-      }
-      else if (const auto coming = beside.find({ corner.before, point }); coming != beside.end())
-      {
-        for (const Corner* c = &corner; c;)
-        {
-          set(c->cell, c->k, coming->second[1]);
-          const auto next = byBefore.find(c->after);
-          c = next == byBefore.end() || beside.count({ c->after, point }) > 0 ? nullptr
-                                                                              : next->second;
-        }
-      }
-    }
+    spreadFromEdges(point, corners, beside, array);
   }
   mesh->GetCellData()->AddArray(array);
   return Status::success();

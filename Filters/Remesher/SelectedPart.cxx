@@ -256,12 +256,6 @@ void SelectedPart::joinTexture(
   vtkDataArray* ofPoints = this->Input->GetPointData()->GetTCoords();
   vtkCellArray* polygons = result->GetPolys();
   auto joined = newCornerTexture(polygons->GetNumberOfCells(), polygons->GetMaxCellSize());
-  const auto set = [&](vtkIdType cell, vtkIdType k, vtkDataArray* from, vtkIdType i, int first) {
-    for (int d = 0; d < 2; ++d)
-    {
-      joined->SetComponent(cell, static_cast<int>(2 * k) + d, from->GetComponent(i, first + d));
-    }
-  };
   vtkIdType size;
   const vtkIdType* ids;
   vtkIdType cell = 0;
@@ -270,12 +264,12 @@ void SelectedPart::joinTexture(
     this->Input->GetPolys()->GetCellAtId(f, size, ids);
     for (vtkIdType k = 0; k < size; ++k)
     {
-      set(cell, k, ofPoints, ids[k], 0);
+      setTextureOfCorner(joined, cell, k, textureOfCorner(ofPoints, ids[k], 0));
     }
     ++cell;
   }
   // By the cell's own corners, and in cells whose edge was swapped by those that their points had.
-  std::map<vtkIdType, std::pair<vtkIdType, int>> another;
+  std::map<vtkIdType, Vec2> another;
   std::vector<std::pair<vtkIdType, vtkIdType>> missing; // a cell and its corner
   for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t, ++cell)
   {
@@ -288,20 +282,19 @@ void SelectedPart::joinTexture(
         std::find_if(ids, ids + size, [&](vtkIdType p) { return idOfMeshPoint[p] == now[k]; });
       if (before != ids + size)
       {
-        set(cell, k, ofMesh, t, static_cast<int>(2 * (before - ids)));
+        setTextureOfCorner(joined, cell, k, textureOfCorner(ofMesh, t, before - ids));
       }
       else
       {
         missing.emplace_back(cell, k);
       }
-      another.try_emplace(idOfMeshPoint[ids[k]], t, static_cast<int>(2 * k));
+      another.try_emplace(idOfMeshPoint[ids[k]], textureOfCorner(ofMesh, t, k));
     }
   }
   for (const auto& [lacking, k] : missing)
   {
     polygons->GetCellAtId(lacking, size, ids);
-    const auto& [t, first] = another.at(ids[k]);
-    set(lacking, k, ofMesh, t, first);
+    setTextureOfCorner(joined, lacking, k, another.at(ids[k]));
   }
   result->GetCellData()->AddArray(joined);
 }

@@ -38,7 +38,8 @@
  * @warning Fewer points than the features and the topology need are an error that names the next
  * number that works.
  * @warning Input points that coincide are welded, and the arrays of one of them are used: values
- * that jump where a surface is cut, as texture coordinates do, are interpolated across the jump.
+ * that jump where a surface is cut, as texture coordinates do, are interpolated across the jump
+ * (but see vtkConformalAtlas::KeepTextureSeams).
  *
  * @sa vtkConformalAtlas vtkGeometryMapRenderer vtkControlMap vtkErrorDiffusionSampler vtkCDTRemesh
  * vtkRemeshOptimizer vtkQuadRemesh vtkSemiRegularSubdivision

@@ -64,8 +64,7 @@ double largestError(vtkPolyData* mesh)
     for (int k = 0; k < 3; ++k)
     {
       const Vec2 wanted = textureAt(surface.points[t[k]], centre, surface.faceNormal(f));
-      const Vec2 has(corners->GetComponent(f, 2 * k), corners->GetComponent(f, 2 * k + 1));
-      largest = std::max(largest, (has - wanted).norm());
+      largest = std::max(largest, (textureOfCorner(corners, f, k) - wanted).norm());
     }
   }
   return largest;
@@ -83,9 +82,8 @@ vtkSmartPointer<vtkPolyData> texturedCylinder(const TriangleSurface& cylinder)
       (cylinder.points[t[0]] + cylinder.points[t[1]] + cylinder.points[t[2]]) / 3.;
     for (int k = 0; k < 3; ++k)
     {
-      const Vec2 uv = textureAt(cylinder.points[t[k]], centre, cylinder.faceNormal(f));
-      corners->SetComponent(f, 2 * k, uv.x());
-      corners->SetComponent(f, 2 * k + 1, uv.y());
+      setTextureOfCorner(
+        corners, f, k, textureAt(cylinder.points[t[k]], centre, cylinder.faceNormal(f)));
     }
   }
   data->GetCellData()->AddArray(corners);
@@ -172,10 +170,11 @@ TEST(TextureSeams, EdgesWhereCoordinatesJumpAreMarkedAndNoOthers)
 
   // A corner on a split edge has what lies between.
   const Halfedge h(0);
-  const Face face = faceOf(h);
-  const auto before = texture.corners(surface, { face });
+  std::vector<FlatChart> charts(1);
+  charts[0].mesh.faces = { faceOf(h) };
+  const auto before = texture.corners(surface, charts)[0];
   surface.splitEdge(h, 0.25);
-  const auto after = texture.corners(surface, { face });
+  const auto after = texture.corners(surface, charts)[0];
   for (int d = 0; d < 2; ++d)
   {
     EXPECT_NEAR(after->GetComponent(0, 2 + d),

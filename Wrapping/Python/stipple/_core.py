@@ -220,8 +220,6 @@ _ATLAS_OPTIONS = {**of_stage("vtkConformalAtlas"), "feature_curves": TABLE["feat
 
 def _drawable(mesh):
     """The mesh with texture coordinates of points, as VTK draws them, if its corners have some."""
-    if not mesh.GetCellData().HasArray("CornerTextureCoordinates"):
-        return mesh
     splitter = _classes.vtkTextureSeamSplitter()
     splitter.SetInputData(mesh)
     splitter.Update()
