@@ -3,8 +3,8 @@
 #include "MeshColors.h"
 
 #include "MeshQuality.h"
+#include "NearestTriangle.h"
 #include "PolyDataConversion.h"
-#include "SurfaceDeviation.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"

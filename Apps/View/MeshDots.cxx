@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshDots.h"
 
+#include "NearestTriangle.h"
 #include "PolyDataConversion.h"
-#include "SurfaceDeviation.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"

@@ -4,8 +4,8 @@
 
 #include "LostFeatures.h"
 #include "Messages.h"
+#include "NearestTriangle.h"
 #include "PolyDataConversion.h"
-#include "SurfaceDeviation.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleRelaxation.h"
 
+#include "NearestTriangle.h"
 #include "SampleSet.h"
-#include "SurfaceDeviation.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -382,7 +382,7 @@ Status farPlaces(
   std::vector<Vec3> positions;
   std::transform(places.begin(), places.end(), std::back_inserter(positions),
     [](const FarPlace& place) { return place.position; });
-  std::vector<NearestPlace> nearest;
+  std::vector<NearestTriangle::Hit> nearest;
   if (Status status = nearestPlaces(positions, whole, progress, nearest); !status.ok())
   {
     return status;

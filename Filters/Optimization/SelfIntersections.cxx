@@ -170,7 +170,29 @@ struct SelfIntersections::Internals
     });
     return result;
   }
-  /// All pairs: of the faces in a cell, each with each.
+  struct InCell
+  {
+    std::uint64_t cell;
+    Face face;
+  };
+  using Pairs = std::vector<std::array<Face, 2>>;
+  /// Those that intersect of the faces in a bucket, each with each in its cell.
+  void addPairs(const InCell* first, const InCell* last, Pairs& pairs) const
+  {
+    for (const InCell* f = first; f < last; ++f)
+    {
+      for (const InCell* g = f + 1; g < last; ++g)
+      {
+        if (g->cell == f->cell &&
+          this->countsIn(f->cell, this->Boxes[f->face], this->Boxes[g->face]) &&
+          intersect(this->Mesh, this->Mesh.corners(f->face), this->Mesh.corners(g->face)))
+        {
+          pairs.push_back({ f->face, g->face });
+        }
+      }
+    }
+  }
+  /// All pairs, from the faces sorted by bucket.
   void findPartners()
   {
     std::vector<std::size_t> begin(this->NumberOfBuckets + 1, 0);
@@ -180,11 +202,6 @@ struct SelfIntersections::Internals
         this->Boxes[f], [&](std::uint64_t, std::size_t bucket) { ++begin[bucket + 1]; });
     }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    struct InCell
-    {
-      std::uint64_t cell;
-      Face face;
-    };
     std::vector<InCell> sorted(begin.back());
     std::vector<std::size_t> next = begin;
     for (const Face f : this->Mesh.faces())
@@ -194,27 +211,12 @@ struct SelfIntersections::Internals
       });
     }
     constexpr std::size_t Chunk = 256; // buckets
-    std::vector<std::vector<std::array<Face, 2>>> found(this->NumberOfBuckets / Chunk);
+    std::vector<Pairs> found(this->NumberOfBuckets / Chunk);
     vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType from, vtkIdType to) {
-      for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c)
+      for (auto b = static_cast<std::size_t>(from) * Chunk;
+           b < static_cast<std::size_t>(to) * Chunk; ++b)
       {
-        for (std::size_t b = c * Chunk; b < (c + 1) * Chunk; ++b)
-        {
-          for (std::size_t i = begin[b]; i < begin[b + 1]; ++i)
-          {
-            const auto [cell, f] = sorted[i];
-            const Box& box = this->Boxes[f];
-            for (std::size_t j = i + 1; j < begin[b + 1]; ++j)
-            {
-              const Face g = sorted[j].face;
-              if (sorted[j].cell == cell && this->countsIn(cell, box, this->Boxes[g]) &&
-                intersect(this->Mesh, this->Mesh.corners(f), this->Mesh.corners(g)))
-              {
-                found[c].push_back({ f, g });
-              }
-            }
-          }
-        }
+        this->addPairs(sorted.data() + begin[b], sorted.data() + begin[b + 1], found[b / Chunk]);
       }
     });
     for (const auto& pairs : found)

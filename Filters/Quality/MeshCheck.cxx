@@ -64,7 +64,7 @@ struct Gap
   Status look(const std::vector<Vec3>& places, const TriangleSurface& other,
     const Progress& progress, const F& tooFar)
   {
-    std::vector<NearestPlace> nearest;
+    std::vector<NearestTriangle::Hit> nearest;
     const Status status = nearestPlaces(places, other, progress, nearest);
     for (std::size_t i = 0; i < nearest.size() && status.ok(); ++i)
     {

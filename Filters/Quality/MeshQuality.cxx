@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshQuality.h"
 
-#include "SurfaceDeviation.h"
-
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -242,10 +240,10 @@ std::vector<Vec3> samplesAndPoints(const TriangleSurface& mesh, int numberOfSamp
 Status distancesTo(const std::vector<Vec3>& samples, const TriangleSurface& target,
   const Progress& progress, std::vector<double>& squared)
 {
-  std::vector<NearestPlace> nearest;
+  std::vector<NearestTriangle::Hit> nearest;
   const Status status = nearestPlaces(samples, target, progress, nearest);
   squared.clear();
-  for (const NearestPlace& place : nearest)
+  for (const NearestTriangle::Hit& place : nearest)
   {
     squared.push_back(place.squaredDistance);
   }
@@ -339,7 +337,7 @@ std::vector<Vec3> sampleSurface(const TriangleSurface& mesh, int numberOfSamples
 }
 
 Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& target,
-  const Progress& progress, std::vector<NearestPlace>& nearest)
+  const Progress& progress, std::vector<NearestTriangle::Hit>& nearest)
 {
   // Of two faces that are as near, VTK's locators find one or the other, depending on what sorts
   // their cells: there, results would differ from machine to machine.
@@ -352,9 +350,7 @@ Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& ta
     vtkSMPTools::For(first, std::min(first + Portion, size), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const NearestTriangle::Hit hit = tree.find(samples[i]);
-        nearest[i].squaredDistance = hit.squaredDistance;
-        nearest[i].face = hit.face;
+        nearest[i] = tree.find(samples[i]);
       }
     });
     if (!report(progress, static_cast<double>(first) / static_cast<double>(size)))

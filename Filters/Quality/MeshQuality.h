@@ -5,6 +5,7 @@
 #ifndef stipple_MeshQuality_h
 #define stipple_MeshQuality_h
 
+#include "NearestTriangle.h"
 #include "Progress.h"
 #include "StippleFiltersQualityModule.h"
 #include "TriangleSurface.h"
@@ -94,15 +95,10 @@ struct QualityFigure
 [[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT std::vector<Vec3> sampleSurface(
   const TriangleSurface& mesh, int numberOfSamples);
 
-struct NearestPlace
-{
-  int face = -1;
-  double squaredDistance = 0;
-};
-
 /// The triangle of the target next to each sample.
 STIPPLEFILTERSQUALITY_EXPORT Status nearestPlaces(const std::vector<Vec3>& samples,
-  const TriangleSurface& target, const Progress& progress, std::vector<NearestPlace>& nearest);
+  const TriangleSurface& target, const Progress& progress,
+  std::vector<NearestTriangle::Hit>& nearest);
 
 /// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and
 /// measures to the other; the same for any number of threads. All 0 if one of them is empty.

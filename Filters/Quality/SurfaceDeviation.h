@@ -4,44 +4,13 @@
 #ifndef stipple_SurfaceDeviation_h
 #define stipple_SurfaceDeviation_h
 
+#include "NearestTriangle.h"
 #include "Progress.h"
 #include "StippleFiltersQualityModule.h"
 #include "TriangleSurface.h"
 
-#include <memory>
-
 namespace stipple
 {
-/// The triangles of a surface, any soup of them, to be asked for the nearest one. Borrows the
-/// surface, which has a triangle.
-class STIPPLEFILTERSQUALITY_EXPORT NearestTriangle
-{
-public:
-  explicit NearestTriangle(const TriangleSurface& surface);
-  ~NearestTriangle();
-
-  struct Hit
-  {
-    int face = -1;
-    double squaredDistance = 0;
-  };
-  /// The nearest triangle, found sooner if `hint` is near; -1: none known. Of those that are as
-  /// near, beside an edge or about a vertex, the one that the place is highest above, whatever
-  /// their order.
-  Hit find(const Vec3& p, int hint = -1) const;
-  /// Squared distance of a place from one triangle.
-  double squaredDistance(const Vec3& p, int face) const;
-  const TriangleSurface& surface() const { return this->Surface; }
-
-private:
-  bool isBelow(const Vec3& p, int face, int other) const;
-
-  struct Node;
-  struct Tree;
-  const TriangleSurface& Surface;
-  std::unique_ptr<Tree> Boxes;
-};
-
 /// Between which the largest distance lies, in the surfaces' unit of length.
 struct DeviationBounds
 {

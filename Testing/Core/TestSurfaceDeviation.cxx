@@ -3,6 +3,7 @@
 // Bounds on the largest distance between two surfaces, against shapes whose distance is known.
 #include "DeviationSearch.h"
 #include "MeshQuality.h"
+#include "NearestTriangle.h"
 #include "Shapes.h"
 #include "SurfaceDeviation.h"
 #include "TriangleDistance.h"

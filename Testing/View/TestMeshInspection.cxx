@@ -3,9 +3,9 @@
 // What the views show of a finished mesh: its vertices as dots, its triangles by number.
 #include "MeshColors.h"
 #include "MeshDots.h"
+#include "NearestTriangle.h"
 #include "PolyDataConversion.h"
 #include "SphereAtlas.h"
-#include "SurfaceDeviation.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
