@@ -86,6 +86,8 @@ struct AtlasConstants
   /// better.) Places on half of its boundary by which the ends are found.
   static constexpr double LongChart = 16;
   static constexpr int PlacesOnFold = 32;
+  /// Rectangles whose maps are solved for together: four take little longer than one.
+  static constexpr std::size_t MapsAtOnce = 4;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 

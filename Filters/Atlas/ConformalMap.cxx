@@ -80,11 +80,12 @@ void scale(std::vector<Vec2>& uv, const Vec2& from, const Vec2& to)
   }
 }
 
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// The points as a matrix with a row each.
 auto rows(std::vector<Vec2>& uv)
 {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<Matrix>(uv.data()->data(), static_cast<Eigen::Index>(uv.size()), 2);
+  return Eigen::Map<Rows>(uv.data()->data(), static_cast<Eigen::Index>(uv.size()), 2);
 }
 
 bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
@@ -191,33 +192,47 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
     layout.place(placement, uv);
     solver.solve(rows(uv));
   };
+  const auto judge = [&](const RectanglePlacement& placement, std::vector<Vec2>& uv, double& least) {
+    double cost = meanDensity(area, chart, uv);
+    Vec2 extent = placement.extent;
+    if (isLong)
+    {
+      const Vec2 energies = dirichletEnergies(surface, area, chart, uv);
+      extent = placement.fits ? fittingExtent(energies, placement.extent) : placement.extent;
+      const Vec2 scaled = energies.cwiseProduct(extent.cwiseQuotient(placement.extent).cwiseAbs2());
+      const double stretch = 0.5 * scaled.sum() / (extent.x() * extent.y());
+      cost *= std::max(1., stretch / Constants::MostStretch);
+    }
+    if (cost < least)
+    {
+      least = cost;
+      best = &placement;
+      std::swap(map.uv, uv);
+      map.extent = extent;
+    }
+  };
   const auto tryAll = [&] {
     double least = std::numeric_limits<double>::infinity();
     std::vector<Vec2> uv(map.uv.size(), Vec2::Zero());
-    for (const RectanglePlacement& placement : placements)
+    for (std::size_t first = 0; first < placements.size(); first += Constants::MapsAtOnce)
     {
       if (isAsked(stop))
       {
         return;
       }
-      solve(placement, uv);
-      double cost = meanDensity(area, chart, uv);
-      Vec2 extent = placement.extent;
-      if (isLong)
+      const int n =
+        static_cast<int>(std::min(Constants::MapsAtOnce, placements.size() - first));
+      Rows all = Rows::Zero(static_cast<Eigen::Index>(uv.size()), 2 * n);
+      for (int i = 0; i < n; ++i)
       {
-        const Vec2 energies = dirichletEnergies(surface, area, chart, uv);
-        extent = placement.fits ? fittingExtent(energies, placement.extent) : placement.extent;
-        const Vec2 scaled =
-          energies.cwiseProduct(extent.cwiseQuotient(placement.extent).cwiseAbs2());
-        const double stretch = 0.5 * scaled.sum() / (extent.x() * extent.y());
-        cost *= std::max(1., stretch / Constants::MostStretch);
+        layout.place(placements[first + i], uv);
+        all.middleCols<2>(2 * i) = rows(uv);
       }
-      if (cost < least)
+      solver.solve(all);
+      for (int i = 0; i < n; ++i)
       {
-        least = cost;
-        best = &placement;
-        map.uv = uv;
-        map.extent = extent;
+        rows(uv) = all.middleCols<2>(2 * i);
+        judge(placements[first + i], uv, least);
       }
     }
     map.valid = best && isValid(chart, map.uv);
