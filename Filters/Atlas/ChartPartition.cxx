@@ -12,6 +12,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -184,6 +185,9 @@ public:
   /// last region has taken b's number.
   using Allowed = std::function<std::optional<SeamArc>(int a, int b)>;
   using Merged = std::function<void(int a, int b)>;
+  /// Told before a pair is asked for, with those that are next in the queue: they are likely to be
+  /// asked for soon.
+  using Foreseen = std::function<void(const std::vector<std::pair<int, int>>& pairs)>;
 
   explicit GreedyMerge(ChartRegions& regions)
     : Regions(regions)
@@ -200,7 +204,8 @@ public:
     }
   }
 
-  Status run(int fewest, const Allowed& allowed, const Merged& merged, const Progress& progress)
+  Status run(int fewest, const Allowed& allowed, const Merged& merged, const Foreseen& foreseen,
+    const Progress& progress)
   {
     // A pair is asked for once, and new ones come only with a region less.
     std::size_t asked = 0;
@@ -211,11 +216,15 @@ public:
       {
         return Status::aborted();
       }
+      if (foreseen && this->isLeft(this->Pairs.top()))
+      {
+        foreseen(this->nextPairs());
+      }
       const Pair pair = this->Pairs.top();
       this->Pairs.pop();
       const int a = std::min(this->Place[pair.first], this->Place[pair.second]);
       const int b = std::max(this->Place[pair.first], this->Place[pair.second]);
-      const std::optional<SeamArc> seam = a < 0 ? std::nullopt : allowed(a, b);
+      const std::optional<SeamArc> seam = this->isLeft(pair) ? allowed(a, b) : std::nullopt;
       if (!seam)
       {
         continue;
@@ -256,6 +265,34 @@ private:
       return std::tie(this->area, this->first, this->second) > std::tie(o.area, o.first, o.second);
     }
   };
+
+  bool isLeft(const Pair& pair) const
+  {
+    return this->Place[pair.first] >= 0 && this->Place[pair.second] >= 0;
+  }
+
+  /// As many as there are threads, and no more than the queue has.
+  std::vector<std::pair<int, int>> nextPairs()
+  {
+    const auto most = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+    std::vector<std::pair<int, int>> result;
+    std::vector<Pair> taken;
+    while (result.size() < most && !this->Pairs.empty())
+    {
+      taken.push_back(this->Pairs.top());
+      this->Pairs.pop();
+      if (this->isLeft(taken.back()))
+      {
+        result.push_back(
+          std::minmax(this->Place[taken.back().first], this->Place[taken.back().second]));
+      }
+    }
+    for (const Pair& pair : taken)
+    {
+      this->Pairs.push(pair);
+    }
+    return result;
+  }
 
   void addPairs(int r, bool laterOnly)
   {
@@ -364,7 +401,7 @@ public:
       .run(
         this->Options.numberOfCharts, [this](int a, int b) { return this->tryToMerge(a, b); },
         [this](int a, int b) {
-          this->Charts[a] = std::move(this->Merged);
+          this->Charts[a] = std::move(this->Merged.chart);
           if (b + 1 != static_cast<int>(this->Charts.size()))
           {
             this->Charts[b] = std::move(this->Charts.back());
@@ -372,6 +409,7 @@ public:
           this->Charts.pop_back();
           this->Regions.clearChanges(a);
         },
+        [this](const std::vector<std::pair<int, int>>& pairs) { this->flattenTogether(pairs); },
         progress);
   }
 
@@ -531,39 +569,92 @@ private:
     return parts;
   }
 
-  /// Flattens two regions as one; the seam to close if that keeps the bound. Large ones are not
-  /// worth the time.
-  std::optional<SeamArc> tryToMerge(int a, int b)
+  /// Two regions as one chart.
+  struct Candidate
   {
-    if (this->Regions.faces(a).size() + this->Regions.faces(b).size() > Constants::LargestMerger)
+    SeamArc seam; // to close
+    FlatChart chart;
+  };
+  /// By the first triangles of two regions: whatever becomes of others, it stays theirs until they
+  /// are merged.
+  using Key = std::pair<Face, Face>;
+  Key keyOf(int a, int b) const
+  {
+    return std::minmax(this->Regions.faces(a).front(), this->Regions.faces(b).front());
+  }
+
+  /// Flattens pairs of regions as one chart each, several at a time, that have not been so far.
+  /// Large ones are not worth the time.
+  void flattenTogether(const std::vector<std::pair<int, int>>& pairs)
+  {
+    if (this->Candidates.count(this->keyOf(pairs.front().first, pairs.front().second)) > 0)
     {
-      return {};
-    }
-    // Glued along one seam two disks are a disk; what others they have stay cut.
-    std::optional<SeamArc> seam = longestOpenSeam(this->Regions, a, b);
-    if (!seam)
-    {
-      return {};
+      return;
     }
     CutSurface& surface = this->Regions.surface();
-    for (const Halfedge h : seam->halfedges)
+    std::vector<Candidate*> added;
+    for (const auto& [a, b] : pairs)
     {
-      surface.setCut(h, false);
+      // Glued along one seam two disks are a disk; what others they have stay cut.
+      const bool isSmall =
+        this->Regions.faces(a).size() + this->Regions.faces(b).size() <= Constants::LargestMerger;
+      std::optional<SeamArc> seam =
+        isSmall ? longestOpenSeam(this->Regions, a, b) : std::optional<SeamArc>();
+      const auto [place, isNew] = this->Candidates.try_emplace(this->keyOf(a, b));
+      if (!isNew || !seam)
+      {
+        continue;
+      }
+      place->second.emplace();
+      Candidate& candidate = *place->second;
+      candidate.seam = std::move(*seam);
+      for (const Halfedge h : candidate.seam.halfedges)
+      {
+        surface.setCut(h, false);
+      }
+      std::vector<Face> faces = this->Regions.faces(a);
+      faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
+      candidate.chart.mesh = extractChart(surface, std::move(faces));
+      for (const Halfedge h : candidate.seam.halfedges)
+      {
+        surface.setCut(h, true);
+      }
+      added.push_back(&candidate);
     }
-    std::vector<Face> faces = this->Regions.faces(a);
-    faces.insert(faces.end(), this->Regions.faces(b).begin(), this->Regions.faces(b).end());
-    this->Merged.mesh = extractChart(surface, std::move(faces));
-    this->Merged.map =
-      mapToRectangle(surface, this->Merged.mesh, { this->Options.square }, this->Regions.stop());
-    for (const Halfedge h : seam->halfedges)
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(added.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          FlatChart& chart = added[i]->chart;
+          chart.map =
+            mapToRectangle(surface, chart.mesh, { this->Options.square }, this->Regions.stop());
+        }
+      });
+  }
+
+  /// The seam to close, if two regions as one keep the bound.
+  std::optional<SeamArc> tryToMerge(int a, int b)
+  {
+    std::optional<Candidate>& candidate = this->Candidates[this->keyOf(a, b)];
+    if (!candidate)
     {
-      surface.setCut(h, true);
+      return {};
     }
-    if (!this->isWorthMerging(*seam, a, b))
+    this->Merged = std::move(*candidate);
+    candidate.reset(); // a pair is asked for once
+    if (!this->isWorthMerging(this->Merged.seam, a, b))
     {
-      seam.reset();
+      return {};
     }
-    return seam;
+    const Face first = this->Regions.faces(a).front();
+    const Face second = this->Regions.faces(b).front();
+    for (auto it = this->Candidates.begin(); it != this->Candidates.end();)
+    {
+      const auto& [one, other] = it->first;
+      const bool isOld = one == first || one == second || other == first || other == second;
+      it = isOld ? this->Candidates.erase(it) : std::next(it);
+    }
+    return this->Merged.seam;
   }
 
   /// Whether the merged chart keeps the bound. A seam on creases is a good one: it goes only if
@@ -572,7 +663,7 @@ private:
   /// area many a corner is missed, and the few samples of its surroundings are missing.
   bool isWorthMerging(const SeamArc& seam, int a, int b) const
   {
-    const ConformalMap& map = this->Merged.map;
+    const ConformalMap& map = this->Merged.chart.map;
     const CutSurface& surface = this->Regions.surface();
     const double bound = this->Options.maximumDensityRatio;
     if (!map.valid || map.densityRatio > bound)
@@ -586,15 +677,16 @@ private:
     const auto quantile = [&](const FlatChart& chart) {
       return densityQuantile(chart.map, 0.1 * NegligibleArea);
     };
-    const double merged = quantile(this->Merged);
+    const double merged = quantile(this->Merged.chart);
     return merged <= Constants::DensityAtCreases * bound || merged <= quantile(this->Charts[a]) ||
       merged <= quantile(this->Charts[b]);
   }
 
   ChartRegions& Regions;
   const ChartPartitionOptions& Options;
-  FlatChart Merged;
-  ElementArray<Halfedge, Vec2> UV; // of its tail; scratch
+  Candidate Merged;
+  std::map<Key, std::optional<Candidate>> Candidates; // none: not as one
+  ElementArray<Halfedge, Vec2> UV;                    // of its tail; scratch
   std::vector<FlatChart> Charts;
   std::vector<History> Histories;
 };
@@ -629,7 +721,7 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
     return seam && !seam->isSharp(surface) ? seam : std::nullopt;
   };
   if (const Status status =
-        GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, part(.1, .15));
+        GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, {}, part(.1, .15));
       !status.ok())
   {
     return status;

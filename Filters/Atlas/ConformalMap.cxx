@@ -192,7 +192,8 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
     layout.place(placement, uv);
     solver.solve(rows(uv));
   };
-  const auto judge = [&](const RectanglePlacement& placement, std::vector<Vec2>& uv, double& least) {
+  const auto judge = [&](
+                       const RectanglePlacement& placement, std::vector<Vec2>& uv, double& least) {
     double cost = meanDensity(area, chart, uv);
     Vec2 extent = placement.extent;
     if (isLong)
@@ -220,8 +221,7 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
       {
         return;
       }
-      const int n =
-        static_cast<int>(std::min(Constants::MapsAtOnce, placements.size() - first));
+      const int n = static_cast<int>(std::min(Constants::MapsAtOnce, placements.size() - first));
       Rows all = Rows::Zero(static_cast<Eigen::Index>(uv.size()), 2 * n);
       for (int i = 0; i < n; ++i)
       {
