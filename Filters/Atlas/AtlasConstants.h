@@ -91,11 +91,26 @@ struct AtlasConstants
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 
+  // The coarse surface (SurfaceCoarsening, ChartPartition).
+
+  /// Triangles on which charts are laid out first, and how many times as many a surface has, at
+  /// least, for that to be worth while.
+  static constexpr int CoarseTriangles = 8000;
+  static constexpr int LeastTimesCoarse = 2;
+  /// Share of the vertices that a sweep takes away, or it is the last.
+  static constexpr double LeastCoarsening = 0.02;
+  /// Cosine of the most that a line turns by at a vertex that goes.
+  static constexpr double StraightLine = 0.7;
+  /// Edges about a vertex, at most; cosine between a triangle's normals before and after a
+  /// collapse, and its height over its longest edge, at least, unless it was flatter before.
+  static constexpr int MostAboutCoarseVertex = 10;
+  static constexpr double LeastCosineOfCoarsening = 0.5;
+  static constexpr double LeastCoarseHeight = 0.2;
+
   // Seams (SeamPlacement).
 
-  /// Share of a side's area, the farthest from the seam, that its map leaves out: lines near the
-  /// middle hardly change, and the system is smaller.
-  static constexpr double LeftOutOfSeamMap = 0.5;
+  /// SeamPlacement::leftOut of seams that come from the coarse surface, and are nearly in place.
+  static constexpr double LeftOutNearby = 0.8;
   /// Triangles of two regions: less have no smooth line to offer, and cutting them again and again
   /// would never end.
   static constexpr int LeastForSeam = 500;

@@ -4,19 +4,18 @@
 
 #include "AtlasConstants.h"
 #include "CreasePatches.h"
+#include "GreedyMerge.h"
+#include "SurfaceCoarsening.h"
 #include "VoronoiDiagram.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
-#include <queue>
-#include <tuple>
 
 namespace stipple
 {
@@ -175,142 +174,6 @@ std::optional<SeamArc> longestOpenSeam(const ChartRegions& regions, int a, int b
   const SeamArc& arc = longest(regions.surface(), arcs);
   return arc.closed ? std::nullopt : std::make_optional(arc);
 }
-
-/// Merges neighbours, the pair of least area first, down to a number of regions or as far as
-/// allowed.
-class GreedyMerge
-{
-public:
-  /// Asked once for every pair for the seam to close, if any; and told after a merger, when the
-  /// last region has taken b's number.
-  using Allowed = std::function<std::optional<SeamArc>(int a, int b)>;
-  using Merged = std::function<void(int a, int b)>;
-  /// Told before a pair is asked for, with those that are next in the queue: they are likely to be
-  /// asked for soon.
-  using Foreseen = std::function<void(const std::vector<std::pair<int, int>>& pairs)>;
-
-  explicit GreedyMerge(ChartRegions& regions)
-    : Regions(regions)
-  {
-    for (int r = 0; r < regions.size(); ++r)
-    {
-      this->Serial.push_back(r);
-      this->Place.push_back(r);
-      this->Area.push_back(regions.area(r));
-    }
-    for (int r = 0; r < regions.size(); ++r)
-    {
-      this->addPairs(r, true);
-    }
-  }
-
-  Status run(int fewest, const Allowed& allowed, const Merged& merged, const Foreseen& foreseen,
-    const Progress& progress)
-  {
-    // A pair is asked for once, and new ones come only with a region less.
-    std::size_t asked = 0;
-    while (this->Regions.size() > fewest && !this->Pairs.empty())
-    {
-      const double done = static_cast<double>(asked++);
-      if (!report(progress, done / (done + static_cast<double>(this->Pairs.size()))))
-      {
-        return Status::aborted();
-      }
-      if (foreseen && this->isLeft(this->Pairs.top()))
-      {
-        foreseen(this->nextPairs());
-      }
-      const Pair pair = this->Pairs.top();
-      this->Pairs.pop();
-      const int a = std::min(this->Place[pair.first], this->Place[pair.second]);
-      const int b = std::max(this->Place[pair.first], this->Place[pair.second]);
-      const std::optional<SeamArc> seam = this->isLeft(pair) ? allowed(a, b) : std::nullopt;
-      if (!seam)
-      {
-        continue;
-      }
-      this->Place[pair.first] = -1;
-      this->Place[pair.second] = -1;
-      this->Regions.merge(a, b, *seam);
-      const int last = this->Regions.size();
-      this->Area[a] += this->Area[b];
-      this->Area[b] = this->Area[last];
-      this->Area.pop_back();
-      this->Serial[b] = this->Serial[last];
-      this->Serial.pop_back();
-      if (b != last)
-      {
-        this->Place[this->Serial[b]] = b;
-      }
-      this->Serial[a] = static_cast<int>(this->Place.size());
-      this->Place.push_back(a);
-      this->addPairs(a, false);
-      if (merged)
-      {
-        merged(a, b);
-      }
-    }
-    return Status::success();
-  }
-
-private:
-  /// Two regions by serial number, which a merged region gets anew.
-  struct Pair
-  {
-    double area;
-    int first;
-    int second;
-    bool operator<(const Pair& o) const // the least area on top of the queue
-    {
-      return std::tie(this->area, this->first, this->second) > std::tie(o.area, o.first, o.second);
-    }
-  };
-
-  bool isLeft(const Pair& pair) const
-  {
-    return this->Place[pair.first] >= 0 && this->Place[pair.second] >= 0;
-  }
-
-  /// As many as there are threads, and no more than the queue has.
-  std::vector<std::pair<int, int>> nextPairs()
-  {
-    const auto most = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
-    std::vector<std::pair<int, int>> result;
-    std::vector<Pair> taken;
-    while (result.size() < most && !this->Pairs.empty())
-    {
-      taken.push_back(this->Pairs.top());
-      this->Pairs.pop();
-      if (this->isLeft(taken.back()))
-      {
-        result.push_back(
-          std::minmax(this->Place[taken.back().first], this->Place[taken.back().second]));
-      }
-    }
-    for (const Pair& pair : taken)
-    {
-      this->Pairs.push(pair);
-    }
-    return result;
-  }
-
-  void addPairs(int r, bool laterOnly)
-  {
-    for (int q : this->Regions.neighbours(r))
-    {
-      if (q > r || !laterOnly)
-      {
-        this->Pairs.push({ this->Area[r] + this->Area[q], this->Serial[r], this->Serial[q] });
-      }
-    }
-  }
-
-  ChartRegions& Regions;
-  std::vector<int> Serial; // by region
-  std::vector<int> Place;  // the region by serial number, -1 if merged
-  std::vector<double> Area;
-  std::priority_queue<Pair> Pairs;
-};
 
 void splitLongestBoundaryEdge(ChartRegions& regions, int region)
 {
@@ -690,6 +553,80 @@ private:
   std::vector<FlatChart> Charts;
   std::vector<History> Histories;
 };
+
+/// Parts of one progress, and what to ask in between whether to stop.
+class Stages
+{
+public:
+  explicit Stages(const Progress& progress)
+    : All(progress)
+  {
+  }
+  Progress part(double from, double to)
+  {
+    return [this, from, to](double f) {
+      this->Told = from + (to - from) * f;
+      return report(this->All, this->Told);
+    };
+  }
+  Stop stop()
+  {
+    return [this] { return !report(this->All, this->Told); };
+  }
+
+private:
+  const Progress& All;
+  std::atomic<double> Told{ 0. };
+};
+
+/// Makes disks of regions, as few as one seam each can join.
+Status layOutCharts(
+  ChartRegions& regions, const ChartPartitionOptions& options, const Progress& progress)
+{
+  Stages stages(progress);
+  if (const Status status = splitIntoDisks(regions, options, stages.part(0., .3)); !status.ok())
+  {
+    return status;
+  }
+  const auto canBeGlued = [&](int a, int b) {
+    std::optional<SeamArc> seam = onlySeam(regions, a, b);
+    return seam && !seam->isSharp(regions.surface()) ? seam : std::nullopt;
+  };
+  return GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, {}, stages.part(.3, 1.));
+}
+
+/// Cuts for that to begin with.
+void cutForLayout(CutSurface& surface, int numberOfCharts, const Stop& stop)
+{
+  cutAlongCreases(surface);
+  cutIntoVoronoiCells(surface, numberOfCharts, stop);
+}
+
+/// All of that, and seams between alike areas, on a surface of few triangles, for it depends on
+/// large shapes alone; then the surface is cut as that one is.
+Status layOutChartsCoarsely(
+  CutSurface& surface, const ChartPartitionOptions& options, const Progress& progress)
+{
+  Stages stages(progress);
+  const SurfaceCoarsening coarsening(surface, Constants::CoarseTriangles, stages.stop());
+  CutSurface coarse = coarsening.coarse();
+  cutForLayout(coarse, options.numberOfCharts, stages.stop());
+  ChartRegions regions(coarse, stages.stop());
+  Status status = layOutCharts(regions, options, stages.part(.2, .6));
+  if (status.ok())
+  {
+    status = balanceAreas(regions, options.placement, stages.part(.6, .9));
+  }
+  if (status.ok())
+  {
+    const ElementArray<Halfedge, char> cuts = coarsening.prolong(coarse);
+    for (const Halfedge h : surface.halfedges())
+    {
+      surface.setCut(h, cuts[h] != 0);
+    }
+  }
+  return status;
+}
 }
 
 Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& options,
@@ -700,33 +637,32 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   {
     return Status::success();
   }
-  std::atomic<double> told(0.);
-  const Progress all = [&](double f) {
-    told = f;
-    return report(progress, f);
-  };
-  const Stop stop = [&] { return !report(progress, told); };
-  const auto part = [&](double from, double to) -> Progress {
-    return [&, from, to](double f) { return report(all, from + (to - from) * f); };
-  };
-  cutAlongCreases(surface);
-  cutIntoVoronoiCells(surface, options.numberOfCharts, stop);
-  ChartRegions regions(surface, stop);
-  if (const Status status = splitIntoDisks(regions, options, part(0., .1)); !status.ok())
+  Stages stages(progress);
+  const bool isLarge = options.placement != BoundaryPlacement::Voronoi &&
+    surface.numberOfFaces() >= Constants::LeastTimesCoarse * Constants::CoarseTriangles;
+  Status status = Status::success();
+  if (isLarge)
+  {
+    status = layOutChartsCoarsely(surface, options, stages.part(0., .2));
+  }
+  else
+  {
+    cutForLayout(surface, options.numberOfCharts, stages.stop());
+  }
+  if (!status.ok())
   {
     return status;
   }
-  const auto canBeGlued = [&](int a, int b) {
-    std::optional<SeamArc> seam = onlySeam(regions, a, b);
-    return seam && !seam->isSharp(surface) ? seam : std::nullopt;
-  };
-  if (const Status status =
-        GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, {}, part(.1, .15));
-      !status.ok())
+  ChartRegions regions(surface, stages.stop());
+  status = isLarge ? splitIntoDisks(regions, options, stages.part(.2, .25)) // they are, as a rule
+                   : layOutCharts(regions, options, stages.part(0., .2));
+  if (status.ok())
   {
-    return status;
+    status = isLarge
+      ? cutSeams(regions, options.placement, regions.size() > 2, stages.part(.25, .4))
+      : placeSeams(regions, options.placement, stages.part(.2, .4));
   }
-  if (const Status status = placeSeams(regions, options.placement, part(.15, .4)); !status.ok())
+  if (!status.ok())
   {
     return status;
   }
@@ -735,11 +671,12 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
     regions.closeSlits(r);
   }
   DensityBound bound(regions, options);
-  if (const Status status = bound.run(part(.4, .8)); !status.ok())
+  status = bound.run(stages.part(.4, .8));
+  if (status.ok())
   {
-    return status;
+    status = bound.merge(stages.part(.8, 1.));
   }
-  if (const Status status = bound.merge(part(.8, 1.)); !status.ok())
+  if (!status.ok())
   {
     return status;
   }

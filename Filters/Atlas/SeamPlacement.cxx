@@ -53,8 +53,8 @@ public:
   std::vector<double> Value;
 
   /// Leaves out of the map what is far from the seam: of the area that will be on either side, the
-  /// half that is farthest. Lines near the middle hardly change, and the system is smaller.
-  void leaveOutFar(double areaFraction)
+  /// share that is farthest.
+  void leaveOutFar(double areaFraction, double share)
   {
     const ChartMesh& mesh = this->Both.mesh;
     struct Face
@@ -79,8 +79,7 @@ public:
     {
       std::stable_sort(faces[side].begin(), faces[side].end(),
         [](const Face& a, const Face& b) { return a.distance > b.distance; });
-      double rest =
-        Constants::LeftOutOfSeamMap * total * (side == 0 ? areaFraction : 1 - areaFraction);
+      double rest = share * total * (side == 0 ? areaFraction : 1 - areaFraction);
       for (const Face& face : faces[side])
       {
         rest -= face.area;
@@ -349,12 +348,12 @@ SeamUnion glue(ChartRegions& regions, int a, int b, const SeamArc& arc)
 /// The conformal map's coordinate across the seam, of all or, with a fraction of the area, around
 /// the line that has it on the first side; empty if it can't be computed or is stopped.
 std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& both,
-  std::optional<double> areaFraction, const Stop& stop)
+  const SeamPlacement& placement, const Stop& stop)
 {
   FarSides sides(surface, both, stop);
-  if (areaFraction)
+  if (placement.areaFraction)
   {
-    sides.leaveOutFar(*areaFraction);
+    sides.leaveOutFar(*placement.areaFraction, placement.leftOut);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given, stop);
   if (isAsked(stop))
@@ -402,7 +401,7 @@ bool placeSeam(
   std::vector<double> value;
   if (arc.closed ? both.mesh.euler == 2 : both.mesh.isDisk())
   {
-    value = acrossSeam(surface, both, placement.areaFraction, regions.stop());
+    value = acrossSeam(surface, both, placement, regions.stop());
   }
   std::vector<char> side;
   if (!value.empty())
@@ -464,6 +463,13 @@ double shareOnInputEdges(const CutSurface& surface, const SeamArc& arc)
   return total > 0 ? onInput / total : 0.;
 }
 
+/// Share of two regions' area that the first one has.
+double shareOfFirst(const ChartRegions& regions, int a, int b)
+{
+  const double area = regions.area(a);
+  return area / (area + regions.area(b));
+}
+
 /// Places every seam between two regions, one after the other, of which more than a share runs
 /// along edges of the input.
 void placeSeamsOfPair(
@@ -512,13 +518,29 @@ Progress ofSweep(const Progress& progress, int sweep, int sweeps)
   return [=](double f) { return report(progress, (sweep + f) / sweeps); };
 }
 
-/// Moves seams by whole triangles, pair by pair, until neighbours are alike in area.
-Status balanceAreas(ChartRegions& regions, const Progress& progress)
+}
+
+Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
+{
+  if (regions.size() > 2) // one seam alone is placed by cutting it
+  {
+    const Status status =
+      balanceAreas(regions, placement, [&](double f) { return report(progress, 0.7 * f); });
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  return cutSeams(
+    regions, placement, false, [&](double f) { return report(progress, 0.7 + 0.3 * f); });
+}
+
+Status balanceAreas(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
 {
   SeamPlacement how;
   how.exact = false;
   Status status = Status::success();
-  bool balanced = false;
+  bool balanced = placement != BoundaryPlacement::AreaMedian;
   for (int sweep = 0; sweep < Constants::BalancingSweeps && !balanced && status.ok(); ++sweep)
   {
     balanced = true;
@@ -536,43 +558,33 @@ Status balanceAreas(ChartRegions& regions, const Progress& progress)
   return status;
 }
 
-/// Cuts triangles along the seams. Moving one drags the ends of others along, and makes regions
-/// neighbours that were not; these are cut again.
-Status cutSeams(ChartRegions& regions, const SeamPlacement& placement, const Progress& progress)
+Status cutSeams(
+  ChartRegions& regions, BoundaryPlacement placement, bool areBalanced, const Progress& progress)
 {
-  Status status = Status::success();
-  for (int sweep = 0; sweep < Constants::CuttingSweeps && status.ok(); ++sweep)
-  {
-    status =
-      forEachPair(regions, ofSweep(progress, sweep, Constants::CuttingSweeps), [&](int a, int b) {
-        placeSeamsOfPair(regions, a, b, placement, sweep == 0 ? 0. : Constants::JaggedSeam);
-      });
-  }
-  return status;
-}
-}
-
-Status placeSeams(ChartRegions& regions, BoundaryPlacement placement, const Progress& progress)
-{
-  if (placement == BoundaryPlacement::Voronoi)
-  {
-    return Status::success();
-  }
   SeamPlacement how;
   if (placement == BoundaryPlacement::Middle)
   {
     how.areaFraction.reset();
   }
-  else if (regions.size() > 2) // one seam alone is placed by cutting it
+  else if (areBalanced)
   {
-    if (const Status status =
-          balanceAreas(regions, [&](double f) { return report(progress, 0.7 * f); });
-        !status.ok())
-    {
-      return status;
-    }
+    how.leftOut = Constants::LeftOutNearby;
   }
-  return cutSeams(regions, how, [&](double f) { return report(progress, 0.7 + 0.3 * f); });
+  // Moving one seam drags the ends of others along, and makes regions neighbours that were not;
+  // these are cut again.
+  const int sweeps = placement == BoundaryPlacement::Voronoi ? 0 : Constants::CuttingSweeps;
+  Status status = Status::success();
+  for (int sweep = 0; sweep < sweeps && status.ok(); ++sweep)
+  {
+    status = forEachPair(regions, ofSweep(progress, sweep, sweeps), [&](int a, int b) {
+      if (how.areaFraction && areBalanced)
+      {
+        how.areaFraction = shareOfFirst(regions, a, b);
+      }
+      placeSeamsOfPair(regions, a, b, how, sweep == 0 ? 0. : Constants::JaggedSeam);
+    });
+  }
+  return status;
 }
 
 void smoothSeams(ChartRegions& regions, int a, int b, BoundaryPlacement placement)
@@ -581,9 +593,8 @@ void smoothSeams(ChartRegions& regions, int a, int b, BoundaryPlacement placemen
   {
     return;
   }
-  const double areaOfA = regions.area(a);
   SeamPlacement how;
-  how.areaFraction = areaOfA / (areaOfA + regions.area(b));
+  how.areaFraction = shareOfFirst(regions, a, b);
   placeSeamsOfPair(regions, a, b, how);
 }
 }

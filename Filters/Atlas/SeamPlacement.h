@@ -26,6 +26,9 @@ struct SeamPlacement
   std::optional<double> areaFraction = 0.5;
   /// Cut triangles along the isoline, else move the seam to the edges next to it.
   bool exact = true;
+  /// With a fraction: share of the area on either side, the farthest from the seam, that stays out
+  /// of the map. Lines near the middle hardly change, and the system is smaller.
+  double leftOut = 0.5;
 };
 
 /// Moves a seam between two regions that are disks. Their union along the seam is mapped
@@ -35,10 +38,20 @@ struct SeamPlacement
 STIPPLEFILTERSATLAS_EXPORT bool placeSeam(
   ChartRegions& regions, int a, int b, const SeamArc& arc, const SeamPlacement& placement);
 
-/// Moves the seams between all regions, pair by pair: for BoundaryPlacement::AreaMedian until the
-/// regions' areas are alike, for Middle once.
+/// Moves the seams between all regions: balanceAreas, if there are more than two, then cutSeams.
 STIPPLEFILTERSATLAS_EXPORT Status placeSeams(
   ChartRegions& regions, BoundaryPlacement placement, const Progress& progress);
+
+/// Moves the seams between all regions by whole triangles, pair by pair, until the regions' areas
+/// are alike; for BoundaryPlacement::AreaMedian alone.
+STIPPLEFILTERSATLAS_EXPORT Status balanceAreas(
+  ChartRegions& regions, BoundaryPlacement placement, const Progress& progress);
+
+/// Moves the seams between all regions to smooth lines, pair by pair; nothing for
+/// BoundaryPlacement::Voronoi. areBalanced: areas are as they should be, and seams in their places
+/// but for being jagged; areas stay, and seams are seen from nearby.
+STIPPLEFILTERSATLAS_EXPORT Status cutSeams(
+  ChartRegions& regions, BoundaryPlacement placement, bool areBalanced, const Progress& progress);
 
 /// Smooths the seams between two regions and keeps their areas; nothing for
 /// BoundaryPlacement::Voronoi.

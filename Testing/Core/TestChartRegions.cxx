@@ -3,6 +3,7 @@
 // Regions that are to become charts, on a grid of unit squares where all is known: what cuts
 // separate, and how triangles change hands.
 #include "ChartRegions.h"
+#include "GreedyMerge.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -371,4 +372,42 @@ TEST(ChartRegions, ASeamAboutARegionIsClosed)
       EXPECT_EQ(regions.owner(faceOf(arcs[0].halfedges[i])), a);
     }
   }
+}
+
+TEST(GreedyMerge, TakesThePairOfLeastAreaFirst)
+{
+  // Columns of widths 4, 2, 1 and 1: the last two are merged first, and what comes of it with its
+  // neighbour.
+  Grid grid(8, 1, [](int i, int) { return i < 4 ? 0 : i < 6 ? 1 : i < 7 ? 2 : 3; });
+  ChartRegions regions(grid.surface);
+  ASSERT_EQ(regions.size(), 4);
+  std::vector<double> areas;
+  std::vector<std::pair<int, int>> foreseen;
+  int questions = 0;
+  const Status status = GreedyMerge(regions).run(
+    1,
+    [&](int a, int b) -> std::optional<SeamArc> {
+      ++questions;
+      EXPECT_EQ(foreseen.front(), std::make_pair(a, b)) << "told before";
+      if (regions.area(a) + regions.area(b) > 6)
+      {
+        return {}; // the widest stays by itself
+      }
+      return regions.arcs(a, b).front();
+    },
+    [&](int a, int) { areas.push_back(regions.area(a)); },
+    [&](const std::vector<std::pair<int, int>>& pairs) {
+      foreseen = pairs;
+      for (const auto& [a, b] : pairs)
+      {
+        EXPECT_LT(a, b);
+        EXPECT_FALSE(regions.arcs(a, b).empty()) << "neighbours";
+      }
+    },
+    {});
+  EXPECT_TRUE(status.ok());
+  EXPECT_EQ(areas, (std::vector<double>{ 2., 4. }));
+  EXPECT_EQ(regions.size(), 2);
+  EXPECT_EQ(questions, 3);
+  EXPECT_TRUE(GreedyMerge(regions).run(1, {}, {}, {}, [](double) { return false; }).isAbort());
 }
