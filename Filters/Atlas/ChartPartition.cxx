@@ -619,7 +619,7 @@ Status layOutChartsCoarsely(
   }
   if (status.ok())
   {
-    const ElementArray<Halfedge, char> cuts = coarsening.prolong(coarse);
+    const ElementArray<Halfedge, char> cuts = coarsening.prolong(coarse, stages.stop());
     for (const Halfedge h : surface.halfedges())
     {
       surface.setCut(h, cuts[h] != 0);

@@ -12,6 +12,16 @@ namespace stipple
 {
 using Constants = AtlasConstants;
 
+namespace
+{
+/// Whether so many steps of a long loop, short each, have been made that the next may ask whether
+/// to stop.
+bool isTimeToAsk(std::size_t step)
+{
+  return step % 4096 == 0;
+}
+}
+
 /// Works on the surface's own halfedges: a triangle that is gone keeps its links, which say where
 /// it was.
 class SurfaceCoarsening::Builder
@@ -57,7 +67,7 @@ public:
     for (bool goesOn = true; goesOn && this->Left > numberOfTriangles && !isAsked(stop);)
     {
       const std::size_t before = this->Vertices.size();
-      this->sweep(numberOfTriangles);
+      this->sweep(numberOfTriangles, stop);
       goesOn = static_cast<double>(before - this->Vertices.size()) >
         Constants::LeastCoarsening * static_cast<double>(before);
     }
@@ -136,16 +146,19 @@ private:
 
   /// Collapses edges that are not longer than the mean, no two of them beside one another, so that
   /// all of the surface gets coarser alike.
-  void sweep(int numberOfTriangles)
+  void sweep(int numberOfTriangles, const Stop& stop)
   {
     const double longest = this->meanLength();
     std::vector<char> isTouched(this->Points.size(), 0);
     std::vector<Vertex> left;
-    for (const Vertex v : this->Vertices)
+    left.reserve(this->Vertices.size());
+    bool isLast = false;
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
     {
-      const Halfedge h = isTouched[v.index()] || this->Left <= numberOfTriangles
-        ? Halfedge()
-        : this->bestCollapse(v, longest);
+      const Vertex v = this->Vertices[i];
+      isLast = isLast || this->Left <= numberOfTriangles || (isTimeToAsk(i) && isAsked(stop));
+      const Halfedge h =
+        isLast || isTouched[v.index()] ? Halfedge() : this->bestCollapse(v, longest);
       if (!h.valid())
       {
         left.push_back(v);
@@ -185,9 +198,10 @@ private:
     {
       return {};
     }
-    const std::vector<Halfedge> out = this->star(v);
+    const std::vector<Halfedge>& out = this->star(v);
     const bool isOnBoundary = !this->Twin[out.front()].valid();
-    std::vector<Halfedge> candidates;
+    std::vector<Halfedge>& candidates = this->Candidates;
+    candidates.clear();
     for (const Halfedge h : out)
     {
       if (this->IsLine[h])
@@ -229,8 +243,9 @@ private:
     return best;
   }
 
-  /// The link condition: the ends have no neighbours in common but the corners across the edge
-  /// (Dey et al. 1999); and a line does not collapse into another.
+  /// The link condition: the ends have no neighbours in common but the corners across the edge, and
+  /// no edge across (Dey et al. 1999), as those of a tetrahedron; and a line does not collapse into
+  /// another.
   bool keepsTopology(Halfedge h, const std::vector<Halfedge>& out)
   {
     const Halfedge g = this->Twin[h];
@@ -268,7 +283,10 @@ private:
       common += this->IsNeighbour[this->tail(previousHalfedge(out.back()))];
     }
     mark(0);
-    return common == (g.valid() ? 2 : 1) &&
+    const auto isInside = [this](Vertex u) { return this->Twin[this->First[u]].valid(); };
+    const bool hasEdgeAcross =
+      valence == 3 && out.size() == 3 && isInside(this->tail(h)) && isInside(this->head(h));
+    return common == (g.valid() ? 2 : 1) && !hasEdgeAcross &&
       valence + static_cast<int>(out.size()) - 4 <= Constants::MostAboutCoarseVertex;
   }
 
@@ -366,6 +384,7 @@ private:
   ElementArray<Vertex, char> IsFixed;
   ElementArray<Vertex, char> IsNeighbour; // scratch
   std::vector<Halfedge> Star;             // scratch
+  std::vector<Halfedge> Candidates;       // scratch
   std::vector<Vertex> Vertices;           // that are left
   int Left;
 };
@@ -525,7 +544,8 @@ ElementArray<Halfedge, char> SurfaceCoarsening::alongEdges(const CutSurface& cut
   return cuts;
 }
 
-ElementArray<Halfedge, char> SurfaceCoarsening::prolong(const CutSurface& cutCoarse) const
+ElementArray<Halfedge, char> SurfaceCoarsening::prolong(
+  const CutSurface& cutCoarse, const Stop& stop) const
 {
   const ElementArray<Halfedge, char> coarseCuts = this->alongEdges(cutCoarse);
   VertexSplits splits(this->Twin, this->IsLine);
@@ -534,9 +554,9 @@ ElementArray<Halfedge, char> SurfaceCoarsening::prolong(const CutSurface& cutCoa
     const Face fine = this->FineFaces[static_cast<std::size_t>(faceOf(h).index())];
     splits.setCut(halfedgeOf(fine, cornerOf(h)), coarseCuts[h] != 0);
   }
-  for (auto h = this->Collapsed.rbegin(); h != this->Collapsed.rend(); ++h)
+  for (std::size_t i = this->Collapsed.size(); i > 0 && !(isTimeToAsk(i) && isAsked(stop)); --i)
   {
-    splits.split(*h);
+    splits.split(this->Collapsed[i - 1]);
   }
   return splits.takeCuts();
 }

@@ -29,8 +29,8 @@ public:
 
   /// Cuts by halfedge of the surface, for those of the coarse one, whose edges may have been split
   /// since. A triangle goes to the chart that has most of it, and what is cut is the edges between
-  /// charts, and within one those of the coarse surface.
-  ElementArray<Halfedge, char> prolong(const CutSurface& cutCoarse) const;
+  /// charts, and within one those of the coarse surface. Of no use once it was asked to stop.
+  ElementArray<Halfedge, char> prolong(const CutSurface& cutCoarse, const Stop& stop = {}) const;
 
 private:
   class Builder;

@@ -171,6 +171,28 @@ TEST(SurfaceCoarsening, KeepsCornersAndWhatUsersName)
   EXPECT_LT(coarse.numberOfFaces(), fine.numberOfFaces() / 4);
 }
 
+TEST(SurfaceCoarsening, LeavesTetrahedraAndWhatItIsToldToStopIn)
+{
+  TriangleSurface two = shapes::sphere(1., 2);
+  const int n = two.numberOfVertices();
+  for (const Vec3& p : { Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0), Vec3(3, 0, 1) })
+  {
+    two.points.push_back(p);
+  }
+  for (const Triangle& t :
+    { Triangle{ 0, 2, 1 }, Triangle{ 0, 1, 3 }, Triangle{ 0, 3, 2 }, Triangle{ 1, 2, 3 } })
+  {
+    two.triangles.push_back({ n + t[0], n + t[1], n + t[2] });
+  }
+  two.connect();
+  const CutSurface fine = shapes::cutSurface(two);
+  const SurfaceCoarsening coarsening(fine, 1);
+  EXPECT_TRUE(coarsening.coarse().topology() == fine.topology());
+  EXPECT_GE(coarsening.coarse().numberOfFaces(), 8) << "two tetrahedra at least";
+  const SurfaceCoarsening stopped(fine, 1, [] { return true; });
+  EXPECT_EQ(stopped.coarse().numberOfFaces(), fine.numberOfFaces());
+}
+
 TEST(SurfaceCoarsening, CutsComeBackWithTheSamePieces)
 {
   std::mt19937 random(7);
