@@ -595,11 +595,19 @@ Status layOutCharts(
   return GreedyMerge(regions).run(options.numberOfCharts, canBeGlued, {}, {}, stages.part(.3, 1.));
 }
 
-/// Cuts for that to begin with.
-void cutForLayout(CutSurface& surface, int numberOfCharts, const Stop& stop)
+/// Whether that is trivial: a disk, or a sphere that is cut in two.
+bool isLaidOutAtOnce(const CutSurface& surface, int numberOfCharts)
 {
-  cutAlongCreases(surface);
-  cutIntoVoronoiCells(surface, numberOfCharts, stop);
+  for (const Halfedge h : surface.halfedges())
+  {
+    if (surface.cut[h] && !surface.isBoundary(h))
+    {
+      return false;
+    }
+  }
+  const SurfaceTopology topology = surface.topology();
+  return numberOfCharts <= 2 && topology.components == 1 && topology.boundaryLoops <= 1 &&
+    topology.euler + topology.boundaryLoops == 2;
 }
 
 /// All of that, and seams between alike areas, on a surface of few triangles, for it depends on
@@ -610,7 +618,8 @@ Status layOutChartsCoarsely(
   Stages stages(progress);
   const SurfaceCoarsening coarsening(surface, Constants::CoarseTriangles, stages.stop());
   CutSurface coarse = coarsening.coarse();
-  cutForLayout(coarse, options.numberOfCharts, stages.stop());
+  cutAlongCreases(coarse);
+  cutIntoVoronoiCells(coarse, options.numberOfCharts, stages.stop());
   ChartRegions regions(coarse, stages.stop());
   Status status = layOutCharts(regions, options, stages.part(.2, .6));
   if (status.ok())
@@ -638,8 +647,10 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
     return Status::success();
   }
   Stages stages(progress);
+  cutAlongCreases(surface);
   const bool isLarge = options.placement != BoundaryPlacement::Voronoi &&
-    surface.numberOfFaces() >= Constants::LeastTimesCoarse * Constants::CoarseTriangles;
+    surface.numberOfFaces() >= Constants::LeastTimesCoarse * Constants::CoarseTriangles &&
+    !isLaidOutAtOnce(surface, options.numberOfCharts);
   Status status = Status::success();
   if (isLarge)
   {
@@ -647,7 +658,7 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
   }
   else
   {
-    cutForLayout(surface, options.numberOfCharts, stages.stop());
+    cutIntoVoronoiCells(surface, options.numberOfCharts, stages.stop());
   }
   if (!status.ok())
   {
@@ -658,9 +669,8 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
                    : layOutCharts(regions, options, stages.part(0., .2));
   if (status.ok())
   {
-    status = isLarge
-      ? cutSeams(regions, options.placement, regions.size() > 2, stages.part(.25, .4))
-      : placeSeams(regions, options.placement, stages.part(.2, .4));
+    status = isLarge ? cutSeams(regions, options.placement, true, stages.part(.25, .4))
+                     : placeSeams(regions, options.placement, stages.part(.2, .4));
   }
   if (!status.ok())
   {

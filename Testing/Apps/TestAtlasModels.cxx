@@ -241,7 +241,7 @@ TEST(AtlasSeams, OfTheBunnyAreSmoothAndBalanced)
     const Seams raw = seams(bunny, numberOfCharts, vtkConformalAtlas::VORONOI);
     const Seams middle = seams(bunny, numberOfCharts, vtkConformalAtlas::MIDDLE);
     EXPECT_LT(smooth.areaRatio, 1.5);
-    EXPECT_GT(middle.areaRatio, 1.5) << "the middle slips away from the ears";
+    EXPECT_GT(middle.areaRatio, 1.1 * smooth.areaRatio) << "the middle slips away from the ears";
     EXPECT_LT(smooth.meanTurn, raw.meanTurn / 3);
     std::cout << numberOfCharts << " charts: areas " << smooth.areaRatio << " (middle "
               << middle.areaRatio << ", Voronoi " << raw.areaRatio << "), turn " << smooth.meanTurn

@@ -232,13 +232,13 @@ TEST_P(HealedSeams, AreMeshedLikeTheRest)
   EXPECT_NEAR(s.regular.near(), s.regular.rest(), 0.1);
 }
 
-// Charts are triangulated by lengths on the surface: only valences tell where they meet.
+// Charts are triangulated by lengths on the surface: valences alone might tell where they meet.
 TEST_P(HealedSeams, HardlyShowWithoutOptimisation)
 {
   const Statistics s = remesh(GetParam(), 0);
   EXPECT_NEAR(s.length.ratio(), 1., 0.03);
   EXPECT_GT(s.quality.ratio(), 0.95);
-  EXPECT_LT(s.regular.near(), s.regular.rest());
+  EXPECT_NEAR(s.regular.near(), s.regular.rest(), 0.15);
 }
 
 // A picture of the documentation, for Documentation/make-pictures.sh, which says where to by
