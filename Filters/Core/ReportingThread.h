@@ -24,28 +24,28 @@ inline bool isAsked(const Stop& stop)
   return stop && stop();
 }
 
-/// Calls work(progress) on another thread, and `progress`, on this one, a hundred times a second
-/// with the fraction that the work has told last. What the work is given costs next to nothing and
-/// may be called by any thread, so that every loop can ask whether to stop. Returns when the work
-/// has ended.
+/// Calls work(progress) on another thread, and `progress`, on this one, once before and a hundred
+/// times a second with the fraction that the work has told last. What the work is given costs next
+/// to nothing and may be called by any thread, so that every loop can ask whether to stop. Returns
+/// when the work has ended.
 template <typename Work>
 auto runReporting(const Progress& progress, const Work& work)
 {
   std::atomic<double> fraction(0.);
-  std::atomic<bool> stopped(false);
+  std::atomic<bool> stopped(!report(progress, 0.)); // before short work has ended
   auto result = std::async(std::launch::async, [&] {
     return work(Progress([&](double done) {
       fraction = done;
       return !stopped;
     }));
   });
-  do
+  while (result.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
   {
     if (!stopped)
     {
       stopped = !report(progress, fraction);
     }
-  } while (result.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready);
+  }
   return result.get();
 }
 

@@ -242,3 +242,13 @@ TEST(Execute, SetsCodeAndOutput)
   EXPECT_EQ(worker->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(sentences.empty()) << "a stop is no error";
 }
+
+TEST(ReportingThread, WhoeverStopsAtTheFirstReportStopsTheShortestWork)
+{
+  for (int i = 0; i < 100; ++i)
+  {
+    const bool mayGoOn = runReporting(
+      [](double) { return false; }, [](const Progress& progress) { return progress(0.5); });
+    EXPECT_FALSE(mayGoOn);
+  }
+}
