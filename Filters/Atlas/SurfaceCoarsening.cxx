@@ -518,7 +518,7 @@ ElementArray<Halfedge, char> SurfaceCoarsening::alongEdges(const CutSurface& cut
       chart[piece.first] = piece.second;
     }
   }
-  ElementArray<Halfedge, char> cuts(this->Coarse.cut);
+  ElementArray<Halfedge, char> cuts(this->Coarse.twin.size(), 0);
   for (const Halfedge h : this->Coarse.halfedges())
   {
     const Halfedge twin = this->Coarse.twin[h];

@@ -241,7 +241,8 @@ TEST(AtlasSeams, OfTheBunnyAreSmoothAndBalanced)
     const Seams raw = seams(bunny, numberOfCharts, vtkConformalAtlas::VORONOI);
     const Seams middle = seams(bunny, numberOfCharts, vtkConformalAtlas::MIDDLE);
     EXPECT_LT(smooth.areaRatio, 1.5);
-    EXPECT_GT(middle.areaRatio, 1.1 * smooth.areaRatio) << "the middle slips away from the ears";
+    // The middle slips away from the ears; with three charts, a little.
+    EXPECT_GT(middle.areaRatio, numberOfCharts == 3 ? 1.1 * smooth.areaRatio : 1.5);
     EXPECT_LT(smooth.meanTurn, raw.meanTurn / 3);
     std::cout << numberOfCharts << " charts: areas " << smooth.areaRatio << " (middle "
               << middle.areaRatio << ", Voronoi " << raw.areaRatio << "), turn " << smooth.meanTurn
