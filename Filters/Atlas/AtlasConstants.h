@@ -29,10 +29,14 @@ struct AtlasConstants
   /// a pixel of the largest pictures that graphics cards take (16384), and ten times what rounding
   /// to six digits moves.
   static constexpr double TextureJump = 1e-5;
-  /// How far the surface may move where an edge is flipped, over the diagonal, and over the edge,
-  /// so that what is finely sampled is not flat. Coordinates of single precision, as STL files have
-  /// them, leave planes flat to 1e-7, those with six digits to 1e-6.
-  static constexpr double FlatFace = 1e-6;
+  /// Over the diagonal: points so close are at the same place but for rounding to six digits.
+  static constexpr double SamePlace = 1e-6;
+  /// How far the surface may move where edges are flipped, over the diagonal, before long edges are
+  /// halved and as far again after, and over the edge, so that what is finely sampled is not flat.
+  /// Rounding leaves planes flat to 1e-7 (single precision) or 1e-6 (six digits); what programs
+  /// write of curved faces, a hundred and more times farther from those than 5e-6, comes with
+  /// slivers that are as thin.
+  static constexpr double FlatFace = 5e-6;
   static constexpr double FlatFaceOverEdge = 1e-3;
   /// Radians: from triangles with a smaller angle on flat faces are triangulated anew. What has
   /// none stays as it is.

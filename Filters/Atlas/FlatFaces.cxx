@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace stipple
@@ -25,6 +26,7 @@ public:
     : Surface(surface)
     , Agrees(mayFlip)
     , MostDistance(Constants::FlatFace * surface.boundingBoxDiagonal())
+    , Moved(surface.numberOfFaces(), 0.)
   {
   }
 
@@ -48,9 +50,10 @@ public:
     {
       const Halfedge h = open.back();
       open.pop_back();
-      if (this->isWanted(h))
+      if (const std::optional<Crossing> crossing = this->isWanted(h))
       {
         const Halfedge g = this->Surface.twin[h];
+        this->Moved[faceOf(h)] = this->Moved[faceOf(g)] = crossing->moved;
         this->Gone.insert(ends(this->Surface.tail(h), this->Surface.head(h)));
         joined.emplace_back(
           this->Surface.sourceCell[faceOf(h).index()], this->Surface.sourceCell[faceOf(g).index()]);
@@ -66,18 +69,26 @@ public:
   }
 
 private:
+  /// Where two diagonals cross, as shares of them, and how far the surface will have moved there.
+  struct Crossing
+  {
+    double along;
+    double across;
+    double moved;
+  };
+
   static std::pair<Vertex, Vertex> ends(Vertex a, Vertex b)
   {
     return { std::min(a, b), std::max(a, b) };
   }
 
-  bool isWanted(Halfedge h) const
+  std::optional<Crossing> isWanted(Halfedge h) const
   {
     const CutSurface& s = this->Surface;
     const Halfedge g = s.twin[h];
     if (!g.valid() || s.cut[h] != 0 || s.isFeature(h))
     {
-      return false;
+      return std::nullopt;
     }
     const Vertex c = s.tail(previousHalfedge(h));
     const Vertex d = s.tail(previousHalfedge(g));
@@ -86,10 +97,11 @@ private:
     if (isDelaunay(a, b, s.point(c), s.point(d)) || c == d || this->isJoined(d, h) ||
       this->Gone.count(ends(c, d)) > 0)
     {
-      return false;
+      return std::nullopt;
     }
-    const auto [along, across] = this->crossing(a, b, s.point(c), s.point(d));
-    return along > 0 && this->Agrees(h, along, across);
+    const std::optional<Crossing> crossing = this->crossing(
+      a, b, s.point(c), s.point(d), std::max(this->Moved[faceOf(h)], this->Moved[faceOf(g)]));
+    return crossing && this->Agrees(h, crossing->along, crossing->across) ? crossing : std::nullopt;
   }
 
   static bool isSliver(const Vec3& a, const Vec3& b, const Vec3& c)
@@ -111,10 +123,10 @@ private:
     return angle(c) + angle(d) <= Constants::Pi + Constants::LeastBeyondDelaunay;
   }
 
-  /// Where two diagonals cross inside both, as shares of them, but for the small distance that the
-  /// surface moves by when one takes the other's place; negative numbers if they do not.
-  std::pair<double, double> crossing(
-    const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const
+  /// Where two diagonals cross inside both, if the surface moves little when one takes the other's
+  /// place. All of its way since it was the input's adds up.
+  std::optional<Crossing> crossing(
+    const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double movedSoFar) const
   {
     const Vec3 u = b - a;
     const Vec3 w = d - c;
@@ -122,16 +134,25 @@ private:
     const double area = n.norm(); // twice the quadrilateral's
     const double longest = std::max(u.norm(), w.norm());
     const double most = std::min(this->MostDistance, Constants::FlatFaceOverEdge * longest);
-    if (!(area > most * longest) || !(std::abs((c - a).dot(n)) <= most * area))
+    if (!(area > most * longest))
     {
-      return { -1., -1. };
+      return std::nullopt;
+    }
+    const double distance = std::abs((c - a).dot(n)) / area;
+    if (distance > std::min(most, this->MostDistance - movedSoFar))
+    {
+      return std::nullopt;
     }
     const double s = (c - a).cross(w).dot(n) / (area * area);
     const double t = (c - a).cross(u).dot(n) / (area * area);
     const auto isInside = [](double share) {
       return share > Constants::LeastCrossing && share < 1 - Constants::LeastCrossing;
     };
-    return isInside(s) && isInside(t) ? std::pair(s, t) : std::pair(-1., -1.);
+    if (!isInside(s) || !isInside(t))
+    {
+      return std::nullopt;
+    }
+    return Crossing{ s, t, movedSoFar + distance };
   }
 
   /// Whether there is an edge between the apex of h and d already.
@@ -167,6 +188,7 @@ private:
   CutSurface& Surface;
   const MayFlip& Agrees;
   const double MostDistance;
+  ElementArray<Face, double> Moved; ///< how far a triangle is from the input at most
   std::set<std::pair<Vertex, Vertex>> Gone;
 };
 }

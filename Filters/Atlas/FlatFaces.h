@@ -15,13 +15,13 @@
 
 namespace stipple
 {
-/// Flips edges between triangles that lie in one plane, from slivers on (triangles with an angle
-/// below 10 degrees), until these are Delaunay: no triangulation of the same points has a larger
-/// smallest angle (Lawson 1977; Sibson 1978). An edge is flipped only if it is neither cut nor a
-/// feature, if the surface moves by at most a millionth of the bounding box's diagonal and a
-/// thousandth of the edge, which is what single precision leaves of a plane, and if `mayFlip`
-/// agrees: asked for an edge, the share of it where the other diagonal crosses, and the share of
-/// that, from the corner over the halfedge to the one over its twin.
+/// Flips edges between triangles that nearly lie in one plane, from slivers on (triangles with an
+/// angle below 10 degrees), until these are Delaunay: no triangulation of the same points has a
+/// larger smallest angle (Lawson 1977; Sibson 1978). An edge is flipped only if it is neither cut
+/// nor a feature, if the surface moves by at most a thousandth of the edge, and by all flips
+/// together by at most five millionths of the bounding box's diagonal, and if `mayFlip` agrees:
+/// asked for an edge, the share of it where the other diagonal crosses, and the share of that, from
+/// the corner over the halfedge to the one over its twin.
 ///
 /// Returns the pairs of source cells that a flipped edge lay between.
 using MayFlip = std::function<bool(Halfedge h, double s, double t)>;

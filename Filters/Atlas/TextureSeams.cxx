@@ -19,7 +19,7 @@ TextureSeams::TextureSeams(vtkPolyData* input, const RepairedSurface& repaired)
   : Input(vtkSmartPointer<vtkPolyData>::New())
   , Repaired(repaired)
   , Texture(input->GetPointData()->GetTCoords())
-  , SamePlace(AtlasConstants::FlatFace * input->GetLength())
+  , SamePlace(AtlasConstants::SamePlace * input->GetLength())
 {
   this->Input->CopyStructure(input);
   this->Input->BuildCells(); // not the caller's, which others may be reading

@@ -24,7 +24,7 @@ public:
   void resolveDegenerateTriangles(const Stop& stop);
   const TriangleComplex& mesh() const { return this->Mesh; }
   int sample(Vertex v) const { return this->SampleOf[v]; }
-  Chart chartOfUnresolvedEdge() const { return this->FaceChart[faceOf(this->Unresolved)]; }
+  MeshFault fault() const;
 
 private:
   static std::uint64_t key(int a, int b)
@@ -88,7 +88,6 @@ private:
   ElementArray<Label, char> IsSeam;
   ElementArray<Label, Label> Root; // of merged labels
   bool SeamsMayGo = false;
-  Halfedge Unresolved;
 };
 
 Stitcher::Stitcher(const std::vector<ChartTriangulation>& charts, std::vector<Vec3> positions,
@@ -245,24 +244,13 @@ bool Stitcher::resolveRepeatedEdges(const Stop& stop)
     while (changed)
     {
       changed = false;
-      this->Unresolved = Halfedge();
       for (Halfedge h : this->Mesh.halfedges())
       {
         if (isAsked(stop))
         {
           return false;
         }
-        if (this->isBad(h))
-        {
-          if (this->tryBadEdge(h, onlyConvex))
-          {
-            changed = true;
-          }
-          else
-          {
-            this->Unresolved = h;
-          }
-        }
+        changed = (this->isBad(h) && this->tryBadEdge(h, onlyConvex)) || changed;
       }
     }
     bool clean = true;
@@ -277,6 +265,38 @@ bool Stitcher::resolveRepeatedEdges(const Stop& stop)
     }
   }
   return false;
+}
+
+/// Once edges are halved, none joins a sample to itself, and two that joined the same ones join
+/// others. Those of samples to themselves go first: what lies between their ends lies between those
+/// of the edges about them, too.
+MeshFault Stitcher::fault() const
+{
+  MeshFault fault;
+  ElementArray<Face, char> isMended(static_cast<std::size_t>(this->Mesh.numberOfFaces()), 0);
+  for (const bool ofLoops : { true, false })
+  {
+    for (Halfedge h : this->Mesh.halfedges())
+    {
+      const Vertex a = this->Mesh.tail(h);
+      const Vertex b = this->Mesh.head(h);
+      if (this->Mesh.isBoundary(h) || !this->isBad(h))
+      {
+        continue;
+      }
+      const Face f = faceOf(h);
+      const Face g = faceOf(this->Mesh.twin[h]);
+      fault.chart = this->FaceChart[f];
+      if (!this->Mesh.label[h].valid() && (this->sample(a) == this->sample(b)) == ofLoops &&
+        !isMended[f] && !isMended[g])
+      {
+        isMended[f] = isMended[g] = 1;
+        fault.places.emplace_back(
+          this->FaceChart[f], 0.5 * (this->Parameter[a] + this->Parameter[b]));
+      }
+    }
+  }
+  return fault;
 }
 
 ElementArray<Label, char> Stitcher::labelsWithEdge()
@@ -346,7 +366,7 @@ void Stitcher::resolveDegenerateTriangles(const Stop& stop)
 Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
   const BackboneIntervals& intervals, const std::vector<ChartTriangulation>& charts,
   const std::vector<Sample>& samples, std::vector<Triangle>& triangles,
-  ElementArray<Label, char>& hasEdge, Chart& chartAtFault, const Stop& stop)
+  ElementArray<Label, char>& hasEdge, MeshFault& fault, const Stop& stop)
 {
   std::vector<Vec3> positions;
   for (const Sample& s : samples)
@@ -365,8 +385,8 @@ Status stitchCharts(const AtlasSurface& surface, const FeatureGraph& graph,
     {
       return Status::aborted();
     }
-    chartAtFault = stitcher.chartOfUnresolvedEdge();
-    return Status::tooFewPoints("Chart " + std::to_string(chartAtFault.index()) +
+    fault = stitcher.fault();
+    return Status::tooFewPoints("Chart " + std::to_string(fault.chart.index()) +
       " is too small for its share of the samples: two of them would be joined by two edges; use "
       "more points.");
   }

@@ -119,13 +119,13 @@ Status checkTopology(
 }
 
 Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
-  std::vector<Triangle>& triangles, const Progress& progress, Chart* atFault)
+  std::vector<Triangle>& triangles, const Progress& progress, MeshFault* wanted)
 {
   const AtlasSurface& surface = atlas.surface();
   const FeatureGraph& graph = atlas.graph();
-  Chart chartAtFault;
-  Chart& fault = atFault ? *atFault : chartAtFault;
-  fault = Chart();
+  MeshFault unwanted;
+  MeshFault& fault = wanted ? *wanted : unwanted;
+  fault = {};
   Status status = checkSamples(graph, samples);
   if (!status.ok())
   {
@@ -175,7 +175,7 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
   {
     if (!outcome[c]->ok())
     {
-      fault = Chart(c);
+      fault.chart = Chart(c);
       return *outcome[c];
     }
   }
@@ -184,7 +184,7 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
   for (bool isLast = false;;)
   {
     ElementArray<Label, char> hasEdge;
-    fault = Chart();
+    fault = {};
     status =
       stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge, fault, stop);
     status = status.ok() ? checkTopology(atlas, samples, triangles) : status;
@@ -193,15 +193,16 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
       break;
     }
     // Where triangles by lengths on the surface do not fit together, those of the plane may.
-    isLast = !fault.valid() || inPlane.size() == MostChartsInPlane || !inPlane.insert(fault).second;
+    isLast = !fault.chart.valid() || inPlane.size() == MostChartsInPlane ||
+      !inPlane.insert(fault.chart).second;
     for (int c = 0; c < numberOfCharts; ++c)
     {
-      if (isLast || Chart(c) == fault)
+      if (isLast || Chart(c) == fault.chart)
       {
         triangulate(c, DelaunayMetric::Plane, stop);
         if (!outcome[c]->ok())
         {
-          fault = Chart(c);
+          fault = { Chart(c), {} };
           return *outcome[c];
         }
       }

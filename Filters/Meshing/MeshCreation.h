@@ -5,7 +5,7 @@
 #define stipple_MeshCreation_h
 
 #include "Atlas.h"
-#include "ChartTriangulation.h"
+#include "ChartStitching.h"
 #include "StippleFiltersMeshingModule.h"
 
 #include "vtkSmartPointer.h"
@@ -25,10 +25,10 @@ struct MeshRequest
 
 /// Triangulates every chart, welds them, and checks that the mesh has one vertex a sample, all
 /// edges of the backbones, and the topology of the surface. Samples that have no such mesh are too
-/// few points; atFault is then the chart that another sample inside would help, or none.
+/// few points; the fault then tells where others would help.
 STIPPLEFILTERSMESHING_EXPORT Status createMesh(const Atlas& atlas,
   const std::vector<Sample>& samples, std::vector<Triangle>& triangles, const Progress& progress,
-  Chart* atFault = nullptr);
+  MeshFault* fault = nullptr);
 
 /// The samples of every backbone in order, with the nodes at its ends; a closed backbone repeats
 /// its first.

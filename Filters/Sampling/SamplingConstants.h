@@ -79,7 +79,8 @@ struct SamplingConstants
   static constexpr double NarrowRange = 1.5;
   /// Times the number asked for, up to which one that works is looked for.
   static constexpr int FarthestTry = 16;
-  /// Times that samples are moved into charts at fault, one, two, four ... at a time.
+  /// Times that samples are moved into charts at fault: where they lack, or one, two, four ... at a
+  /// time.
   static constexpr int MostMoves = 6;
 
   // Sizes near features.

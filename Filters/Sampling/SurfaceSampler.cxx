@@ -78,6 +78,8 @@ public:
     , Factor(images.size(), 1.)
     , Inside(images.size())
     , Drawn(images.size(), -1)
+    , More(images.size(), 0)
+    , Mending(images.size())
   {
   }
 
@@ -85,10 +87,11 @@ public:
   Status measure(std::vector<BandMask>& bands, const ValidPlaces& least);
   /// Places the samples on backbones, and masks their bands out of the charts.
   Status place(const std::vector<BandMask>& bands, const ValidPlaces& least);
-  /// Halftones what is left, and hands all samples over. Charts get so many samples inside at least
-  /// beyond those that they need.
-  Status collect(const std::vector<BandMask>& bands, DiffusionMethod method,
-    const std::vector<int>& moreInside, SurfaceSamples& result);
+  /// Halftones what is left, and hands all samples over.
+  Status collect(
+    const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result);
+  /// Has more samples inside charts from here on, so that the fault goes. False if it has no chart.
+  bool mend(const MeshFault& fault);
 
 private:
   int numberOfCharts() const { return static_cast<int>(this->Images.size()); }
@@ -125,8 +128,10 @@ private:
   std::vector<double> Left; // of what is wanted, outside of bands
   std::vector<double> Factor;
   std::vector<std::vector<Sample>> Inside;
-  std::vector<int> Drawn; // samples inside, -1 if none were drawn yet
-  bool Keep = true;       // masks, from one step to the next
+  std::vector<int> Drawn;                 // samples inside, -1 if they are still to be drawn
+  std::vector<int> More;                  // samples inside beyond those that the chart needs
+  std::vector<std::vector<Vec2>> Mending; // places of some
+  bool Keep = true;                       // masks, from one step to the next
 };
 
 Status Sampling::readMasses()
@@ -316,12 +321,30 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
   return Status::success();
 }
 
-Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod method,
-  const std::vector<int>& moreInside, SurfaceSamples& result)
+bool Sampling::mend(const MeshFault& fault)
+{
+  for (const auto& [chart, place] : fault.places)
+  {
+    this->Mending[static_cast<std::size_t>(chart.index())].push_back(place);
+    this->Drawn[static_cast<std::size_t>(chart.index())] = -1;
+  }
+  if (fault.places.empty() && fault.chart.valid())
+  {
+    int& more = this->More[static_cast<std::size_t>(fault.chart.index())];
+    more = std::max(1, 2 * more);
+  }
+  return fault.chart.valid();
+}
+
+Status Sampling::collect(
+  const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result)
 {
   const AtlasSurface& surface = this->Domain.surface();
   std::vector<int> least = this->Valid.leastInterior;
-  std::transform(least.begin(), least.end(), moreInside.begin(), least.begin(), std::plus<>());
+  for (std::size_t c = 0; c < least.size(); ++c)
+  {
+    least[c] += this->More[c] + static_cast<int>(this->Mending[c].size());
+  }
   if (sum(least) > this->Interior)
   {
     return Status::tooFewPoints("No sample can be spared.");
@@ -335,16 +358,19 @@ Status Sampling::collect(const std::vector<BandMask>& bands, DiffusionMethod met
         return;
       }
       this->Drawn[c] = share[c];
+      const std::vector<Vec2>& mending = this->Mending[static_cast<std::size_t>(c)];
       InteriorSampler& sampler = this->Samplers[c];
       if (!this->Keep)
       {
         sampler.prepare(this->Factor[c], bands[c], this->Densities, stop);
       }
-      result.interior[c] = sampler.sample(share[c], method, stop);
+      std::vector<Vec2>& inside = result.interior[static_cast<std::size_t>(c)];
+      inside = sampler.sample(share[c] - static_cast<int>(mending.size()), method, stop);
+      inside.insert(inside.end(), mending.begin(), mending.end());
       sampler.release();
       const ControlImage& image = this->Images[c];
       this->Inside[c].clear();
-      for (const Vec2& uv : result.interior[c])
+      for (const Vec2& uv : inside)
       {
         Sample sample;
         const int start = image.faceIndex ? image.faceIndex[image.pixelAt(uv)] : 0;
@@ -460,10 +486,9 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
   {
     return status;
   }
-  std::vector<int> moreInside(images.size(), 0);
   for (int attempt = 0;; ++attempt)
   {
-    if (Status status = sampling.collect(this->Bands, method, moreInside, result); !status.ok())
+    if (Status status = sampling.collect(this->Bands, method, result); !status.ok())
     {
       return status;
     }
@@ -472,18 +497,16 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
       return Status::success();
     }
     std::vector<Triangle> triangles;
-    Chart chart;
-    const Status status = createMesh(*this->Domain.atlas, result.samples, triangles, {}, &chart);
+    MeshFault fault;
+    const Status status = createMesh(*this->Domain.atlas, result.samples, triangles, {}, &fault);
     if (status.code() != StatusCode::TooFewPoints)
     {
       return Status::success();
     }
-    if (!chart.valid() || attempt == Constants::MostMoves)
+    if (attempt == Constants::MostMoves || !sampling.mend(fault))
     {
       return status;
     }
-    int& more = moreInside[static_cast<std::size_t>(chart.index())];
-    more = std::max(1, 2 * more);
   }
 }
 

@@ -18,7 +18,7 @@ struct Ring
   std::vector<Sample> samples;
   std::vector<Triangle> triangles;
   ElementArray<Label, char> hasEdge;
-  Chart chartAtFault;
+  MeshFault fault;
 
   Ring(const std::vector<Vec3>& positions, BackboneType type)
   {
@@ -62,7 +62,7 @@ struct Ring
       around.push_back(static_cast<int>(i));
     }
     return stitchCharts(this->surface, this->graph, BackboneIntervals(this->graph, { around }),
-      charts, this->samples, this->triangles, this->hasEdge, this->chartAtFault);
+      charts, this->samples, this->triangles, this->hasEdge, this->fault);
   }
 };
 
@@ -108,7 +108,10 @@ TEST(ChartStitching, SaysSoWhenThereAreTooFewSamples)
   }
   const Status status = ring.stitch({ chart });
   EXPECT_EQ(status.code(), StatusCode::TooFewPoints);
-  EXPECT_EQ(ring.chartAtFault, Chart(0));
+  EXPECT_EQ(ring.fault.chart, Chart(0));
+  ASSERT_EQ(ring.fault.places.size(), 1u) << "a sample in the middle of the diagonal would do";
+  EXPECT_EQ(ring.fault.places[0].first, Chart(0));
+  EXPECT_EQ(ring.fault.places[0].second, Vec2(0.5, 0.5));
   EXPECT_NE(status.message().find("more points"), std::string::npos);
 }
 

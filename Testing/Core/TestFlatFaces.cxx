@@ -164,6 +164,54 @@ TEST(FlatFaces, WhatIsNotFlatStays)
   }
 }
 
+TEST(FlatFaces, WhatIsHardlyBentMovesByNoMoreThanItMay)
+{
+  // A gutter of thin strips, as programs write a cylinder: each flip moves the surface a little,
+  // and all of them together no farther than one may.
+  TriangleSurface s;
+  const int strips = 400;
+  const auto bend = [](double x) { return 2e-3 * x * x; };
+  for (int i = 0; i <= strips; ++i)
+  {
+    const double x = static_cast<double>(i) / strips;
+    for (const double y : { 0., 0.37, 0.71, 1. })
+    {
+      s.points.emplace_back(x, y + (y > 0 && y < 1 ? 0.02 * (i * 7 % 11) : 0.), bend(x));
+    }
+  }
+  for (int i = 0; i < strips; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const int a = 4 * i + j;
+      s.triangles.push_back({ a, a + 4, a + 5 });
+      s.triangles.push_back({ a, a + 5, a + 1 });
+    }
+  }
+  s.connect();
+  const RepairedSurface repaired = repairedFrom(s);
+  CutSurface surface = cutFrom(repaired);
+  const auto joined = triangulateFlatFaces(surface, Always);
+  EXPECT_GT(joined.size(), 400U);
+  const double most = 5e-6 * surface.boundingBoxDiagonal();
+  double farthest = 0;
+  for (const Face f : surface.faces())
+  {
+    for (const Vec3& bary :
+      { Vec3(1. / 3, 1. / 3, 1. / 3), Vec3(0.5, 0.5, 0), Vec3(0, 0.5, 0.5), Vec3(0.5, 0, 0.5) })
+    {
+      const Vec3 p = bary[0] * surface.point(f, 0) + bary[1] * surface.point(f, 1) +
+        bary[2] * surface.point(f, 2);
+      const double i = std::min(std::floor(p.x() * strips), strips - 1.);
+      const double share = p.x() * strips - i;
+      const double before = (1 - share) * bend(i / strips) + share * bend((i + 1) / strips);
+      farthest = std::max(farthest, std::abs(p.z() - before));
+    }
+  }
+  EXPECT_LE(farthest, most);
+  EXPECT_GT(farthest, 0.02 * most) << "some flip moved it";
+}
+
 TEST(FlatFaces, WhatHasNoSliverStays)
 {
   CutSurface surface = cutFrom(repairedFrom(fan(6)));

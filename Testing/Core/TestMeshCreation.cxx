@@ -138,10 +138,10 @@ TEST(MeshCreation, SaysWhatSamplesLack)
   ASSERT_TRUE(m.create().ok()) << "a cube's corners triangulate it";
   EXPECT_EQ(m.triangles.size(), 12u);
   m.samples.erase(m.samples.begin());
-  Chart fault(0);
+  MeshFault fault;
   const Status status = createMesh(*m.read, m.samples, m.triangles, {}, &fault);
   EXPECT_EQ(status.code(), StatusCode::TooFewPoints);
-  EXPECT_FALSE(fault.valid()) << "no sample inside would make up for a lacking corner";
+  EXPECT_FALSE(fault.chart.valid()) << "no sample inside would make up for a lacking corner";
   m.samples.back().backbone = 99;
   m.samples.back().kind = SampleKind::Backbone;
   EXPECT_EQ(m.create().code(), StatusCode::BadInput) << "no such backbone";

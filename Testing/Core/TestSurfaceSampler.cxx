@@ -7,6 +7,7 @@
 #include "BandMask.h"
 #include "ChordDistance.h"
 #include "InteriorSampling.h"
+#include "MeshCreation.h"
 
 #include "vtkSMPTools.h"
 
@@ -122,6 +123,27 @@ TEST(SurfaceSampler, ExactCountOnManyDraws)
       expectSound(result, f, n);
       ASSERT_FALSE(::testing::Test::HasFatalFailure())
         << "shape " << shape << " draw " << draw << " n " << n;
+    }
+  }
+}
+
+TEST(SurfaceSampler, AThinTubeFarFromAllThatIsDenseHasSamplesEnough)
+{
+  // A torus is cut open along two circles. The control leaves the far side next to none.
+  Fixture f;
+  torus(f.builder, 48, 12);
+  f.take();
+  for (const double power : { 4., 16., 60., 200. })
+  {
+    const ControlMaps maps(f.surface(), 90,
+      [&](const Vec3& p) { return std::exp(-power * (p - Vec3(1, 0, 0)).norm()); });
+    for (const int n : { 22, 25, 30, 40, 90, 300, 1000 })
+    {
+      const SurfaceSamples result = f.sample(maps, n);
+      expectSound(result, f, n);
+      std::vector<Triangle> triangles;
+      const Status status = createMesh(*f.sampler.domain().atlas, result.samples, triangles, {});
+      EXPECT_TRUE(status.ok()) << power << " " << n << ": " << status.message();
     }
   }
 }
