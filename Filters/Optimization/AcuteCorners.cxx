@@ -98,7 +98,7 @@ void forEachPairOfCreases(const OptimizedMesh& mesh, Vertex v, const Function& f
 AcuteCorners::AcuteCorners(const OptimizedMesh& mesh, double angle)
   : Angle(angle)
 {
-  const double unit = spacingAtUnitDensity(mesh);
+  const VertexSpacing spacing(mesh);
   for (const Vertex v : mesh.vertices())
   {
     if (mesh.freedom(v) == Freedom::None)
@@ -108,7 +108,7 @@ AcuteCorners::AcuteCorners(const OptimizedMesh& mesh, double angle)
         mesh, v, [&](const LeavingCrease&, const LeavingCrease&, double) { found = true; });
       if (found)
       {
-        this->Corners.push_back({ v, unit / std::sqrt(mesh.density(v)), angle });
+        this->Corners.push_back({ v, spacing.at(v), angle });
       }
     }
   }

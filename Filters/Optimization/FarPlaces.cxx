@@ -22,8 +22,7 @@ class Insertion : public LooseMesh
 {
 public:
   Insertion(const OptimizedMesh& mesh, double tolerance)
-    : LooseMesh(mesh)
-    , Tolerance(tolerance)
+    : LooseMesh(mesh, tolerance)
     , IsWhole(this->Now.triangles().size(), 1)
   {
   }
@@ -56,7 +55,7 @@ public:
       }
     }
     const Vertex corner(this->Now.triangle(best.disk.front())[0]);
-    const double lack = place.distance / (this->Tolerance * this->spacingAt(corner));
+    const double lack = place.distance / this->Spacing.farthest(corner, this->Tolerance);
     if (best.angle < std::max(Tuning::HopelessAngle, (1. - lack) * Tuning::PoorFeatureAngle))
     {
       return;
@@ -205,7 +204,6 @@ private:
     return true;
   }
 
-  const double Tolerance;
   std::vector<char> IsWhole; // by triangle, of those that were there at first
 };
 
@@ -216,15 +214,15 @@ public:
   Lookout(const OptimizedMesh& mesh, double share)
     : Mesh(mesh)
     , Error(mesh)
-    , Spacing(spacingAtUnitDensity(mesh))
+    , Spacing(mesh)
     , Share(share)
-    , SpacingAt(mesh.atlas().surface().points.size(), this->Spacing)
+    , SpacingAt(mesh.atlas().surface().points.size(), this->Spacing.atUnitDensity())
   {
     for (const Vertex v : mesh.vertices())
     {
       for (const int p : this->Error.pointsOf(v))
       {
-        this->SpacingAt[p] = this->spacing(v);
+        this->SpacingAt[p] = this->Spacing.at(v);
       }
     }
   }
@@ -243,13 +241,12 @@ public:
     double sum = 0;
     for (const Vertex v : this->Mesh.corners(face))
     {
-      sum += this->spacing(v);
+      sum += this->Spacing.farthest(v, this->Share);
     }
-    return this->Share * sum / 3.;
+    return sum / 3.;
   }
 
 private:
-  double spacing(Vertex v) const { return this->Spacing / std::sqrt(this->Mesh.density(v)); }
   void add(std::vector<FarPlace>& places, const SurfacePlace& place, int backbone = -1,
     double arcLength = 0.) const
   {
@@ -275,7 +272,7 @@ private:
     }
     ElementArray<Vertex, char> mayBeFar(static_cast<std::size_t>(this->Mesh.vertices().size()), 0);
     parallelFor(this->Mesh.vertices(), [&](Vertex v) {
-      const double bound = this->Share * this->spacing(v);
+      const double bound = this->Spacing.farthest(v, this->Share);
       mayBeFar[v] = this->Error.at(v).largest > bound * bound ? 1 : 0;
     });
     for (const Vertex v : this->Mesh.vertices())
@@ -358,7 +355,7 @@ private:
 
   const OptimizedMesh& Mesh;
   const SurfaceError Error;
-  const double Spacing; // at a density of 1
+  const VertexSpacing Spacing;
   const double Share;
   std::vector<double> SpacingAt; // by point of the surface
 };

@@ -23,8 +23,7 @@ class Simplification : public LooseMesh
 {
 public:
   Simplification(const OptimizedMesh& mesh, double tolerance)
-    : LooseMesh(mesh)
-    , Tolerance(tolerance)
+    : LooseMesh(mesh, tolerance)
   {
   }
 
@@ -475,7 +474,6 @@ private:
   }
 
   static constexpr double Never = 1e300;
-  const double Tolerance; // over the spacing
 };
 }
 

@@ -13,9 +13,10 @@
 
 namespace stipple
 {
-LooseMesh::LooseMesh(const OptimizedMesh& mesh)
+LooseMesh::LooseMesh(const OptimizedMesh& mesh, double tolerance)
   : Mesh(mesh)
-  , Spacing(spacingAtUnitDensity(mesh))
+  , Spacing(mesh)
+  , Tolerance(tolerance)
   , Now(mesh)
 {
   for (const Vertex v : mesh.vertices())

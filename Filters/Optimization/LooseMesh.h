@@ -6,6 +6,7 @@
 #define stipple_LooseMesh_h
 
 #include "LooseTriangles.h"
+#include "Relaxation.h"
 #include "StippleFiltersOptimizationModule.h"
 
 #include <optional>
@@ -16,7 +17,7 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT LooseMesh
 {
 public:
   /// Borrows the mesh, which stays as it is.
-  explicit LooseMesh(const OptimizedMesh& mesh);
+  LooseMesh(const OptimizedMesh& mesh, double tolerance);
 
   /// Puts what was freed where triangles are largest; nothing if all is creases.
   OptimizedMesh::Change finish();
@@ -29,7 +30,7 @@ protected:
   /// The smallest.
   static double angleOf(const std::array<Vec3, 3>& p);
   double angle(const Triangle& t) const;
-  double spacingAt(Vertex v) const { return this->Spacing / std::sqrt(this->Mesh.density(v)); }
+  double spacingAt(Vertex v) const { return this->Spacing.at(v); }
   /// Whether a triangle turns its back on the surface at its free corners, or on how it was.
   bool isTurnedOver(const Triangle& before, const Triangle& after) const;
   /// No triangle about v is folded onto a neighbour after v has gone to u, unless it was.
@@ -46,7 +47,8 @@ protected:
   Vertex takeSpare(const SurfacePoint& place, bool isFree);
 
   const OptimizedMesh& Mesh;
-  const double Spacing; // at a density of 1
+  const VertexSpacing Spacing;
+  const double Tolerance; // over the spacing
   LooseTriangles Now;
   ElementArray<Vertex, SurfacePoint> Place;
   ElementArray<Vertex, char> IsFree;

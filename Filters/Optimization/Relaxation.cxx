@@ -288,7 +288,9 @@ bool exceedsEdges(const OptimizedMesh& mesh, Vertex v, double length, double sha
   return length * length > share * share * shortest && length > share * meanEdgeLength(mesh, v);
 }
 
-double spacingAtUnitDensity(const OptimizedMesh& mesh)
+VertexSpacing::VertexSpacing(const OptimizedMesh& mesh)
+  : Mesh(mesh)
+  , Shows(Tuning::Shows * mesh.atlas().surface().boundingBoxDiagonal())
 {
   double total = 0;
   for (const Face f : mesh.faces())
@@ -296,7 +298,7 @@ double spacingAtUnitDensity(const OptimizedMesh& mesh)
     const auto [a, b, c] = mesh.corners(f);
     total += mesh.faceArea(f) * (mesh.density(a) + mesh.density(b) + mesh.density(c)) / 3.;
   }
-  return std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
+  this->AtUnitDensity = std::sqrt(2. / std::sqrt(3.) * total / mesh.vertices().size());
 }
 
 double meanEdgeLength(const OptimizedMesh& mesh, Vertex v)

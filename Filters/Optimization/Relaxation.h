@@ -6,6 +6,9 @@
 #define stipple_Relaxation_h
 
 #include "OptimizedMesh.h"
+
+#include <algorithm>
+#include <cmath>
 #include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
@@ -52,8 +55,27 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 laplacianStep(
 STIPPLEFILTERSOPTIMIZATION_EXPORT Vec3 stepToMiddle(const OptimizedMesh& mesh, Vertex v);
 
 STIPPLEFILTERSOPTIMIZATION_EXPORT double meanEdgeLength(const OptimizedMesh& mesh, Vertex v);
-/// Edge length of a lattice that has as many vertices as the mesh at a density of 1.
-STIPPLEFILTERSOPTIMIZATION_EXPORT double spacingAtUnitDensity(const OptimizedMesh& mesh);
+
+/// Lengths of edges that the density wants: those of a lattice of as many vertices as the mesh.
+class STIPPLEFILTERSOPTIMIZATION_EXPORT VertexSpacing
+{
+public:
+  /// Borrows the mesh.
+  explicit VertexSpacing(const OptimizedMesh& mesh);
+  double atUnitDensity() const { return this->AtUnitDensity; }
+  double at(Vertex v) const { return this->AtUnitDensity / std::sqrt(this->Mesh.density(v)); }
+  /// So many spacings, but no farther than what shows on the surface as a whole.
+  double farthest(Vertex v, double share) const
+  {
+    return std::min(share * this->at(v), this->Shows);
+  }
+
+private:
+  const OptimizedMesh& Mesh;
+  double AtUnitDensity;
+  double Shows;
+};
+
 /// length > share * meanEdgeLength(mesh, v), at less cost where it is not.
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
   const OptimizedMesh& mesh, Vertex v, double length, double share);

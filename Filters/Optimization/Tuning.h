@@ -211,6 +211,10 @@ struct Tuning
   /// Between two triangles: less, and a sheet is as good as folded onto itself.
   static constexpr double LeastCosineOfRim = -0.9;
 
+  /// Of the diagonal: what the surface may move by where features are simplified, and how far it
+  /// may be from the mesh, are no longer than this, however long edges are.
+  static constexpr double Shows = 0.01;
+
   // Far places (FarPlaces).
   /// Of the spacing: what is farther from the mesh is to be reached.
   static constexpr double FarShare = 0.5;

@@ -112,7 +112,7 @@ TEST(LooseMesh, AVertexGoesFromAFaceToACrease)
   const auto t = meshes::patch(6);
   OptimizedMesh& mesh = t->mesh;
   const double area = areaOf(mesh);
-  Opened loose(mesh);
+  Opened loose(mesh, 1.);
   ASSERT_TRUE(loose.hasSpare());
   const auto places = loose.Now.onChains(Vertex(2), Vertex(3), 0.5);
   ASSERT_EQ(places.size(), 1U);
