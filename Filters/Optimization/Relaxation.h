@@ -7,9 +7,9 @@
 
 #include "OptimizedMesh.h"
 
+#include "StippleFiltersOptimizationModule.h"
 #include <algorithm>
 #include <cmath>
-#include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
 {

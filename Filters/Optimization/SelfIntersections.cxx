@@ -468,7 +468,8 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
     return static_cast<int>(bad.size());
   }
   bool hasChanged = false;
-  int budget = Tuning::PartingBudget * mesh.faces().size();
+  int& budget = known.budget ? *known.budget
+                             : known.budget.emplace(Tuning::PartingBudget * mesh.faces().size());
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
     bool changed = false;

@@ -12,6 +12,7 @@
 #include "TriangleIntersections.h"
 
 #include <memory>
+#include <optional>
 
 namespace stipple
 {
@@ -45,8 +46,9 @@ struct KnownOverlaps
 {
   /// Where the surface passes through itself: placesOfIntersections(), made when it is asked for.
   Lazy<std::vector<Box>> ofSurface;
-  FailedEmbeddings folds;  ///< that unfold() could not undo
-  FailedEmbeddings layers; ///< that could not be parted
+  FailedEmbeddings folds;    ///< that unfold() could not undo
+  FailedEmbeddings layers;   ///< that could not be parted
+  std::optional<int> budget; ///< triangles that may still be embedded to part them; none: the first
 };
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
