@@ -137,35 +137,40 @@ const ElementArray<Face, FirstFundamentalForm>& Atlas::metric() const
   });
 }
 
-std::vector<char> Atlas::walls() const
+std::vector<char> Atlas::halfedgesOn(std::initializer_list<BackboneType> types) const
 {
-  std::vector<char> wall(this->Surface->twin.size(), 0);
+  std::vector<char> isOn(this->Surface->twin.size(), 0);
   for (std::size_t b = 0; b < this->Traces.size(); ++b)
   {
-    for (int side = 0; side < 2 && this->Graph.backbones[b].type == BackboneType::Sharp; ++side)
+    if (std::find(types.begin(), types.end(), this->Graph.backbones[b].type) == types.end())
     {
-      for (int h : this->Traces[b].halfedge[side])
+      continue;
+    }
+    for (const std::vector<int>& side : this->Traces[b].halfedge)
+    {
+      for (const int h : side)
       {
         if (h >= 0)
         {
-          wall[h] = 1;
+          isOn[h] = 1;
         }
       }
     }
   }
-  return wall;
+  return isOn;
 }
 
 const SurfaceWalk& Atlas::walk() const
 {
-  return this->Walk.get([this] { return SurfaceWalk(*this->Surface, this->walls()); });
+  return this->Walk.get(
+    [this] { return SurfaceWalk(*this->Surface, this->halfedgesOn({ BackboneType::Sharp })); });
 }
 
 const ElementArray<Face, Vec3>& Atlas::smoothNormals() const
 {
   return this->SmoothNormals.get([this] {
     const AtlasSurface& s = *this->Surface;
-    const std::vector<char> wall = this->walls();
+    const std::vector<char> wall = this->halfedgesOn({ BackboneType::Sharp });
     ElementArray<Face, double> area(s.triangles.size());
     ElementArray<Face, Vec3> normal(s.triangles.size());
     for (const Face f : s.faces())

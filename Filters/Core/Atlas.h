@@ -9,7 +9,9 @@
 #include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
 
+#include <initializer_list>
 #include <memory>
+#include <vector>
 
 namespace stipple
 {
@@ -72,6 +74,8 @@ public:
   const ElementArray<Vertex, Halfedge>& vertexHalfedges() const { return this->Outgoing; }
   /// The place at an arc length of a backbone, seen from the first side that it has.
   SurfacePlace placeOfBackbone(int backbone, double arcLength) const;
+  /// 1 for the charts' halfedges that lie on backbones of these types, 0 for others.
+  std::vector<char> halfedgesOn(std::initializer_list<BackboneType> types) const;
   /// A point that a triangle uses, as a place.
   SurfacePlace placeOfPoint(int p) const;
 
@@ -79,7 +83,6 @@ private:
   struct Cache;
   Atlas() = default;
   Status readGraph(vtkPolyData* featureGraph);
-  std::vector<char> walls() const;
 
   std::shared_ptr<const AtlasSurface> Surface;
   vtkSmartPointer<vtkPolyData> GraphData;

@@ -290,7 +290,7 @@ bool exceedsEdges(const OptimizedMesh& mesh, Vertex v, double length, double sha
 
 VertexSpacing::VertexSpacing(const OptimizedMesh& mesh)
   : Mesh(mesh)
-  , Shows(Tuning::Shows * mesh.atlas().surface().boundingBoxDiagonal())
+  , Visible(Tuning::VisibleDistance * mesh.atlas().surface().boundingBoxDiagonal())
 {
   double total = 0;
   for (const Face f : mesh.faces())

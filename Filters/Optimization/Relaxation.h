@@ -67,13 +67,13 @@ public:
   /// So many spacings, but no farther than what shows on the surface as a whole.
   double farthest(Vertex v, double share) const
   {
-    return std::min(share * this->at(v), this->Shows);
+    return std::min(share * this->at(v), this->Visible);
   }
 
 private:
   const OptimizedMesh& Mesh;
   double AtUnitDensity;
-  double Shows;
+  double Visible;
 };
 
 /// length > share * meanEdgeLength(mesh, v), at less cost where it is not.

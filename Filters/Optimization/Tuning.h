@@ -215,7 +215,7 @@ struct Tuning
   /// 1,500 points 9 of 227 surfaces are over 1.5 % with it, 16 without; the share of angles below
   /// 30 degrees is the same (8 with .01, but a larger share; 11 to 15 with simplification bounded
   /// by it, too).
-  static constexpr double Shows = 0.0125;
+  static constexpr double VisibleDistance = 0.0125;
 
   // Far places (FarPlaces).
   /// Of the spacing: what is farther from the mesh is to be reached.

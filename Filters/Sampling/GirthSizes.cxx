@@ -19,30 +19,6 @@ namespace
 {
 using Constants = SamplingConstants;
 
-/// Halfedges that lie on creases and boundaries.
-std::vector<char> featureHalfedges(const Atlas& atlas)
-{
-  std::vector<char> isFeature(3 * static_cast<std::size_t>(atlas.surface().numberOfFaces()), 0);
-  for (std::size_t b = 0; b < atlas.traces().size(); ++b)
-  {
-    if (atlas.graph().backbones[b].type == BackboneType::Seam)
-    {
-      continue;
-    }
-    for (const std::vector<int>& side : atlas.traces()[b].halfedge)
-    {
-      for (const int h : side)
-      {
-        if (h >= 0)
-        {
-          isFeature[h] = 1;
-        }
-      }
-    }
-  }
-  return isFeature;
-}
-
 /// Two walks from one place in opposite directions, step by step.
 class WalkBothWays
 {
@@ -89,7 +65,7 @@ class GirthSearch
 public:
   explicit GirthSearch(const Atlas& atlas)
     : Surface(atlas.surface())
-    , IsFeature(featureHalfedges(atlas))
+    , IsFeature(atlas.halfedgesOn({ BackboneType::Sharp, BackboneType::Boundary }))
   {
   }
 

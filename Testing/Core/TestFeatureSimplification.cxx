@@ -242,7 +242,7 @@ TEST(FeatureSimplification, IsTheSameInAllScales)
 }
 
 // The spacing is 0.05, teeth are as wide as 0.04: without simplification, each leaves slivers. None
-// is as high as shows (Tuning::Shows).
+// is as high as Tuning::VisibleDistance.
 TEST(FeatureSimplification, OpensTrianglesOfToothedPlates)
 {
   double poor = 0;

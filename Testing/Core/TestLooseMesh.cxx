@@ -210,7 +210,7 @@ TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
   std::vector<FarPlace> places;
   // However long edges are, what shows is far; else it is what is farther than the share of them.
   ASSERT_TRUE(farPlaces(t->mesh, 4., {}, places).ok());
-  const double shows = Tuning::Shows * t->mesh.atlas().surface().boundingBoxDiagonal();
+  const double shows = Tuning::VisibleDistance * t->mesh.atlas().surface().boundingBoxDiagonal();
   for (const FarPlace& p : places)
   {
     EXPECT_GT(p.distance, shows);
