@@ -150,7 +150,10 @@ private:
   double distanceOfUsefulCollapse(Vertex v, Vertex u) const
   {
     const int creases = this->Now.numberOfCreases(v);
-    const bool mayGo = !this->Mesh.isConstraint(v) && creases <= this->Now.numberOfCreases(u) &&
+    // A vertex inside a line may also go to the line's end.
+    const bool isAlongLine = creases == 2 && this->Now.isCrease(v, u);
+    const bool mayGo = !this->Mesh.isConstraint(v) &&
+      (creases <= this->Now.numberOfCreases(u) || isAlongLine) &&
       (creases > 0 || !this->Mesh.isFree(u) ||
         this->length(v, u) < Tuning::LeastSoundHeight * this->spacingAt(v)); // one on the other
     if (!mayGo || !this->Now.keepsLines(v, u) || !this->Now.mayCollapse(v, u) ||
