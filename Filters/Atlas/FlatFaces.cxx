@@ -50,7 +50,7 @@ public:
     {
       const Halfedge h = open.back();
       open.pop_back();
-      if (const std::optional<Crossing> crossing = this->isWanted(h))
+      if (const std::optional<Crossing> crossing = this->wantedFlip(h))
       {
         const Halfedge g = this->Surface.twin[h];
         this->Moved[faceOf(h)] = this->Moved[faceOf(g)] = crossing->moved;
@@ -82,7 +82,7 @@ private:
     return { std::min(a, b), std::max(a, b) };
   }
 
-  std::optional<Crossing> isWanted(Halfedge h) const
+  std::optional<Crossing> wantedFlip(Halfedge h) const
   {
     const CutSurface& s = this->Surface;
     const Halfedge g = s.twin[h];

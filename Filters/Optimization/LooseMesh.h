@@ -16,7 +16,8 @@ namespace stipple
 class STIPPLEFILTERSOPTIMIZATION_EXPORT LooseMesh
 {
 public:
-  /// Borrows the mesh, which stays as it is.
+  /// Borrows the mesh, which stays as it is. The tolerance, in spacings, is how far the surface may
+  /// move for a triangle that has no angle.
   LooseMesh(const OptimizedMesh& mesh, double tolerance);
 
   /// Puts what was freed where triangles are largest; nothing if all is creases.

@@ -6,8 +6,8 @@
 #define stipple_Relaxation_h
 
 #include "OptimizedMesh.h"
-
 #include "StippleFiltersOptimizationModule.h"
+
 #include <algorithm>
 #include <cmath>
 

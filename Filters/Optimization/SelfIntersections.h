@@ -48,7 +48,7 @@ struct KnownOverlaps
   Lazy<std::vector<Box>> ofSurface;
   FailedEmbeddings folds;    ///< that unfold() could not undo
   FailedEmbeddings layers;   ///< that could not be parted
-  std::optional<int> budget; ///< triangles that may still be embedded to part them; none: the first
+  std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked
 };
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs

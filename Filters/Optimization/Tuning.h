@@ -211,13 +211,12 @@ struct Tuning
   /// Between two triangles: less, and a sheet is as good as folded onto itself.
   static constexpr double LeastCosineOfRim = -0.9;
 
+  // Far places (FarPlaces).
   /// Of the diagonal: what is farther from the mesh than this shows, however long edges are. At
   /// 1,500 points 9 of 227 surfaces are over 1.5 % with it, 16 without; the share of angles below
   /// 30 degrees is the same (8 with .01, but a larger share; 11 to 15 with simplification bounded
   /// by it, too).
   static constexpr double VisibleDistance = 0.0125;
-
-  // Far places (FarPlaces).
   /// Of the spacing: what is farther from the mesh is to be reached.
   static constexpr double FarShare = 0.5;
   static constexpr std::size_t LargestCavity = 8; ///< triangles that a vertex goes into

@@ -210,6 +210,7 @@ TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
   std::vector<FarPlace> places;
   // However long edges are, what shows is far; else it is what is farther than the share of them.
   ASSERT_TRUE(farPlaces(t->mesh, 4., {}, places).ok());
+  ASSERT_FALSE(places.empty());
   const double shows = Tuning::VisibleDistance * t->mesh.atlas().surface().boundingBoxDiagonal();
   for (const FarPlace& p : places)
   {

@@ -179,8 +179,9 @@ TEST(MeshOptimizer, ReportsAndStops)
     told.push_back(f);
     return true;
   }).ok());
-  EXPECT_GE(told.size(), 43U) << "every round, and the end";
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  told.erase(std::unique(told.begin(), told.end()), told.end()); // far places are looked for at 1
+  EXPECT_EQ(told.size(), 43U) << "every round, and the end";
   EXPECT_EQ(told.front(), 0.);
   EXPECT_EQ(told.back(), 1.);
   int asked = 0;
