@@ -110,18 +110,35 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence, 200)));
 }
 
-/// OBJ's cells without comments, and without slashes that nothing follows ("7/" and "7//" name a
-/// point alone): VTK's reader takes these for errors, or crashes on them.
+/// Whether the face that a text ends with, from there on, has less than three corners, in OBJ.
+bool isShortFace(const std::string& text, std::size_t from)
+{
+  int corners = -1; // for the "f"
+  bool isBetween = true;
+  for (std::size_t i = from; i < text.size() && corners < 3; ++i)
+  {
+    const bool isBlank = std::isspace(static_cast<unsigned char>(text[i])) != 0 || text[i] == '\\';
+    corners += isBetween && !isBlank ? 1 : 0;
+    isBetween = isBlank;
+  }
+  return text[from] == 'f' && corners < 3;
+}
+
+/// OBJ's cells without comments, without slashes that nothing follows ("7/" and "7//" name a
+/// point alone), and without faces of less than three corners: VTK's reader takes these for errors,
+/// or crashes on them.
 std::string plainObj(const std::string& content)
 {
   std::string result;
   result.reserve(content.size());
   bool isCell = false;
+  std::size_t start = 0; // of the cell
   for (std::size_t begin = 0; begin < content.size();)
   {
     const std::size_t end = std::min(content.find('\n', begin), content.size());
-    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 ||
-      (isCell && begin >= 2 && content[begin - 2] == '\\'); // goes on
+    const bool goesOn = isCell && begin >= 2 && content[begin - 2] == '\\';
+    start = goesOn ? start : result.size();
+    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 || goesOn;
     const auto at = [&content](
                       std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto last =
@@ -145,6 +162,11 @@ std::string plainObj(const std::string& content)
       result.append(content, begin, end - begin);
     }
     result.append(content, end, 1);
+    const bool ends = end == 0 || end == content.size() || content[end - 1] != '\\';
+    if (isCell && ends && isShortFace(result, start))
+    {
+      result.resize(start);
+    }
     begin = end + 1;
   }
   return result;
@@ -199,7 +221,7 @@ Status readObj(const std::string& file, vtkPolyData* mesh)
   Status status = readByVTK(reader, file, mesh);
   if (status.ok())
   {
-    addObjRegions(file, mesh);
+    addObjRegions(plain, mesh);
     joinTexture(mesh);
   }
   return status;

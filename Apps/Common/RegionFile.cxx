@@ -15,10 +15,10 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <locale>
 #include <map>
+#include <sstream>
 
 namespace stipple
 {
@@ -107,9 +107,9 @@ void addRegions(const std::string& array, const std::vector<int>& ids,
 }
 }
 
-void addObjRegions(const std::string& file, vtkPolyData* mesh)
+void addObjRegions(const std::string& content, vtkPolyData* mesh)
 {
-  std::ifstream stream(file, std::ios::binary);
+  std::istringstream stream(content);
   stream.exceptions(std::ios::badbit); // where memory ends, lines don't
   NamedRegions groups;
   NamedRegions objects;
@@ -137,12 +137,17 @@ void addObjRegions(const std::string& file, vtkPolyData* mesh)
     }
   }
   const auto add = [mesh](const char* array, const NamedRegions& regions) {
-    // Otherwise cells have another order than faces.
+    const vtkIdType others = mesh->GetNumberOfCells() - mesh->GetNumberOfPolys(); // they come first
     if (regions.hasNames() &&
-      static_cast<vtkIdType>(regions.ids().size()) == mesh->GetNumberOfCells() &&
-      mesh->GetNumberOfPolys() == mesh->GetNumberOfCells())
+      static_cast<vtkIdType>(regions.ids().size()) == mesh->GetNumberOfPolys())
     {
-      addRegions(array, regions.ids(), regions.names(), mesh);
+      std::vector<int> ids(static_cast<std::size_t>(others), 0);
+      ids.insert(ids.end(), regions.ids().begin(), regions.ids().end());
+      addRegions(array, ids, regions.names(), mesh);
+    }
+    else // vtkOBJReader's, which lines have none of
+    {
+      mesh->GetCellData()->RemoveArray(array);
     }
   };
   add("GroupIds", groups.hasNames() ? groups : objects);

@@ -176,6 +176,34 @@ TEST_F(MeshFile, ObjCornersMayEndInSlashes)
   EXPECT_EQ(mesh->GetNumberOfPolys(), 4);
 }
 
+TEST_F(MeshFile, ObjFacesOfTwoCornersAreNone)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  const Status status = readMesh(this->write("t.obj",
+                                   points +
+                                     "usemtl a\nf 1 2 # 3\nf 1 3 2\nf 1\nf 1 2 4\nusemtl "
+                                     "b\nf 2 \\\n4\nf 1 4 \\\n3\nf 2/ 3/ 4/\nf 1 2"),
+    mesh);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 4);
+  EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 0, 1, 1 }));
+}
+
+TEST_F(MeshFile, ObjFacesHaveTheirMaterialsBesideLines)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  ASSERT_TRUE(readMesh(this->write("l.obj",
+                         points +
+                           "usemtl a\nf 1 3 2\nf 1 2 4\nl 1 2\nusemtl b\nf 1 4 3\nl 2 3 "
+                           "4\nf 2 3 4\n"),
+    mesh)
+                .ok());
+  EXPECT_EQ(mesh->GetNumberOfLines(), 2);
+  EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 0, 0, 0, 1, 1 }));
+}
+
 TEST_F(MeshFile, RegionsOfObj)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
