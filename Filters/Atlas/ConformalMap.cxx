@@ -280,6 +280,14 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   }
   scale(map.uv, best->extent, map.extent);
   measureMap(surface, chart, map);
+  // Weights of slivers may be so far apart that triangles have an area by rounding only.
+  if (!map.valid && !isAsked(stop) && solver.factorizeUniform())
+  {
+    map.fallback = true;
+    solve(*best, map.uv);
+    scale(map.uv, best->extent, map.extent);
+    measureMap(surface, chart, map);
+  }
   return map;
 }
 }

@@ -98,6 +98,21 @@ HarmonicSystem::HalfWeights HarmonicSystem::delaunayWeights() const
   return weights;
 }
 
+HarmonicSystem::HalfWeights HarmonicSystem::uniformWeights() const
+{
+  HalfWeights weights;
+  weights.reserve(3 * this->Chart.triangles.size());
+  for (const Triangle& t : this->Chart.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [a, b] = std::minmax({ t[k], t[nextCorner(k)] });
+      weights.emplace_back(a, b, 0.5);
+    }
+  }
+  return weights;
+}
+
 bool HarmonicSystem::isInBlocks() const
 {
   return this->NumberOfUnknowns > Constants::MostUnknownsByColumns;
@@ -111,6 +126,11 @@ bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 bool HarmonicSystem::factorizeDelaunay()
 {
   return this->factorize(this->laplacian(this->delaunayWeights(), {}));
+}
+
+bool HarmonicSystem::factorizeUniform()
+{
+  return this->factorize(this->laplacian(this->uniformWeights(), {}));
 }
 
 Eigen::SparseMatrix<double> HarmonicSystem::laplacian(

@@ -36,6 +36,10 @@ public:
   /// chart's own triangles they may be less smooth.
   bool factorizeDelaunay();
 
+  /// The same with equal weights (Tutte 1963): each value is the mean of its neighbours', whatever
+  /// the triangles are like.
+  bool factorizeUniform();
+
   /// Overwrites the rows of free vertices with the harmonic extension of the given rows. Eight
   /// columns take hardly longer than one.
   void solve(Values values) const;
@@ -51,6 +55,7 @@ private:
   using HalfWeights = std::vector<Eigen::Triplet<double>>;
   HalfWeights ownWeights() const;
   HalfWeights delaunayWeights() const;
+  HalfWeights uniformWeights() const;
   Eigen::SparseMatrix<double> laplacian(
     const HalfWeights& edges, const std::vector<char>& positiveAt);
   bool factorize(const Eigen::SparseMatrix<double>& laplacian);

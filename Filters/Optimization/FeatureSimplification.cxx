@@ -146,6 +146,14 @@ private:
     }
     return largest;
   }
+  /// Whether an edge comes of v going to u that has no length: where the surface touches itself,
+  /// two vertices are at one place.
+  bool joinsOnePlace(Vertex v, Vertex u) const
+  {
+    const std::vector<Vertex> ring = this->Now.ring(v);
+    return std::any_of(ring.begin(), ring.end(),
+      [&](Vertex w) { return w != u && this->position(w) == this->position(u); });
+  }
   /// How far the surface moves if v goes to u, where triangles get better by that; else Never.
   double distanceOfUsefulCollapse(Vertex v, Vertex u) const
   {
@@ -157,7 +165,7 @@ private:
       (creases > 0 || !this->Mesh.isFree(u) ||
         this->length(v, u) < Tuning::LeastSoundHeight * this->spacingAt(v)); // one on the other
     if (!mayGo || !this->Now.keepsLines(v, u) || !this->Now.mayCollapse(v, u) ||
-      !this->staysOpen(v, u))
+      !this->staysOpen(v, u) || this->joinsOnePlace(v, u))
     {
       return Never;
     }

@@ -554,18 +554,24 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   Internals& s = *this->Stages;
   s.MayGrow = true;
   int level = 0;
+  stipple::Status status = stipple::Status::success(); // of the mesh before
   for (;;)
   {
     s.Atlas->SetRefinementLevel(level);
     if (!this->RunStages())
     {
+      // A number that other charts and sizes ask for says nothing about those before.
+      if (this->ErrorCode == TOO_FEW_POINTS)
+      {
+        (void)noted(status, this->ErrorCode, s.Sentence);
+      }
       return false;
     }
     if (this->Pattern == QUADS)
     {
       return true;
     }
-    stipple::Status status = s.check(s.Optimizer->GetOutput());
+    status = s.check(s.Optimizer->GetOutput());
     if (status.ok() && this->Pattern == SEMIREGULAR)
     {
       if (!this->RunStage(Subdivision))

@@ -136,21 +136,15 @@ void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
   this->Lines.clear();
   this->Queue.clear();
-  for (std::size_t b = 0; b < domain.traces().size(); ++b)
+  for (const auto& [backbone, side] : domain.chartSides[chart])
   {
-    const BackboneTrace& trace = domain.traces()[b];
-    for (int side = 0; side < 2; ++side)
+    const BackboneTrace& trace = domain.traces()[backbone];
+    for (int i = 0; i + 1 < static_cast<int>(trace.arcLength.size()); ++i)
     {
-      const int segments = trace.hasSide(side) && trace.chart[side] == chart
-        ? static_cast<int>(trace.arcLength.size()) - 1
-        : 0;
-      for (int i = 0; i < segments; ++i)
-      {
-        const Vec2 a = trace.parameter(domain.surface(), { i, 0. }, side);
-        const Vec2 b2 = trace.parameter(domain.surface(), { i, 1. }, side);
-        this->Lines.push_back({ a, b2 - a, BandLimit, static_cast<int>(b), trace.arcLength[i],
-          trace.arcLength[i + 1] - trace.arcLength[i] });
-      }
+      const Vec2 a = trace.parameter(domain.surface(), { i, 0. }, side);
+      const Vec2 b = trace.parameter(domain.surface(), { i, 1. }, side);
+      this->Lines.push_back({ a, b - a, BandLimit, backbone, trace.arcLength[i],
+        trace.arcLength[i + 1] - trace.arcLength[i] });
     }
   }
   for (const Vec2& p : domain.chartConstraints[chart])

@@ -208,8 +208,10 @@ Status readSamplingDomain(const Atlas::Pointer& atlas, SamplingDomain& domain)
   }
   std::vector<char> bounded(s.numberOfCharts(), 0);
   domain.onBackbone.assign(s.twin.size(), 0);
-  for (const BackboneTrace& trace : domain.traces())
+  domain.chartSides.resize(s.numberOfCharts());
+  for (std::size_t b = 0; b < domain.traces().size(); ++b)
   {
+    const BackboneTrace& trace = domain.traces()[b];
     for (int side = 0; side < 2; ++side)
     {
       for (int h : trace.halfedge[side])
@@ -218,6 +220,10 @@ Status readSamplingDomain(const Atlas::Pointer& atlas, SamplingDomain& domain)
         {
           domain.onBackbone[h] = 1;
         }
+      }
+      if (trace.hasSide(side))
+      {
+        domain.chartSides[trace.chart[side]].push_back({ static_cast<int>(b), side });
       }
       if (trace.chart[side] >= 0 && !trace.insideChart)
       {

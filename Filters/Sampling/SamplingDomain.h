@@ -19,6 +19,13 @@ struct STIPPLEFILTERSSAMPLING_EXPORT SamplingDomain
 {
   Atlas::Pointer atlas;
   std::vector<char> onBackbone; ///< by halfedge of the surface
+  /// A backbone as one of the charts beside it sees it.
+  struct BackboneSide
+  {
+    int backbone;
+    int side;
+  };
+  std::vector<std::vector<BackboneSide>> chartSides; ///< by chart, in the backbones' order
   /// Nodes of the graph and constraints that lie on no backbone, in this order.
   std::vector<Sample> fixedSamples;
   /// Constraints on a backbone become samples of that backbone; those in a chart are listed by

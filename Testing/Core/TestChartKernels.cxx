@@ -308,6 +308,38 @@ TEST(HarmonicSystem, ValuesKeepToTheMaximumPrincipleAndFreeBoundariesAreNatural)
   }
 }
 
+TEST(HarmonicSystem, UniformValuesAreTheMeansOfTheirNeighbours)
+{
+  CutSurface s = shapes::cutSurface(rectangle(400, 1, 6, 4)); // slivers
+  const ChartMesh chart = extractChart(s, allFaces(s));
+  HarmonicSystem system(s, chart, chart.onBoundary);
+  ASSERT_TRUE(system.factorizeUniform());
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Matrix values = Matrix::Zero(chart.numberOfVertices(), 1);
+  for (std::size_t i = 0; i < chart.boundary.size(); ++i)
+  {
+    values(chart.boundary[i], 0) = std::cos(3. * static_cast<double>(i));
+  }
+  system.solve(values);
+  std::vector<double> sum(chart.vertices.size(), 0.);
+  std::vector<int> count(chart.vertices.size(), 0);
+  for (const Triangle& t : chart.triangles) // of inner vertices, each neighbour comes twice
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[t[k]] += values(t[(k + 1) % 3], 0) + values(t[(k + 2) % 3], 0);
+      count[t[k]] += 2;
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+  {
+    if (!chart.onBoundary[v])
+    {
+      EXPECT_NEAR(values(static_cast<Eigen::Index>(v), 0), sum[v] / count[v], 1e-12);
+    }
+  }
+}
+
 TEST(RectangleLayout, CornersAreThoseOfARectangle)
 {
   for (const double length : { 1., 3., 300. })

@@ -223,6 +223,28 @@ TEST(FeatureSimplification, LeavesNoTriangleWithoutAnAngle)
   EXPECT_GT(opened, 100);
 }
 
+// Where two holes meet in a point, two vertices are at one place: no edge leads from one to the
+// other.
+TEST(FeatureSimplification, LeavesNoEdgeWithoutALength)
+{
+  for (const double d : { 1e-4, 1e-3, 1e-2 })
+  {
+    const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+      { 0.5 - 2. * d, 0.5, 0 }, { 0.5 - d, 0.5 - d, 0 }, { 0.5, 0.5, 0 }, { 0.5 - d, 0.5 + d, 0 },
+      { 0.5 + d, 0.5 - d, 0 }, { 0.5 + 2. * d, 0.5, 0 }, { 0.5 + d, 0.5 + d, 0 } };
+    const std::vector<Triangle> triangles = { { 3, 4, 7 }, { 3, 7, 10 }, { 7, 6, 10 }, { 3, 10, 2 },
+      { 2, 10, 9 }, { 2, 9, 1 }, { 1, 9, 8 }, { 8, 6, 5 }, { 1, 8, 5 }, { 1, 5, 0 }, { 0, 5, 4 },
+      { 0, 4, 3 } };
+    const auto holes = toPolyData(points, triangles);
+    for (const int number : { 20, 40, 100 })
+    {
+      const Remeshed result(holes, number, 1.);
+      EXPECT_EQ(result.remesher->GetErrorCode(), 0U) << number << ", " << d;
+      EXPECT_EQ(result.mesh.points.size(), static_cast<std::size_t>(number));
+    }
+  }
+}
+
 TEST(FeatureSimplification, IsTheSameInAllScales)
 {
   const auto scaled = [](double scale) {
