@@ -15,9 +15,9 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// Adds the groups (`g`, or `o` where there are none) and materials (`usemtl`) that a file's content
-/// has to the mesh that was read from it. What stands before the first of them is called "default".
-/// Lines, whose cells come first, have the first.
+/// Adds the groups (`g`, or `o` where there are none) and materials (`usemtl`) that a file's
+/// content has to the mesh that was read from it. What stands before the first of them is called
+/// "default". Lines, whose cells come first, have the first.
 void addObjRegions(const std::string& content, vtkPolyData* mesh);
 
 /// Likewise the solids of a text file of more than one; mesh has VTK's labels of solids.
