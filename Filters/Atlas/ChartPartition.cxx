@@ -372,9 +372,12 @@ private:
       splitsLeft >= Constants::FewestToSplit - 1 && chart.mesh.faces.size() > 2;
     if (!map.valid && !canBeSplit)
     {
-      return Status::error("A chart of " + std::to_string(chart.mesh.faces.size()) +
-        " triangles can't be flattened: the surface has triangles too thin for double precision; "
-        "repair it first.");
+      this->Charts[r].map = mapByMeans(this->Regions.surface(), chart.mesh, this->Regions.stop());
+      return map.valid
+        ? Status::success()
+        : Status::error("A chart of " + std::to_string(chart.mesh.faces.size()) +
+            " triangles can't be flattened: the surface has triangles too thin for double "
+            "precision; repair it first.");
     }
     if (history.cutRounds == 0 && cutDeepSleeve(this->Regions, chart))
     {

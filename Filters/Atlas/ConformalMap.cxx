@@ -280,14 +280,21 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
   }
   scale(map.uv, best->extent, map.extent);
   measureMap(surface, chart, map);
-  // Weights of slivers may be so far apart that triangles have an area by rounding only.
-  if (!map.valid && !isAsked(stop) && solver.factorizeUniform())
+  return map;
+}
+
+ConformalMap mapByMeans(const TriangleSurface& surface, const ChartMesh& chart, const Stop& stop)
+{
+  ConformalMap map;
+  map.fallback = true;
+  map.uv.assign(chart.vertices.size(), Vec2::Zero());
+  RectangleLayout(surface, chart).place({ { 0., 0.25, 0.5, 0.75 }, map.extent }, map.uv);
+  HarmonicSystem solver(surface, chart, chart.onBoundary, stop);
+  if (solver.factorizeUniform())
   {
-    map.fallback = true;
-    solve(*best, map.uv);
-    scale(map.uv, best->extent, map.extent);
-    measureMap(surface, chart, map);
+    solver.solve(rows(map.uv));
   }
+  measureMap(surface, chart, map);
   return map;
 }
 }

@@ -36,6 +36,12 @@ struct ConformalMap
 STIPPLEFILTERSATLAS_EXPORT ConformalMap mapToRectangle(const TriangleSurface& surface,
   const ChartMesh& chart, const ConformalMapOptions& options, const Stop& stop = {});
 
+/// Maps the chart to the unit square with equal weights (W. T. Tutte, How to Draw a Graph, 1963):
+/// valid whatever the triangles are like, and not conformal. The weights of needles may be so far
+/// apart that the other map has triangles with an area by rounding only.
+STIPPLEFILTERSATLAS_EXPORT ConformalMap mapByMeans(
+  const TriangleSurface& surface, const ChartMesh& chart, const Stop& stop = {});
+
 /// The density that no more than a share of the chart's area exceeds, over the mean.
 STIPPLEFILTERSATLAS_EXPORT double densityQuantile(const ConformalMap& map, double share);
 

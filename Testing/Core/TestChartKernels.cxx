@@ -423,6 +423,28 @@ TEST(ConformalMap, OfALongChartIsAsLong)
   }
 }
 
+TEST(ConformalMap, ByMeansIsValidForNeedles)
+{
+  for (const double width : { 1., 1e-3, 1e-6, 1e-9 })
+  {
+    TriangleSurface half = halfSphere();
+    for (Vec3& p : half.points)
+    {
+      p.x() *= width;
+    }
+    const CutSurface s = shapes::cutSurface(half);
+    const ChartMesh chart = extractChart(s, allFaces(s));
+    const ConformalMap map = mapByMeans(s, chart);
+    EXPECT_TRUE(map.valid) << width;
+    EXPECT_TRUE(map.fallback);
+    EXPECT_EQ(map.extent, Vec2(1, 1));
+    for (const Vec2& p : map.uv)
+    {
+      EXPECT_TRUE(p.minCoeff() >= 0 && p.maxCoeff() <= 1);
+    }
+  }
+}
+
 TEST(ConformalMap, IsHarmonicInsideACurvedChart)
 {
   const TriangleSurface half = halfSphere();
