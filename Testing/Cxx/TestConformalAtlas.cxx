@@ -324,7 +324,8 @@ void testProgressAndAbort()
     double abortAt = 2;
   } watch;
   vtkNew<vtkConformalAtlas> atlas;
-  atlas->SetInputData(shapes::toPolyData(shapes::perforatedSlab(2, 2, 8)));
+  // It tells every 10 ms: large enough for a second and more.
+  atlas->SetInputData(shapes::toPolyData(shapes::perforatedSlab(4, 4, 16)));
   atlas->SetNumberOfCharts(8);
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&watch);
