@@ -110,18 +110,22 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence, 200)));
 }
 
-/// Whether the face that a text ends with, from there on, has less than three corners, in OBJ.
+/// Whether a text ends, from there on, with a face of less than three corners, in OBJ.
 bool isShortFace(const std::string& text, std::size_t from)
 {
-  int corners = -1; // for the "f"
+  if (text[from] != 'f')
+  {
+    return false;
+  }
+  int corners = 0;
   bool isBetween = true;
-  for (std::size_t i = from; i < text.size() && corners < 3; ++i)
+  for (std::size_t i = from + 1; i < text.size() && corners < 3; ++i)
   {
     const bool isBlank = std::isspace(static_cast<unsigned char>(text[i])) != 0 || text[i] == '\\';
     corners += isBetween && !isBlank ? 1 : 0;
     isBetween = isBlank;
   }
-  return text[from] == 'f' && corners < 3;
+  return corners < 3;
 }
 
 /// OBJ's cells without comments, without slashes that nothing follows ("7/" and "7//" name a
@@ -132,11 +136,11 @@ std::string plainObj(const std::string& content)
   std::string result;
   result.reserve(content.size());
   bool isCell = false;
+  bool goesOn = false;   // the cell, in the next line
   std::size_t start = 0; // of the cell
   for (std::size_t begin = 0; begin < content.size();)
   {
     const std::size_t end = std::min(content.find('\n', begin), content.size());
-    const bool goesOn = isCell && begin >= 2 && content[begin - 2] == '\\';
     start = goesOn ? start : result.size();
     isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 || goesOn;
     const auto at = [&content](
@@ -162,8 +166,8 @@ std::string plainObj(const std::string& content)
       result.append(content, begin, end - begin);
     }
     result.append(content, end, 1);
-    const bool ends = end == 0 || end == content.size() || content[end - 1] != '\\';
-    if (isCell && ends && isShortFace(result, start))
+    goesOn = isCell && end > 0 && end < content.size() && content[end - 1] == '\\';
+    if (isCell && !goesOn && isShortFace(result, start))
     {
       result.resize(start);
     }

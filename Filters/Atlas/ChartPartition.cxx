@@ -359,7 +359,7 @@ private:
   Status relieve(int r)
   {
     this->followSplits(r);
-    const FlatChart& chart = this->Charts[r];
+    FlatChart& chart = this->Charts[r];
     const ConformalMap& map = chart.map;
     History& history = this->Histories[r];
     if (map.valid && map.densityRatio <= this->Options.maximumDensityRatio)
@@ -372,7 +372,11 @@ private:
       splitsLeft >= Constants::FewestToSplit - 1 && chart.mesh.faces.size() > 2;
     if (!map.valid && !canBeSplit)
     {
-      this->Charts[r].map = mapByMeans(this->Regions.surface(), chart.mesh, this->Regions.stop());
+      chart.map = mapByMeans(this->Regions.surface(), chart.mesh, this->Regions.stop());
+      if (this->Regions.isStopped())
+      {
+        return Status::aborted();
+      }
       return map.valid
         ? Status::success()
         : Status::error("A chart of " + std::to_string(chart.mesh.faces.size()) +

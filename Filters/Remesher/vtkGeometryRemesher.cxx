@@ -128,8 +128,9 @@ struct vtkGeometryRemesher::Internals
   int Points = 0;             ///< asked for now: NumberOfPoints, or one that is tried
   double ProgressFrom = 0;    ///< of this trial in the whole
   double ProgressTo = 1;
-  bool MayGrow = true;  ///< sizes may; a mesh that is wrong is tried again without
-  bool Stopped = false; ///< the last execution was, so that its outputs are not up to date
+  bool MayGrow = true;    ///< sizes may; a mesh that is wrong is tried again without
+  bool IsUnsound = false; ///< a mesh was made, and not sound: what would be is not known
+  bool Stopped = false;   ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
 
@@ -554,6 +555,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   Internals& s = *this->Stages;
   s.MayGrow = true;
   int level = 0;
+  s.IsUnsound = false;
   stipple::Status status = stipple::Status::success(); // of the mesh before
   for (;;)
   {
@@ -563,7 +565,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
       // A number that other charts and sizes ask for says nothing about those before.
       if (this->ErrorCode == TOO_FEW_POINTS)
       {
-        (void)noted(status, this->ErrorCode, s.Sentence);
+        s.IsUnsound = !noted(status, this->ErrorCode, s.Sentence);
       }
       return false;
     }
@@ -587,6 +589,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))
     {
+      s.IsUnsound = !status.isAbort();
       return noted(status, this->ErrorCode, s.Sentence);
     }
     s.MayGrow = s.MayGrow && !hasGrown;
@@ -760,8 +763,10 @@ int vtkGeometryRemesher::RequestData(
 
 int vtkGeometryRemesher::GetLeastNumberOfPoints()
 {
-  return std::max(
-    0, this->Stages->Sampler->GetMinimumNumberOfSamples() - this->Stages->numberOfGivenVertices());
+  Internals& s = *this->Stages;
+  return s.IsUnsound
+    ? 0
+    : std::max(0, s.Sampler->GetMinimumNumberOfSamples() - s.numberOfGivenVertices());
 }
 
 std::string vtkGeometryRemesher::GetOptionTable()

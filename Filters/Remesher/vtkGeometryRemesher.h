@@ -237,8 +237,8 @@ public:
 
   /// What GetErrorCode() answers after an update that gave no mesh, 0 after one that did: it was
   /// stopped; data or a parameter cannot be used; no mesh has so few points, and
-  /// GetLeastNumberOfPoints() is a number that works; or a fault of Stipple's. The stages have the
-  /// same codes.
+  /// GetLeastNumberOfPoints() is a number that works, or not known; or a fault of Stipple's. The
+  /// stages have the same codes.
   enum ErrorCodeType
   {
     ABORTED = 40001,
@@ -248,8 +248,9 @@ public:
   };
 
   /// After an update that failed with TOO_FEW_POINTS: the next NumberOfPoints that can be had,
-  /// which was tried out. After another one: the least that these charts, features and constraints
-  /// need by count; a number close to it may still have no mesh.
+  /// which was tried out, or 0 if a mesh was made that is not sound. After another one: the least
+  /// that these charts, features and constraints need by count; a number close to it may still have
+  /// no mesh.
   int GetLeastNumberOfPoints();
 
   vtkMTimeType GetMTime() override;

@@ -206,7 +206,6 @@ Status readSamplingDomain(const Atlas::Pointer& atlas, SamplingDomain& domain)
         "the vtkConformalAtlas that made the charts.");
     }
   }
-  std::vector<char> bounded(s.numberOfCharts(), 0);
   domain.onBackbone.assign(s.twin.size(), 0);
   domain.chartSides.resize(s.numberOfCharts());
   for (std::size_t b = 0; b < domain.traces().size(); ++b)
@@ -225,15 +224,14 @@ Status readSamplingDomain(const Atlas::Pointer& atlas, SamplingDomain& domain)
       {
         domain.chartSides[trace.chart[side]].push_back({ static_cast<int>(b), side });
       }
-      if (trace.chart[side] >= 0 && !trace.insideChart)
-      {
-        bounded[trace.chart[side]] = 1;
-      }
     }
   }
   for (int c = 0; c < s.numberOfCharts(); ++c)
   {
-    if (!bounded[c] && s.chartBegin[c + 1] > s.chartBegin[c])
+    const auto& sides = domain.chartSides[c];
+    const bool isBounded = std::any_of(sides.begin(), sides.end(),
+      [&](const auto& side) { return !domain.traces()[side.backbone].insideChart; });
+    if (!isBounded && s.chartBegin[c + 1] > s.chartBegin[c])
     {
       return Status::error("The feature graph has no backbone along the boundary of chart " +
         std::to_string(c) + ": pass output port 1 of the vtkConformalAtlas that made the charts.");
