@@ -473,7 +473,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
     const std::vector<int> original = r.sourcePoint;
     std::vector<int> index(s.points.size());
     std::iota(index.begin(), index.end(), 0);
-    orientSoup(s.triangles, index);
+    orientSoup(s.points, s.triangles, index);
     r.counts.splitVertices = static_cast<int>(index.size() - s.points.size());
     for (std::size_t p = s.points.size(); p < index.size(); ++p)
     {

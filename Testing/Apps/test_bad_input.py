@@ -228,11 +228,11 @@ class BadInput(ProgramTest):
                 "".join(" ".join(map(str, (4, *face))) + "\n" for face in faces))
 
     def test_non_manifold(self):
-        # Two cubes that share an edge, and two that share a point.
+        """Two cubes that share an edge, and two that share a point: both stay closed."""
         for shift, split in (((1, 1, 0), "split_edges"), ((1, 1, 1), "split_vertices")):
             with self.subTest(split=split):
                 found, repairs = self.repaired("pair.off", self.cube_pair(shift, True), 400)
-                self.assertEqual((found["components"], found["euler"]), (2, 4))
+                self.assertEqual((found["components"], found["euler"], found["boundary_loops"]), (2, 4, 0))
                 self.assertGreater(repairs[split], 0)
 
     def test_closed_surfaces_that_touch(self):

@@ -44,7 +44,7 @@ TEST(SoupOrientation, NeighboursAgreeAndNoPointIsSplitForIt)
     std::swap(s.triangles[f][0], s.triangles[f][1]);
   }
   std::vector<int> source = numbers(s.points.size());
-  orientSoup(s.triangles, source);
+  orientSoup(s.points, s.triangles, source);
   EXPECT_EQ(source.size(), s.points.size());
   s.connect();
   EXPECT_TRUE(s.topology().manifold);
@@ -52,21 +52,134 @@ TEST(SoupOrientation, NeighboursAgreeAndNoPointIsSplitForIt)
   EXPECT_EQ(s.topology().euler, 0);
 }
 
+namespace
+{
+/// Of triangles that share points, oriented.
+TriangleSurface oriented(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+{
+  TriangleSurface s;
+  s.triangles = triangles;
+  std::vector<int> source = numbers(points.size());
+  orientSoup(points, s.triangles, source);
+  for (const int p : source)
+  {
+    s.points.push_back(points[p]);
+  }
+  s.connect();
+  return s;
+}
+
+/// One after the other, moved, with one point wherever several are.
+void append(TriangleSurface& s, const TriangleSurface& more, const Vec3& shift)
+{
+  std::vector<int> id;
+  for (const Vec3& p : more.points)
+  {
+    const auto at = std::find_if(s.points.begin(), s.points.end(),
+      [&](const Vec3& q) { return (p + shift - q).norm() < 1e-9; });
+    id.push_back(static_cast<int>(at - s.points.begin()));
+    if (at == s.points.end())
+    {
+      s.points.push_back(Vec3(p + shift));
+    }
+  }
+  for (const Triangle& t : more.triangles)
+  {
+    s.triangles.push_back({ id[t[0]], id[t[1]], id[t[2]] });
+  }
+}
+}
+
 TEST(SoupOrientation, PointsAreSplitWhereSheetsMeet)
 {
-  // Three triangles around one edge: each gets its own copy of it, but for the first.
+  // Three triangles around one edge, all along it: each gets its own copy of it, but for the first.
+  const std::vector<Vec3> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 },
+    { -1, 0, 0 } };
   std::vector<Triangle> book = { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } };
   std::vector<int> source = numbers(5);
-  orientSoup(book, source);
+  orientSoup(points, book, source);
   EXPECT_EQ(source.size(), 9U);
   EXPECT_EQ(std::count(source.begin(), source.end(), 0), 3);
   EXPECT_EQ(std::count(source.begin(), source.end(), 1), 3);
   // Two that meet in a point.
   std::vector<Triangle> tie = { { 0, 1, 2 }, { 2, 3, 4 } };
   source = numbers(5);
-  orientSoup(tie, source);
+  orientSoup(points, tie, source);
   ASSERT_EQ(source.size(), 6U);
   EXPECT_EQ(source[5], 2);
+}
+
+TEST(SoupOrientation, BodiesThatMeetInEdgesStayClosed)
+{
+  const TriangleSurface cube = shapes::cube(3);
+  for (const double degrees : { 0., 20., 140. })
+  {
+    TriangleSurface s = cube; // four around a pillar: all edges between two of them have four
+                              // triangles
+    append(s, cube, { 1, 1, 0 });
+    append(s, cube, { 2, 0, 0 });
+    append(s, cube, { 1, -1, 0 });
+    const double turn = degrees / 180. * 3.14159265358979323846;
+    for (Vec3& p : s.points)
+    {
+      p = Vec3(std::cos(turn) * p[0] - std::sin(turn) * p[2], p[1],
+        std::sin(turn) * p[0] + std::cos(turn) * p[2]);
+    }
+    const TriangleSurface found = oriented(s.points, s.triangles);
+    EXPECT_TRUE(found.topology().manifold);
+    EXPECT_EQ(found.topology().components, 4);
+    EXPECT_EQ(found.topology().euler, 8);
+    EXPECT_EQ(found.topology().boundaryLoops, 0);
+  }
+}
+
+TEST(SoupOrientation, ASheetGoesOnBeneathWhatEndsOnIt)
+{
+  // Its lower edges are two of a cube's.
+  TriangleSurface s = shapes::cube(2);
+  const int n = static_cast<int>(s.points.size());
+  const auto id = [&](const Vec3& p) {
+    return static_cast<int>(std::find_if(s.points.begin(), s.points.end(),
+                              [&](const Vec3& q) { return (p - q).norm() < 1e-9; }) -
+      s.points.begin());
+  };
+  const int a = id({ 0, 0, 1 });
+  const int b = id({ 0.5, 0, 1 });
+  const int c = id({ 1, 0, 1 });
+  ASSERT_LT(std::max({ a, b, c }), n);
+  for (const int p : { a, b, c })
+  {
+    s.points.push_back(Vec3(s.points[p] + Vec3(0, -0.3, 0.4)));
+  }
+  for (const bool turned : { false, true })
+  {
+    TriangleSurface with = s;
+    const std::vector<Triangle> sheet = { { a, b, n }, { b, n + 1, n }, { b, c, n + 1 },
+      { c, n + 2, n + 1 } };
+    for (const Triangle& t : sheet)
+    {
+      with.triangles.push_back(turned ? Triangle{ t[0], t[2], t[1] } : t);
+    }
+    const TriangleSurface found = oriented(with.points, with.triangles);
+    EXPECT_TRUE(found.topology().manifold);
+    EXPECT_EQ(found.topology().components, 2);
+    EXPECT_EQ(found.topology().boundaryLoops, 1);
+    EXPECT_EQ(found.topology().euler, 3);
+  }
+}
+
+TEST(SoupOrientation, TwoEdgesBetweenTheSamePointsArePartedAgain)
+{
+  // A sphere of two lunes with two edges from a to b, drawn as one: matched as on the sphere, both
+  // would be between the same two points.
+  const std::vector<Vec3> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0.4 }, { -1, 0, 0.6 },
+    { 1, 0, 0.4 }, { 0, -1, 0.6 } };
+  const std::vector<Triangle> lunes = { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 3 }, { 1, 0, 3 },
+    { 1, 0, 4 }, { 0, 5, 4 }, { 5, 1, 4 }, { 0, 1, 5 } };
+  const TriangleSurface found = oriented(points, lunes);
+  EXPECT_TRUE(found.topology().manifold);
+  EXPECT_EQ(found.topology().components, 2);
+  EXPECT_EQ(found.topology().boundaryLoops, 0);
 }
 
 TEST(ThinTriangles, AreRemovedAndOthersKept)
