@@ -92,6 +92,10 @@ struct AtlasConstants
   static constexpr int PlacesOnFold = 32;
   /// Rectangles whose maps are solved for together: four take little longer than one.
   static constexpr std::size_t MapsAtOnce = 4;
+  /// Of a triangle in the plane, in radians: a hundredth of what samples are told apart by
+  /// (SamplingConstants). Up to there, more of them on a crease help, as a segment of half the
+  /// length is seen at twice the angle.
+  static constexpr double LeastAngle = 1e-12;
   /// Times that weights are made positive about flipped triangles, everywhere at last.
   static constexpr int MostMapRepairs = 6;
 

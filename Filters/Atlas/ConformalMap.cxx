@@ -7,6 +7,7 @@
 #include "RectangleLayout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -94,6 +95,16 @@ bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
     [&](const Triangle& t) { return orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0; });
 }
 
+/// Whether a triangle's smallest angle in the plane is one for samples, which is far above
+/// rounding: where the surface reaches deep behind a narrow place, maps lie flat on their boundary.
+bool hasAngles(const Vec2& a, const Vec2& b, const Vec2& c)
+{
+  std::array<double, 3> squared = { { (b - a).squaredNorm(), (c - b).squaredNorm(),
+    (a - c).squaredNorm() } };
+  std::sort(squared.begin(), squared.end());
+  return orient2(a, b, c) > Constants::LeastAngle * std::sqrt(squared[1] * squared[2]);
+}
+
 /// Marks the vertices of triangles that are not counterclockwise in the plane, and so many rings of
 /// neighbours around everything marked.
 void markFlipped(
@@ -150,6 +161,14 @@ void measureMap(const TriangleSurface& surface, const ChartMesh& chart, Conforma
     d *= plane / total;
   }
   map.densityRatio = densityQuantile(map, NegligibleArea);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Triangle& t = chart.triangles[i];
+    if (!hasAngles(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]))
+    {
+      map.densityRatio = std::max(map.densityRatio, map.density[i]);
+    }
+  }
 }
 
 double densityQuantile(const ConformalMap& map, double share)

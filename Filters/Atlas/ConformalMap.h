@@ -19,11 +19,13 @@ struct ConformalMapOptions
 
 struct ConformalMap
 {
-  std::vector<Vec2> uv;        ///< by chart vertex, inside [0, extent]
-  Vec2 extent = Vec2::Ones();  ///< the larger side is 1
-  bool valid = false;          ///< every triangle has positive area in the plane
-  bool fallback = false;       ///< the cotangent map had flips; positive weights were used instead
-  double densityRatio = 0;     ///< 99.9 % of the area has a density up to this multiple of the mean
+  std::vector<Vec2> uv;       ///< by chart vertex, inside [0, extent]
+  Vec2 extent = Vec2::Ones(); ///< the larger side is 1
+  bool valid = false;         ///< every triangle has positive area in the plane
+  bool fallback = false;      ///< the cotangent map had flips; positive weights were used instead
+  /// 99.9 % of the area, and every triangle that has an angle in the plane by rounding only, have a
+  /// density up to this multiple of the mean.
+  double densityRatio = 0;
   std::vector<double> area;    ///< by chart triangle, on the surface
   std::vector<double> density; ///< by chart triangle, A3D / A2D over the chart's mean
 };

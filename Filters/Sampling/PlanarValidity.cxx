@@ -429,9 +429,13 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
       const double middle = 0.5 * (begin + end);
       refined[i.backbone].push_back(middle >= length ? middle - length : middle);
     }
-    for (const BackboneInterval& i : bad)
+    for (std::size_t i = 0; i < bad.size(); ++i) // by backbone
     {
-      std::sort(refined[i.backbone].begin(), refined[i.backbone].end());
+      if (i == 0 || bad[i].backbone != bad[i - 1].backbone)
+      {
+        std::vector<double>& of = refined[bad[i].backbone];
+        std::sort(of.begin(), of.end());
+      }
     }
     places = std::move(refined);
   }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace stipple;
 
@@ -131,5 +132,71 @@ TEST(DensityCuts, AFlatStripIsOneChartHoweverSlender)
     ASSERT_TRUE(partitionSurface(s, {}, charts, {}).ok());
     ASSERT_EQ(charts.size(), 1U) << length;
     EXPECT_LT(charts[0].map.densityRatio, 1.5) << "a rectangle is mapped to a rectangle";
+  }
+}
+
+/// Thin strips at the sides of an octagon, more than a rectangle has corners, lie flat on the
+/// rectangle's sides, with angles that are less than rounding: no samples are told apart there.
+TEST(DensityCuts, StripsOfNoAreaAreResolved)
+{
+  const double w = 0.0005;
+  TriangleSurface s;
+  s.points = { Vec3::Zero() };
+  std::vector<int> rim;
+  for (int side = 0; side < 8; ++side)
+  {
+    const double angle = AtlasConstants::Pi / 4 * side;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    const Vec3 along(-out.y(), out.x(), 0);
+    const auto row = [&](double x) {
+      const int first = static_cast<int>(s.points.size());
+      for (const double y : { -w, 0., w })
+      {
+        s.points.push_back(Vec3(x * out + y * along));
+      }
+      return first;
+    };
+    int last = row(1);
+    rim.insert(rim.end(), { last, last + 1, last + 2, static_cast<int>(s.points.size()) });
+    s.points.push_back(Vec3(out + std::tan(AtlasConstants::Pi / 8) * along));
+    for (int i = 1; i <= 40; ++i)
+    {
+      const int next = row(1 + 2 * w * i);
+      for (const int k : { 0, 1 })
+      {
+        s.triangles.push_back({ last + k, next + k, next + k + 1 });
+        s.triangles.push_back({ last + k, next + k + 1, last + k + 1 });
+      }
+      last = next;
+    }
+  }
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    s.triangles.push_back({ 0, rim[i], rim[(i + 1) % rim.size()] });
+  }
+  s.connect();
+  CutSurface whole = shapes::cutSurface(s);
+  ChartRegions regions(whole);
+  regions.splitChords(0);
+  const FlatChart chart = flatten(regions, 0);
+  ASSERT_TRUE(chart.map.valid);
+  EXPECT_LT(densityQuantile(chart.map, NegligibleArea), 100) << "strips have no area to speak of";
+  EXPECT_GT(chart.map.densityRatio, 1e6);
+
+  CutSurface cut = shapes::cutSurface(s);
+  std::vector<FlatChart> charts;
+  const Status status = partitionSurface(cut, {}, charts, {});
+  ASSERT_TRUE(status.ok()) << status.message();
+  for (const FlatChart& c : charts)
+  {
+    EXPECT_TRUE(c.map.valid);
+    EXPECT_LE(c.map.densityRatio, 100);
+    for (const Triangle& t : c.mesh.triangles)
+    {
+      const Vec2& p = c.map.uv[t[0]];
+      const Vec2 u = c.map.uv[t[1]] - p;
+      const Vec2 v = c.map.uv[t[2]] - p;
+      EXPECT_GT(cross2(u, v), 1e-12 * u.norm() * v.norm());
+    }
   }
 }
