@@ -447,18 +447,30 @@ void relaxBackbones(const OptimizedMesh& mesh, const std::vector<char>& which,
 
 double lloydSlide(const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v)
 {
-  Vec3 before = Vec3::Zero(); // to its neighbours on the backbone
+  // To its neighbours on the backbone, in space and along it: where features were simplified, a
+  // neighbour may lie off the backbone, farther away than its place on it.
+  Vec3 before = Vec3::Zero();
   Vec3 after = Vec3::Zero();
+  double arcBefore = 0;
+  double arcAfter = 0;
+  const int backbone = mesh.backbone(v);
+  const bool closed = mesh.atlas().graph().backbones[backbone].closed;
+  const double length = mesh.atlas().traces()[backbone].length();
   mesh.forEachHalfedge(v, [&](Halfedge h) {
     if (mesh.isCrease(mesh.edge(h)))
     {
-      const bool leaves = mesh.crease(mesh.edge(h)).from.vertex == v;
+      const Crease& crease = mesh.crease(mesh.edge(h));
+      const bool leaves = crease.from.vertex == v;
+      const double arc = mesh.arcLength(crease.to) - mesh.arcLength(crease.from);
       (leaves ? after : before) = mesh.position(mesh.to(h)) - mesh.position(v);
+      (leaves ? arcAfter : arcBefore) = std::max(0., closed && arc <= 0 ? arc + length : arc);
     }
   });
   const Vec3 step =
     isInNarrowPart(mesh, v) ? stepToMiddle(mesh, v) : lloydStep(mesh, measures, v, true);
-  return std::clamp(step.dot((after - before).normalized()), -Tuning::LongestSlide * before.norm(),
-    Tuning::LongestSlide * after.norm());
+  const double slide = std::clamp(step.dot((after - before).normalized()),
+    -Tuning::LongestSlide * before.norm(), Tuning::LongestSlide * after.norm());
+  const double nearest = 0.5 * Tuning::NearestOnBackbone * (arcBefore + arcAfter);
+  return std::clamp(slide, nearest - arcBefore, arcAfter - nearest);
 }
 }

@@ -63,6 +63,9 @@ struct Tuning
   static constexpr double LaplacianStep = 0.3;    ///< share of the weighted Laplacian
   static constexpr double LargestCotangent = 10.; ///< in its weights: slivers stay finite
   static constexpr double LongestSlide = 0.4;     ///< of the way to the next on a backbone
+  /// Over the mean of the ways to both neighbours on a backbone: two do not come nearer, as on a
+  /// loop of three whose other neighbours are far away.
+  static constexpr double NearestOnBackbone = 0.25;
   static constexpr int RoundsOfDrawingBack = 12;  ///< of steps that make triangles unsound
   static constexpr int PassesInRound = 2;         ///< of swaps
   static constexpr int ManyPasses = 10;           ///< of swaps, first and last

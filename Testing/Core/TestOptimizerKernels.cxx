@@ -198,6 +198,30 @@ TEST(Relaxation, SlidesInNarrowPartsGoToTheMiddle)
     stepToMiddle(t->mesh, Vertex(2)).dot(Vec3(1, 0, 0)), 1e-9);
 }
 
+TEST(Relaxation, SlidesKeepNeighboursApart)
+{
+  // All about the vertex keeps it beside its neighbour, as on a small loop whose other neighbours
+  // are far away: without a bound it would come ever nearer.
+  const auto t = meshes::patchOf(4, [](double x, double y) { return Vec3(x, 0.01 * y, 0); });
+  const auto always = []() { return true; };
+  double left = 0.25; // to the neighbour
+  for (; left > 0.01; left *= 0.5)
+  {
+    ASSERT_TRUE(t->edit.trySlide(Vertex(2), 0.5 * left, always));
+  }
+  ASSERT_TRUE(t->edit.trySlide(Vertex(1), 0.12, always));
+  ASSERT_TRUE(t->edit.trySlide(Vertex(1), 0.06, always));
+  t->edit.put(Vertex(6), t->pointAt(0.97, 0.25));
+  t->edit.put(Vertex(7), t->pointAt(0.97, 0.25));
+  t->edit.put(Vertex(8), t->pointAt(0.745, 0.05));
+  FaceMeasures measures;
+  measures.update(t->mesh);
+  const double middle = stepToMiddle(t->mesh, Vertex(2)).x();
+  const double bound = left - 0.5 * Tuning::NearestOnBackbone * (0.75 - 0.25 - 0.18);
+  ASSERT_GT(middle, bound + 0.01);
+  EXPECT_NEAR(lloydSlide(t->mesh, measures, Vertex(2)), bound, 1e-9);
+}
+
 TEST(LocalRepair, AVertexComesBackIntoItsRing)
 {
   const auto t = meshes::patch(4);
