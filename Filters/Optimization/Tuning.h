@@ -66,11 +66,11 @@ struct Tuning
   /// Over the mean of the ways to both neighbours on a backbone: two do not come nearer, as on a
   /// loop of three whose other neighbours are far away.
   static constexpr double NearestOnBackbone = 0.25;
-  static constexpr int RoundsOfDrawingBack = 12;  ///< of steps that make triangles unsound
-  static constexpr int PassesInRound = 2;         ///< of swaps
-  static constexpr int ManyPasses = 10;           ///< of swaps, first and last
-  static constexpr int RepairInterval = 10;       ///< rounds between repairs
-  static constexpr int FirstRepair = 2;           ///< round: the first have brought order
+  static constexpr int RoundsOfDrawingBack = 12; ///< of steps that make triangles unsound
+  static constexpr int PassesInRound = 2;        ///< of swaps
+  static constexpr int ManyPasses = 10;          ///< of swaps, first and last
+  static constexpr int RepairInterval = 10;      ///< rounds between repairs
+  static constexpr int FirstRepair = 2;          ///< round: the first have brought order
   static constexpr int PassesOfRepair = 3;
   static constexpr int LastPassesOfRepair = 5;
   static constexpr int PassesOfParting = 8;
