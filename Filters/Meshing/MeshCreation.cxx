@@ -72,9 +72,10 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
 }
 
 /// The mesh has one vertex a sample, no two triangles back to back, and the topology of the
-/// surface.
-Status checkTopology(
-  const Atlas& atlas, const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
+/// surface. Where two triangles are, the fault names a chart that a sample would help: three are
+/// too few for a closed component.
+Status checkTopology(const Atlas& atlas, const std::vector<Sample>& samples,
+  const std::vector<Triangle>& triangles, MeshFault& fault)
 {
   TriangleSurface mesh;
   mesh.points.resize(samples.size());
@@ -100,6 +101,7 @@ Status checkTopology(
     const int g = mesh.twin[h];
     if (g >= 0 && mesh.head(nextHalfedge(h)) == mesh.head(nextHalfedge(g)))
     {
+      fault.chart = Chart(atlas.surface().faceChart[samples[mesh.head(nextHalfedge(h))].face]);
       return Status::tooFewPoints("The samples " + std::to_string(mesh.tail(h)) + ", " +
         std::to_string(mesh.head(h)) + " and " + std::to_string(mesh.head(nextHalfedge(h))) +
         " would carry two triangles back to back; use more points.");
@@ -187,7 +189,7 @@ Status createMesh(const Atlas& atlas, const std::vector<Sample>& samples,
     fault = {};
     status =
       stitchCharts(surface, graph, intervals, meshes, samples, triangles, hasEdge, fault, stop);
-    status = status.ok() ? checkTopology(atlas, samples, triangles) : status;
+    status = status.ok() ? checkTopology(atlas, samples, triangles, fault) : status;
     if (status.code() != StatusCode::TooFewPoints || isLast)
     {
       break;

@@ -147,6 +147,56 @@ TEST(MeshCreation, SaysWhatSamplesLack)
   EXPECT_EQ(m.create().code(), StatusCode::BadInput) << "no such backbone";
 }
 
+TEST(MeshCreation, TellsTheChartWhereAClosedSurfaceOfThreeSamplesLacksOne)
+{
+  // A cushion of two charts, glued around: three samples on the seam leave a triangle on either
+  // side.
+  Meshing m;
+  const int n = 4;
+  const auto place = [](int i, int j, double side) {
+    const bool isInside = i > 0 && i < n && j > 0 && j < n;
+    return Vec3(i, j, isInside ? side : 0.);
+  };
+  m.builder.addGrid(n, n, [&](int i, int j) { return place(i, j, 1); });
+  m.builder.addGrid(n, n, [&](int i, int j) { return place(n - i, j, -1); });
+  std::vector<Vec3> around;
+  for (int k = 0; k < 4 * n; ++k)
+  {
+    const int side = k / n;
+    const int at = k % n;
+    around.push_back(side == 0 ? place(at, 0, 0)
+        : side == 1            ? place(n, at, 0)
+        : side == 2            ? place(n - at, n, 0)
+                               : place(0, n - at, 0));
+  }
+  m.builder.addBackbone(BackboneType::Seam, around, true);
+  synthetic::Atlas& atlas = m.builder.finish();
+  ASSERT_TRUE(m.builder.ok());
+  ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, m.read).ok());
+  for (const double s : { 1., 6., 11. })
+  {
+    const SurfacePlace there = m.read->placeOfBackbone(0, s);
+    Sample sample;
+    sample.kind = SampleKind::Backbone;
+    sample.face = there.face;
+    sample.bary = there.bary;
+    sample.backbone = 0;
+    sample.arcLength = s;
+    m.samples.push_back(sample);
+  }
+  MeshFault fault;
+  EXPECT_EQ(
+    createMesh(*m.read, m.samples, m.triangles, {}, &fault).code(), StatusCode::TooFewPoints);
+  ASSERT_TRUE(fault.chart.valid());
+  Sample inside;
+  inside.kind = SampleKind::Interior;
+  inside.face = m.read->surface().chartBegin[fault.chart.index()] + n * n;
+  inside.bary = Vec3::Constant(1. / 3.);
+  m.samples.push_back(inside);
+  EXPECT_TRUE(createMesh(*m.read, m.samples, m.triangles, {}, &fault).ok()) << "one there helps";
+  EXPECT_EQ(m.triangles.size(), 4U);
+}
+
 TEST(MeshCreation, StopsWhenAsked)
 {
   Meshing m;
