@@ -17,6 +17,7 @@ struct Edge
   int a;
   int b;
   bool strong;
+  bool joint;
 };
 
 /// The bounding box's diagonal; of slender surfaces, which are far longer than what is on them, 16
@@ -31,13 +32,19 @@ double sizeOf(const CutSurface& surface)
 class Candidates
 {
 public:
-  Candidates(const CutSurface& surface, const FeatureDetectionOptions& options)
+  Candidates(const CutSurface& surface, const FeatureDetectionOptions& options,
+    const std::vector<Halfedge>& joints)
     : Surface(surface)
     , Options(options)
     , Size(sizeOf(surface))
   {
     const double strong = options.angle * Pi / 180;
     const double weak = strong * options.weakFraction;
+    std::vector<char> isJoint(surface.twin.size(), 0);
+    for (const Halfedge h : joints)
+    {
+      isJoint[h.index()] = isJoint[surface.twin[h.index()]] = 1;
+    }
     this->Dihedral.assign(surface.twin.size(), 0.);
     for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
     {
@@ -48,9 +55,10 @@ public:
         const Vec3 b = surface.faceNormal(t / 3);
         const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
         this->Dihedral[h] = this->Dihedral[t] = angle;
-        if (angle >= weak)
+        if (angle >= weak || isJoint[h] != 0)
         {
-          this->Edges.push_back({ h, surface.tail(h), surface.head(h), angle >= strong });
+          this->Edges.push_back(
+            { h, surface.tail(h), surface.head(h), angle >= strong, isJoint[h] != 0 });
         }
       }
     }
@@ -137,6 +145,17 @@ public:
       }
     }
     return dropped;
+  }
+
+  void acceptJoints()
+  {
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      if (this->Edges[e].joint)
+      {
+        this->accept(static_cast<int>(e), true);
+      }
+    }
   }
 
   /// Drops connected sets of edges that are short in total.
@@ -296,18 +315,20 @@ private:
 };
 }
 
-void detectFeatures(CutSurface& surface, const FeatureDetectionOptions& options)
+void detectFeatures(
+  CutSurface& surface, const FeatureDetectionOptions& options, const std::vector<Halfedge>& joints)
 {
   if (options.angle >= 180)
   {
     return;
   }
-  Candidates candidates(surface, options);
+  Candidates candidates(surface, options, joints);
   candidates.acceptWithHysteresis();
   // Dropping a chain joins others at its ends; a few rounds settle it.
   for (int round = 0; round < 8 && candidates.dropIndistinctChains(); ++round)
   {
   }
+  candidates.acceptJoints();
   candidates.dropShortSets();
   for (int h : candidates.halfedges())
   {

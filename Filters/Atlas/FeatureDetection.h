@@ -23,9 +23,10 @@ struct FeatureDetectionOptions
                                   ///< on in between
 };
 
-/// Marks the sharp edges of the surface.
-STIPPLEFILTERSATLAS_EXPORT void detectFeatures(
-  CutSurface& surface, const FeatureDetectionOptions& options);
+/// Marks the sharp edges of the surface, and those of joints, by one of their halfedges, where
+/// other sheets meet it: as long as they hang together with enough others.
+STIPPLEFILTERSATLAS_EXPORT void detectFeatures(CutSurface& surface,
+  const FeatureDetectionOptions& options, const std::vector<Halfedge>& joints = {});
 
 /// Points at the tip of a cone: those without a sharp or boundary edge whose angle defect is that
 /// of a circular cone on which opposite normals differ by the options' angle, or more, and which

@@ -318,6 +318,38 @@ void restoreMajorityOrientation(RepairedSurface& r, const std::vector<Triangle>&
   s.connect();
 }
 
+/// Edges of two triangles that come of one of more.
+std::vector<Halfedge> jointsOf(const RepairedSurface& r)
+{
+  const TriangleSurface& s = r.surface;
+  const auto ends = [&](Halfedge h) -> std::pair<int, int> {
+    return std::minmax({ r.sourcePoint[s.tail(h).index()], r.sourcePoint[s.head(h).index()] });
+  };
+  std::vector<Halfedge> order;
+  for (const Halfedge h : s.halfedges())
+  {
+    order.push_back(h);
+  }
+  std::sort(order.begin(), order.end(), [&](Halfedge g, Halfedge h) {
+    return std::make_pair(ends(g), g) < std::make_pair(ends(h), h);
+  });
+  std::vector<Halfedge> joints;
+  for (std::size_t i = 0, j = 0; i < order.size(); i = j)
+  {
+    for (j = i; j < order.size() && ends(order[j]) == ends(order[i]); ++j)
+    {
+    }
+    for (std::size_t k = i; k < j && j - i > 2; ++k)
+    {
+      if (s.twin[order[k]] > order[k])
+      {
+        joints.push_back(order[k]);
+      }
+    }
+  }
+  return joints;
+}
+
 /// Forgets points that no triangle uses.
 void compactPoints(RepairedSurface& r)
 {
@@ -499,6 +531,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
     return Status::aborted();
   }
   s.connect();
+  r.joints = r.counts.splitEdges > 0 ? jointsOf(r) : std::vector<Halfedge>();
   r.pointOfInput.assign(numberOfInputPoints, -1);
   for (std::size_t p = s.points.size(); p-- > 0;)
   {

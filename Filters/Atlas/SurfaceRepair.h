@@ -33,6 +33,7 @@ struct RepairedSurface
   std::vector<int> sourcePoint;  ///< input point of every point
   std::vector<int> sourceCell;   ///< input cell of every triangle
   std::vector<int> pointOfInput; ///< a point for every input point, -1 if it was dropped
+  std::vector<Halfedge> joints;  ///< edges where other sheets of the input meet the surface
   RepairCounts counts;
 };
 

@@ -443,7 +443,7 @@ stipple::Status vtkConformalAtlas::Work::markFeatures(const stipple::RepairedSur
   const stipple::FeatureDetectionOptions& detection, stipple::CutSurface& surface,
   const stipple::Progress& progress)
 {
-  stipple::detectFeatures(surface, detection);
+  stipple::detectFeatures(surface, detection, repaired.joints);
   if (this->Self->FeatureEdges)
   {
     if (stipple::Status status =

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CutSurface.h"
+#include "FeatureDetection.h"
 #include "Shapes.h"
 #include "SurfaceRepair.h"
 
@@ -157,6 +159,60 @@ TEST(SurfaceRepair, NonManifoldEdgeAndVertexAreSplit)
   EXPECT_EQ(vertex.counts.splitEdges, 0);
   EXPECT_EQ(vertex.counts.splitVertices, 1);
   EXPECT_EQ(vertex.surface.topology().components, 2);
+}
+
+TEST(SurfaceRepair, ASheetHasAFeatureWhereAnotherOneMeetsIt)
+{
+  // A wall that stands on a flat sheet, all the way across or on a short piece of it.
+  const int n = 8;
+  for (const int last : { n, 1 })
+  {
+    TriangleSurface s = shapes::grid(n);
+    const auto row = [&](double z) {
+      std::vector<int> ids;
+      for (int i = 0; i <= last; ++i)
+      {
+        const Vec3 place(static_cast<double>(i) / n, 0.5, 0);
+        const auto at = std::find_if(s.points.begin(), s.points.end(),
+          [&](const Vec3& p) { return (p - place).norm() < 1e-9; });
+        if (z == 0 && at != s.points.end())
+        {
+          ids.push_back(static_cast<int>(at - s.points.begin()));
+          continue;
+        }
+        ids.push_back(static_cast<int>(s.points.size()));
+        s.points.push_back(Vec3(place + Vec3(0, 0, z)));
+      }
+      return ids;
+    };
+    const std::vector<int> foot = row(0);
+    const std::vector<int> top = row(0.5);
+    ASSERT_EQ(s.points.size(), static_cast<std::size_t>((n + 1) * (n + 1) + last + 1));
+    for (int i = 0; i < last; ++i)
+    {
+      s.triangles.push_back({ foot[i], foot[i + 1], top[i + 1] });
+      s.triangles.push_back({ foot[i], top[i + 1], top[i] });
+    }
+    const RepairedSurface r = repaired(s);
+    EXPECT_EQ(r.counts.splitEdges, last);
+    EXPECT_EQ(r.surface.topology().components, 2);
+    ASSERT_EQ(r.joints.size(), static_cast<std::size_t>(last));
+    CutSurface cut(r.surface, r.sourceCell);
+    FeatureDetectionOptions options;
+    options.minimumLength = 0.2;
+    detectFeatures(cut, options, r.joints);
+    int sharp = 0;
+    for (const Halfedge h : cut.halfedges())
+    {
+      if (cut.sharp[h] != 0 && cut.twin[h] > h)
+      {
+        ++sharp;
+        EXPECT_NEAR(cut.points[cut.tail(h).index()].y(), 0.5, 1e-12);
+        EXPECT_NEAR(cut.points[cut.head(h).index()].y(), 0.5, 1e-12);
+      }
+    }
+    EXPECT_EQ(sharp, last == n ? n : 0) << "short ones are none";
+  }
 }
 
 TEST(SurfaceRepair, TriangleWithoutAreaIsRemovedWithoutACrack)
