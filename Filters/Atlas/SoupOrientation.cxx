@@ -23,8 +23,11 @@ struct Leaf
   static constexpr double OnePlane = 1e-6; ///< radians
 };
 
-/// Two leaves at most that share the edge as neighbours.
+/// One that runs backward, and one that runs forward, to be neighbours.
 using LeafPair = std::pair<Halfedge, Halfedge>;
+
+/// At an edge whose sheets go on; surfaces have three or four.
+constexpr std::size_t MostLeaves = 1000;
 
 /// Leaves that bound the same body, as in brackets: what is inside a surface lies counterclockwise
 /// of a leaf that runs backward, up to one that runs forward. So bodies that meet in an edge part
@@ -33,17 +36,18 @@ std::vector<LeafPair> pairsAroundBodies(const std::vector<Leaf>& leaves)
 {
   std::vector<LeafPair> pairs;
   std::vector<Halfedge> open;
+  std::vector<char> isClosed(leaves.size(), 0);
   for (std::size_t i = 0; i < 2 * leaves.size(); ++i) // twice around: brackets may begin anywhere
   {
-    const Leaf& leaf = leaves[i % leaves.size()];
+    const std::size_t k = i % leaves.size();
+    const Leaf& leaf = leaves[k];
     if (!leaf.isForward && i < leaves.size())
     {
       open.push_back(leaf.halfedge);
     }
-    else if (leaf.isForward && !open.empty() &&
-      std::none_of(pairs.begin(), pairs.end(),
-        [&](const LeafPair& pair) { return pair.second == leaf.halfedge; }))
+    else if (leaf.isForward && isClosed[k] == 0 && !open.empty())
     {
+      isClosed[k] = 1;
       pairs.emplace_back(open.back(), leaf.halfedge);
       open.pop_back();
     }
@@ -52,10 +56,14 @@ std::vector<LeafPair> pairsAroundBodies(const std::vector<Leaf>& leaves)
 }
 
 /// Leaves that go on in one another most nearly straight: there is no inside where one is left
-/// over, but a sheet that others end on.
+/// over, but a sheet that others end on. Of very many, each pair of which is looked at, none.
 std::vector<LeafPair> pairsAlongSheets(const std::vector<Leaf>& leaves)
 {
   std::vector<std::pair<double, LeafPair>> candidates;
+  if (leaves.size() > MostLeaves)
+  {
+    return {};
+  }
   for (const Leaf& a : leaves)
   {
     for (const Leaf& b : leaves)
@@ -349,7 +357,7 @@ void orientSoup(
   soup.orient();
   soup.matchBooks();
   ElementArray<Halfedge, Halfedge> pointOf = soup.pointsOfCorners();
-  while (soup.partBooks(pointOf)) // each time fewer of them are matched
+  if (soup.partBooks(pointOf)) // all at once: points are split by it, which joins no other edges
   {
     pointOf = soup.pointsOfCorners();
   }

@@ -168,6 +168,36 @@ TEST(SoupOrientation, ASheetGoesOnBeneathWhatEndsOnIt)
   }
 }
 
+TEST(SoupOrientation, AnEdgeOfVeryManyTrianglesTakesNoMoreTimeThanTheseDo)
+{
+  // Tetrahedra around an edge, or every other one of their triangles there.
+  const int n = 50000;
+  for (const bool closed : { true, false })
+  {
+    std::vector<Vec3> points = { { 0, 0, 0 }, { 0, 0, 1 } };
+    std::vector<Triangle> book;
+    for (int i = 0; i < n; ++i)
+    {
+      const int p = static_cast<int>(points.size());
+      for (const double angle : { 6. * i / n, 6. * (i + 0.5) / n })
+      {
+        points.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+      }
+      book.push_back({ 1, 0, p });
+      book.push_back({ 0, 1, p + 1 });
+      if (closed)
+      {
+        book.push_back({ 0, p + 1, p });
+        book.push_back({ 1, p, p + 1 });
+      }
+    }
+    const TriangleSurface found = oriented(points, book);
+    EXPECT_TRUE(found.topology().manifold);
+    EXPECT_EQ(found.topology().components, closed ? n : 2 * n);
+    EXPECT_EQ(found.topology().boundaryLoops, closed ? 0 : 2 * n);
+  }
+}
+
 TEST(SoupOrientation, TwoEdgesBetweenTheSamePointsArePartedAgain)
 {
   // A sphere of two lunes with two edges from a to b, drawn as one: matched as on the sphere, both
