@@ -8,9 +8,10 @@
  * components and boundary loops. It welds points at the same place (but those inside closed
  * surfaces that touch), triangulates polygons (convex or not), orients, removes duplicates and
  * triangles without area but for rounding (up to a millionth of their longest edge, or 1e-7 of the
- * diagonal), and splits non-manifold edges and vertices; every repair is counted. A surface that
- * cannot be oriented, such as a Moebius strip, is cut open along a short line. The bounding box
- * must measure 1e-15 to 1e15. Edges longer than 7.6 % of the area's root are halved, for charts of
+ * diagonal), and splits non-manifold edges and vertices: bodies that meet in an edge stay closed,
+ * each by itself, and a sheet goes on beneath others that end on it, as a feature; every repair is
+ * counted. A surface that cannot be oriented, such as a Moebius strip, is cut open along a short
+ * line. The bounding box must measure 1e-15 to 1e15. Edges longer than 7.6 % of the area's root are halved, for charts of
  * few or slender triangles are poor. The surface is then cut into disk charts and each chart is
  * mapped to a rectangle by the discrete conformal map, without a flipped triangle.
  *
