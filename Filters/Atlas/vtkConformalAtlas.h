@@ -11,9 +11,10 @@
  * diagonal), and splits non-manifold edges and vertices: bodies that meet in an edge stay closed,
  * each by itself, and a sheet goes on beneath others that end on it, as a feature; every repair is
  * counted. A surface that cannot be oriented, such as a Moebius strip, is cut open along a short
- * line. The bounding box must measure 1e-15 to 1e15. Edges longer than 7.6 % of the area's root are halved, for charts of
- * few or slender triangles are poor. The surface is then cut into disk charts and each chart is
- * mapped to a rectangle by the discrete conformal map, without a flipped triangle.
+ * line. The bounding box must measure 1e-15 to 1e15. Edges longer than 7.6 % of the area's root are
+ * halved, for charts of few or slender triangles are poor. The surface is then cut into disk charts
+ * and each chart is mapped to a rectangle by the discrete conformal map, without a flipped
+ * triangle.
  *
  * Output port 0: a vtkPartitionedDataSetCollection with one vtkPolyData of triangles a chart. Point
  * arrays: "UV" (double x2, active texture coordinates, in the rectangle [0, ChartExtent]),
