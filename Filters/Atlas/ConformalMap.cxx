@@ -95,8 +95,8 @@ bool isValid(const ChartMesh& chart, const std::vector<Vec2>& uv)
     [&](const Triangle& t) { return orient2(uv[t[0]], uv[t[1]], uv[t[2]]) > 0; });
 }
 
-/// Whether a triangle's smallest angle in the plane is one for samples, which is far above
-/// rounding: where the surface reaches deep behind a narrow place, maps lie flat on their boundary.
+/// Whether a triangle's smallest angle in the plane is one that samples can be told apart by: where
+/// the surface reaches deep behind a narrow place, maps lie flat on their boundary.
 bool hasAngles(const Vec2& a, const Vec2& b, const Vec2& c)
 {
   std::array<double, 3> squared = { { (b - a).squaredNorm(), (c - b).squaredNorm(),

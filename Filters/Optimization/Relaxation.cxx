@@ -470,6 +470,10 @@ double lloydSlide(const OptimizedMesh& mesh, const FaceMeasures& measures, Verte
     isInNarrowPart(mesh, v) ? stepToMiddle(mesh, v) : lloydStep(mesh, measures, v, true);
   const double slide = std::clamp(step.dot((after - before).normalized()),
     -Tuning::LongestSlide * before.norm(), Tuning::LongestSlide * after.norm());
+  if (before == Vec3::Zero() || after == Vec3::Zero())
+  {
+    return slide; // the last one on it
+  }
   const double nearest = 0.5 * Tuning::NearestOnBackbone * (arcBefore + arcAfter);
   return std::clamp(slide, nearest - arcBefore, arcAfter - nearest);
 }

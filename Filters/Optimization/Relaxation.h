@@ -84,7 +84,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT bool exceedsEdges(
 /// centroidal Voronoi tessellation, Du, Gunzburger and Ju 2003): how far it goes along. So vertices
 /// of two backbones that are one edge apart come to lie between one another's. Where the
 /// backbones are so close that cells are cut off by them, to the middle of the neighbours. No
-/// farther than 0.4 of the way to a neighbour on the backbone.
+/// farther than 0.4 of the way to a neighbour on the backbone, and no nearer to one than an eighth
+/// of the way between both.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double lloydSlide(
   const OptimizedMesh& mesh, const FaceMeasures& measures, Vertex v);
 
