@@ -164,9 +164,9 @@ void measureMap(const TriangleSurface& surface, const ChartMesh& chart, Conforma
   for (std::size_t i = 0; i < n; ++i)
   {
     const Triangle& t = chart.triangles[i];
-    if (!hasAngles(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]))
+    if (map.density[i] > map.densityRatio && !hasAngles(map.uv[t[0]], map.uv[t[1]], map.uv[t[2]]))
     {
-      map.densityRatio = std::max(map.densityRatio, map.density[i]);
+      map.densityRatio = map.density[i];
     }
   }
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 
 namespace stipple
 {
@@ -59,11 +58,11 @@ std::vector<LeafPair> pairsAroundBodies(const std::vector<Leaf>& leaves)
 /// over, but a sheet that others end on. Of very many, each pair of which is looked at, none.
 std::vector<LeafPair> pairsAlongSheets(const std::vector<Leaf>& leaves)
 {
-  std::vector<std::pair<double, LeafPair>> candidates;
   if (leaves.size() > MostLeaves)
   {
     return {};
   }
+  std::vector<std::pair<double, LeafPair>> candidates;
   for (const Leaf& a : leaves)
   {
     for (const Leaf& b : leaves)
@@ -100,32 +99,16 @@ public:
     , Turned(triangles.size(), 0)
     , Match(3 * triangles.size())
   {
-    const auto ends = [&](Halfedge h) -> std::pair<int, int> {
-      return std::minmax({ this->tail(h), this->tail(nextHalfedge(h)) });
-    };
-    std::vector<Halfedge> order;
-    for (const Halfedge h : this->Match.ids())
-    {
-      order.push_back(h);
-    }
-    std::sort(order.begin(), order.end(), [&](Halfedge g, Halfedge h) {
-      return std::make_tuple(ends(g), g) < std::make_tuple(ends(h), h);
+    forEachEdge(triangles, [&](auto begin, auto end) {
+      if (end - begin == 2)
+      {
+        this->join({ begin[0], begin[1] });
+      }
+      else if (end - begin > 2)
+      {
+        this->Books.emplace_back(begin, end);
+      }
     });
-    for (std::size_t i = 0, j = 0; i < order.size(); i = j)
-    {
-      for (j = i; j < order.size() && ends(order[j]) == ends(order[i]); ++j)
-      {
-      }
-      if (j - i == 2)
-      {
-        this->join({ order[i], order[i + 1] });
-      }
-      else if (j - i > 2)
-      {
-        this->Books.emplace_back(order.begin() + static_cast<std::ptrdiff_t>(i),
-          order.begin() + static_cast<std::ptrdiff_t>(j));
-      }
-    }
   }
 
   ElementRange<Halfedge> halfedges() const { return this->Match.ids(); }

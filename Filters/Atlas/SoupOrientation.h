@@ -6,8 +6,35 @@
 
 #include "TriangleSurface.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace stipple
 {
+/// Calls visit(begin, end) for every edge of the soup, with its halfedges, whichever way they run,
+/// ascending.
+template <typename Visit>
+void forEachEdge(const std::vector<Triangle>& triangles, const Visit& visit)
+{
+  const auto tail = [&](Halfedge h) { return triangles[faceOf(h).index()][cornerOf(h)]; };
+  const auto ends = [&](Halfedge h) -> std::pair<int, int> {
+    return std::minmax({ tail(h), tail(nextHalfedge(h)) });
+  };
+  std::vector<Halfedge> order(3 * triangles.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    order[i] = Halfedge(static_cast<int>(i));
+  }
+  std::sort(order.begin(), order.end(), [&](Halfedge g, Halfedge h) {
+    return std::make_pair(ends(g), g) < std::make_pair(ends(h), h);
+  });
+  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end)
+  {
+    end = std::find_if(begin, order.end(), [&](Halfedge h) { return ends(h) != ends(*begin); });
+    visit(begin, end);
+  }
+}
+
 /// Turns triangles so that neighbours agree, and duplicates points where the surface is not
 /// manifold. sourcePoint, one a point, is extended by the origin of each duplicate.
 ///

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -318,35 +319,31 @@ void restoreMajorityOrientation(RepairedSurface& r, const std::vector<Triangle>&
   s.connect();
 }
 
+/// The corners as points of the input, which have copies.
+std::vector<Triangle> sourceTriangles(const RepairedSurface& r)
+{
+  std::vector<Triangle> result = r.surface.triangles;
+  for (Triangle& t : result)
+  {
+    for (int& p : t)
+    {
+      p = r.sourcePoint[p];
+    }
+  }
+  return result;
+}
+
 /// Edges of two triangles that come of one of more.
 std::vector<Halfedge> jointsOf(const RepairedSurface& r)
 {
-  const TriangleSurface& s = r.surface;
-  const auto ends = [&](Halfedge h) -> std::pair<int, int> {
-    return std::minmax({ r.sourcePoint[s.tail(h).index()], r.sourcePoint[s.head(h).index()] });
-  };
-  std::vector<Halfedge> order;
-  for (const Halfedge h : s.halfedges())
-  {
-    order.push_back(h);
-  }
-  std::sort(order.begin(), order.end(), [&](Halfedge g, Halfedge h) {
-    return std::make_pair(ends(g), g) < std::make_pair(ends(h), h);
-  });
   std::vector<Halfedge> joints;
-  for (std::size_t i = 0, j = 0; i < order.size(); i = j)
-  {
-    for (j = i; j < order.size() && ends(order[j]) == ends(order[i]); ++j)
+  forEachEdge(sourceTriangles(r), [&](auto begin, auto end) {
+    if (end - begin > 2)
     {
+      std::copy_if(
+        begin, end, std::back_inserter(joints), [&](Halfedge h) { return r.surface.twin[h] > h; });
     }
-    for (std::size_t k = i; k < j && j - i > 2; ++k)
-    {
-      if (s.twin[order[k]] > order[k])
-      {
-        joints.push_back(order[k]);
-      }
-    }
-  }
+  });
   return joints;
 }
 
@@ -487,14 +484,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
     return Status::aborted();
   }
   r.counts.splitEdges = countNonManifoldEdges(s.triangles);
-  std::vector<Triangle> before(s.triangles.size());
-  for (std::size_t f = 0; f < before.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      before[f][k] = r.sourcePoint[s.triangles[f][k]];
-    }
-  }
+  const std::vector<Triangle> before = sourceTriangles(r);
   if (isAborted())
   {
     return Status::aborted();

@@ -69,16 +69,22 @@ TriangleSurface oriented(const std::vector<Vec3>& points, const std::vector<Tria
   return s;
 }
 
+/// The point at a place; as many as there are if there is none.
+int pointAt(const TriangleSurface& s, const Vec3& place)
+{
+  const auto at = std::find_if(
+    s.points.begin(), s.points.end(), [&](const Vec3& p) { return (p - place).norm() < 1e-9; });
+  return static_cast<int>(at - s.points.begin());
+}
+
 /// One after the other, moved, with one point wherever several are.
 void append(TriangleSurface& s, const TriangleSurface& more, const Vec3& shift)
 {
   std::vector<int> id;
   for (const Vec3& p : more.points)
   {
-    const auto at = std::find_if(s.points.begin(), s.points.end(),
-      [&](const Vec3& q) { return (p + shift - q).norm() < 1e-9; });
-    id.push_back(static_cast<int>(at - s.points.begin()));
-    if (at == s.points.end())
+    id.push_back(pointAt(s, p + shift));
+    if (id.back() == static_cast<int>(s.points.size()))
     {
       s.points.push_back(Vec3(p + shift));
     }
@@ -138,14 +144,9 @@ TEST(SoupOrientation, ASheetGoesOnBeneathWhatEndsOnIt)
   // Its lower edges are two of a cube's.
   TriangleSurface s = shapes::cube(2);
   const int n = static_cast<int>(s.points.size());
-  const auto id = [&](const Vec3& p) {
-    return static_cast<int>(std::find_if(s.points.begin(), s.points.end(),
-                              [&](const Vec3& q) { return (p - q).norm() < 1e-9; }) -
-      s.points.begin());
-  };
-  const int a = id({ 0, 0, 1 });
-  const int b = id({ 0.5, 0, 1 });
-  const int c = id({ 1, 0, 1 });
+  const int a = pointAt(s, { 0, 0, 1 });
+  const int b = pointAt(s, { 0.5, 0, 1 });
+  const int c = pointAt(s, { 1, 0, 1 });
   ASSERT_LT(std::max({ a, b, c }), n);
   for (const int p : { a, b, c })
   {
