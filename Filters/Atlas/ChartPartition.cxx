@@ -654,6 +654,10 @@ Status partitionSurface(CutSurface& surface, const ChartPartitionOptions& option
     return Status::success();
   }
   Stages stages(progress);
+  if (!report(progress, 0.))
+  {
+    return Status::aborted();
+  }
   cutAlongCreases(surface);
   const bool isLarge = options.placement != BoundaryPlacement::Voronoi &&
     surface.numberOfFaces() >= Constants::LeastTimesCoarse * Constants::CoarseTriangles &&

@@ -248,7 +248,7 @@ ConformalMap mapToRectangle(const TriangleSurface& surface, const ChartMesh& cha
         all.middleCols<2>(2 * i) = rows(uv);
       }
       solver.solve(all);
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i < n && !isAsked(stop); ++i)
       {
         rows(uv) = all.middleCols<2>(2 * i);
         judge(placements[first + i], uv, least);

@@ -184,6 +184,11 @@ private:
 
 void cutAlongCreases(CutSurface& surface)
 {
+  if (std::count(surface.sharp.begin(), surface.sharp.end(), 0) ==
+    static_cast<std::ptrdiff_t>(surface.sharp.size()))
+  {
+    return; // no crease: nothing to find out
+  }
   const Patches patch(surface);
   for (const Halfedge h : surface.halfedges())
   {

@@ -10,7 +10,7 @@ namespace stipple
 {
 using Constants = AtlasConstants;
 
-Curvature computeCurvature(const TriangleSurface& surface)
+Curvature computeCurvature(const TriangleSurface& surface, const Stop& stop)
 {
   const std::size_t n = surface.points.size();
   Curvature result;
@@ -22,6 +22,10 @@ Curvature computeCurvature(const TriangleSurface& surface)
   std::vector<char> onBoundary(n, 0);
   for (const Face f : surface.faces())
   {
+    if (isTimeToAsk(static_cast<std::size_t>(f.index())) && isAsked(stop))
+    {
+      return result;
+    }
     const Triangle& t = surface.triangle(f);
     const double area = surface.faceArea(f);
     const Vec3 faceNormal = surface.faceNormal(f);

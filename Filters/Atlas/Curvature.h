@@ -4,6 +4,7 @@
 #ifndef stipple_Curvature_h
 #define stipple_Curvature_h
 
+#include "ReportingThread.h"
 #include "StippleFiltersAtlasModule.h"
 #include "TriangleSurface.h"
 
@@ -19,8 +20,9 @@ struct Curvature
 /// Operators of section 3 of the paper, cotangents clamped so that slivers stay finite. The defect
 /// at a boundary point is pi minus its angles, so that gaussian x mixedArea sums to 2 pi times the
 /// Euler characteristic; the mean curvature at a boundary point, which the operator does not
-/// define, is its interior neighbours' average.
-STIPPLEFILTERSATLAS_EXPORT Curvature computeCurvature(const TriangleSurface& surface);
+/// define, is its interior neighbours' average. Stopped, it is of no use.
+STIPPLEFILTERSATLAS_EXPORT Curvature computeCurvature(
+  const TriangleSurface& surface, const Stop& stop = {});
 }
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureDetection.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,16 +47,13 @@ public:
     {
       isJoint[h.index()] = isJoint[surface.twin[h.index()]] = 1;
     }
-    this->Dihedral.assign(surface.twin.size(), 0.);
+    this->measureDihedral();
     for (int h = 0; h < 3 * surface.numberOfFaces(); ++h)
     {
       const int t = surface.twin[h];
       if (t > h)
       {
-        const Vec3 a = surface.faceNormal(h / 3);
-        const Vec3 b = surface.faceNormal(t / 3);
-        const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-        this->Dihedral[h] = this->Dihedral[t] = angle;
+        const double angle = this->Dihedral[h];
         if (angle >= weak || isJoint[h] != 0)
         {
           this->Edges.push_back(
@@ -70,6 +69,31 @@ public:
     }
     this->Accepted.assign(this->Edges.size(), 0);
     this->IsCandidate.assign(surface.twin.size(), 0);
+  }
+
+  void measureDihedral()
+  {
+    const CutSurface& surface = this->Surface;
+    std::vector<Vec3> normal(static_cast<std::size_t>(surface.numberOfFaces()));
+    vtkSMPTools::For(0, surface.numberOfFaces(), [&](vtkIdType begin, vtkIdType end) {
+      for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
+      {
+        normal[f] = surface.faceNormal(f);
+      }
+    });
+    this->Dihedral.assign(surface.twin.size(), 0.);
+    vtkSMPTools::For(0, 3 * surface.numberOfFaces(), [&](vtkIdType begin, vtkIdType end) {
+      for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h)
+      {
+        const int t = surface.twin[h];
+        if (t > h)
+        {
+          const Vec3& a = normal[h / 3];
+          const Vec3& b = normal[t / 3];
+          this->Dihedral[h] = this->Dihedral[t] = std::atan2(a.cross(b).norm(), a.dot(b));
+        }
+      }
+    });
   }
 
   /// Takes the strong edges, and the weak ones that continue a chain of accepted edges straight on.

@@ -120,7 +120,8 @@ bool HarmonicSystem::isInBlocks() const
 
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
-  return this->factorize(this->laplacian(this->ownWeights(), positiveAt));
+  const HalfWeights weights = this->ownWeights();
+  return !isAsked(this->IsToStop) && this->factorize(this->laplacian(weights, positiveAt));
 }
 
 bool HarmonicSystem::factorizeDelaunay()

@@ -353,6 +353,10 @@ std::vector<double> acrossSeam(const TriangleSurface& surface, const SeamUnion& 
   FarSides sides(surface, both, stop);
   if (placement.areaFraction)
   {
+    if (isAsked(stop))
+    {
+      return {};
+    }
     sides.leaveOutFar(*placement.areaFraction, placement.leftOut);
   }
   HarmonicSystem system(surface, both.mesh, sides.Given, stop);
@@ -402,6 +406,10 @@ bool placeSeam(
   if (arc.closed ? both.mesh.euler == 2 : both.mesh.isDisk())
   {
     value = acrossSeam(surface, both, placement, regions.stop());
+  }
+  if (regions.isStopped())
+  {
+    return false;
   }
   std::vector<char> side;
   if (!value.empty())

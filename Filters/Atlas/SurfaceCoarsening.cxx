@@ -14,12 +14,6 @@ using Constants = AtlasConstants;
 
 namespace
 {
-/// Whether so many steps of a long loop, short each, have been made that the next may ask whether
-/// to stop.
-bool isTimeToAsk(std::size_t step)
-{
-  return step % 4096 == 0;
-}
 }
 
 /// Works on the surface's own halfedges: a triangle that is gone keeps its links, which say where

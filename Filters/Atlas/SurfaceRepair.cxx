@@ -483,15 +483,15 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     return Status::aborted();
   }
-  r.counts.splitEdges = countNonManifoldEdges(s.triangles);
-  const std::vector<Triangle> before = sourceTriangles(r);
-  if (isAborted())
-  {
-    return Status::aborted();
-  }
   // The usual input is clean already: only the others pay for the orienter.
   if (!s.topology().manifold)
   {
+    r.counts.splitEdges = countNonManifoldEdges(s.triangles);
+    const std::vector<Triangle> before = sourceTriangles(r);
+    if (isAborted())
+    {
+      return Status::aborted();
+    }
     const std::vector<int> original = r.sourcePoint;
     std::vector<int> index(s.points.size());
     std::iota(index.begin(), index.end(), 0);
@@ -522,6 +522,10 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   }
   s.connect();
   r.joints = r.counts.splitEdges > 0 ? jointsOf(r) : std::vector<Halfedge>();
+  if (isAborted())
+  {
+    return Status::aborted();
+  }
   r.pointOfInput.assign(numberOfInputPoints, -1);
   for (std::size_t p = s.points.size(); p-- > 0;)
   {

@@ -318,7 +318,12 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   {
     return stipple::Status::success();
   }
-  const stipple::Curvature curvature = stipple::computeCurvature(repaired.surface);
+  const stipple::Curvature curvature =
+    stipple::computeCurvature(repaired.surface, [&] { return !progress(0.1); });
+  if (!progress(0.1))
+  {
+    return stipple::Status::aborted();
+  }
   stipple::CutSurface surface(repaired.surface, repaired.sourceCell);
   std::optional<stipple::TextureSeams> texture;
   if (this->Self->KeepTextureSeams)
@@ -340,12 +345,20 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   {
     return status;
   }
+  if (!progress(0.15))
+  {
+    return stipple::Status::aborted();
+  }
   vtkSmartPointer<vtkPolyData> input = this->Input;
   if (this->Self->MeasureNormalCurvature)
   {
     input = withNormalCurvature(this->Input, surface); // before edges are split, which lie flat
   }
   const std::vector<int> tips = stipple::findTips(surface, detection);
+  if (!progress(0.15))
+  {
+    return stipple::Status::aborted();
+  }
   const stipple::FlatFaceCells flatFaces = this->triangulate(repaired, surface);
 
   stipple::ChartPartitionOptions options;

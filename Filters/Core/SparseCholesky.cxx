@@ -278,12 +278,20 @@ bool SparseCholesky::factorize(const Matrix& lower, const Stop& stop)
     this->Order.resize(0);
     return true;
   }
+  if (isAsked(stop))
+  {
+    return false;
+  }
   this->order(lower);
   if (isAsked(stop))
   {
     return false;
   }
   const Matrix inOrder = this->permuted(lower);
+  if (isAsked(stop))
+  {
+    return false;
+  }
   this->findFronts(inOrder);
   return this->eliminate(inOrder, stop);
 }

@@ -211,9 +211,9 @@ private:
 class Lookout
 {
 public:
-  Lookout(const OptimizedMesh& mesh, double share)
+  Lookout(const OptimizedMesh& mesh, const SurfaceError& error, double share)
     : Mesh(mesh)
-    , Error(mesh)
+    , Error(error)
     , Spacing(mesh)
     , Share(share)
     , SpacingAt(mesh.atlas().surface().points.size(), this->Spacing.atUnitDensity())
@@ -354,7 +354,7 @@ private:
   }
 
   const OptimizedMesh& Mesh;
-  const SurfaceError Error;
+  const SurfaceError& Error;
   const VertexSpacing Spacing;
   const double Share;
   std::vector<double> SpacingAt; // by point of the surface
@@ -364,7 +364,16 @@ private:
 Status farPlaces(
   const OptimizedMesh& mesh, double share, const Progress& progress, std::vector<FarPlace>& places)
 {
-  const Lookout lookout(mesh, share);
+  const SurfaceError error(mesh);
+  if (!report(progress, 0.))
+  {
+    return Status::aborted();
+  }
+  const Lookout lookout(mesh, error, share);
+  if (!report(progress, 0.))
+  {
+    return Status::aborted();
+  }
   places = lookout.places();
   if (places.empty())
   {

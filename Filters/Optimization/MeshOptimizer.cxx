@@ -190,7 +190,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
 }
 
 /// What makes the mesh good in the end, triangle by triangle.
-void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& overlaps)
+Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& overlaps,
+  const Progress& progress)
 {
   const bool moves = options.moves != Moves::None;
   const bool swaps = options.swaps != Swaps::None;
@@ -211,7 +212,11 @@ void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& over
   repair(swaps, moves, Tuning::LastPassesOfRepair);
   if (!moves)
   {
-    return;
+    return Status::success();
+  }
+  if (!report(progress, 1.))
+  {
+    return Status::aborted();
   }
   if (swaps && unfold(edit, overlaps.folds) > 0)
   {
@@ -230,8 +235,17 @@ void finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& over
       makeRibs(edit);
     }
   }
+  if (!report(progress, 1.))
+  {
+    return Status::aborted();
+  }
   reduceError();
+  if (!report(progress, 1.))
+  {
+    return Status::aborted();
+  }
   resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
+  return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 
 /// Vertices for what the mesh has lost all the same: tips, and pockets.
@@ -296,11 +310,14 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   MeshEdit edit(mesh);
   KnownOverlaps overlaps;
   Status status = relax(mesh, edit, options, 0, overlaps, progress);
+  if (status.ok())
+  {
+    status = finish(edit, options, overlaps, progress);
+  }
   if (!status.ok())
   {
     return status;
   }
-  finish(edit, options, overlaps);
   // Edges were swapped since features were simplified last; each time fewer are left for that. What
   // helps in one place may hurt in another: the best of these meshes is kept.
   const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
@@ -326,11 +343,14 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     }
     status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::AcuteInterval),
       overlaps, goesOn);
+    if (status.ok())
+    {
+      status = finish(edit, options, overlaps, goesOn);
+    }
     if (!status.ok())
     {
       return status;
     }
-    finish(edit, options, overlaps);
     const Lack lack(mesh);
     if (lack < least)
     {
