@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 namespace stipple
@@ -11,16 +12,26 @@ namespace stipple
 ShortestPaths::ShortestPaths(const TriangleSurface& surface, const ChartMesh& chart)
   : Surface(surface)
   , Chart(chart)
-  , Neighbours(chart.vertices.size())
+  , First(chart.vertices.size() + 1, 0)
   , Distance(chart.vertices.size(), std::numeric_limits<double>::infinity())
   , Next(chart.vertices.size(), -1)
 {
   for (const Triangle& t : chart.triangles)
   {
+    for (const int v : t)
+    {
+      this->First[v + 1] += 2;
+    }
+  }
+  std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+  this->Neighbours.resize(this->First.back());
+  std::vector<int> next = this->First;
+  for (const Triangle& t : chart.triangles)
+  {
     for (int k = 0; k < 3; ++k)
     {
-      this->Neighbours[t[k]].push_back(t[nextCorner(k)]);
-      this->Neighbours[t[nextCorner(k)]].push_back(t[k]);
+      this->Neighbours[next[t[k]]++] = t[nextCorner(k)];
+      this->Neighbours[next[t[k]]++] = t[previousCorner(k)];
     }
   }
 }
@@ -44,8 +55,9 @@ void ShortestPaths::addTargets(const std::vector<int>& targets, const Stop& stop
     {
       continue;
     }
-    for (int w : this->Neighbours[v])
+    for (int i = this->First[v]; i < this->First[v + 1]; ++i)
     {
+      const int w = this->Neighbours[i];
       const double there = d +
         (this->Surface.points[this->Chart.vertices[w]] -
           this->Surface.points[this->Chart.vertices[v]])

@@ -26,7 +26,8 @@ public:
 private:
   const TriangleSurface& Surface;
   const ChartMesh& Chart;
-  std::vector<std::vector<int>> Neighbours;
+  std::vector<int> Neighbours; // of vertex after vertex, those along inner edges twice
+  std::vector<int> First;      // of each vertex there, and the end
   std::vector<double> Distance;
   std::vector<int> Next; // -1 at a target
 };

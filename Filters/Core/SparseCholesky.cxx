@@ -115,7 +115,7 @@ void SparseCholesky::order(const Matrix& lower)
   }
 }
 
-void SparseCholesky::findFronts(const Matrix& lower)
+bool SparseCholesky::findFronts(const Matrix& lower, const Stop& stop)
 {
   const int n = static_cast<int>(lower.cols());
   const std::vector<int> parent = eliminationTree(lower);
@@ -126,6 +126,10 @@ void SparseCholesky::findFronts(const Matrix& lower)
   std::vector<char> goesOn(parent.size(), 0);
   for (int j = 0; j < n; ++j)
   {
+    if (isTimeToAsk(static_cast<std::size_t>(j)) && isAsked(stop))
+    {
+      return false;
+    }
     std::vector<int>& rows = below[j];
     const auto add = [&](int r) {
       if (r > j && seenBy[r] != j)
@@ -194,6 +198,7 @@ void SparseCholesky::findFronts(const Matrix& lower)
     }
   }
   this->Panels.assign(size, 0.);
+  return true;
 }
 
 bool SparseCholesky::eliminate(const Matrix& lower, const Stop& stop)
@@ -292,8 +297,7 @@ bool SparseCholesky::factorize(const Matrix& lower, const Stop& stop)
   {
     return false;
   }
-  this->findFronts(inOrder);
-  return this->eliminate(inOrder, stop);
+  return this->findFronts(inOrder, stop) && this->eliminate(inOrder, stop);
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rightHandSides) const

@@ -47,7 +47,8 @@ private:
   };
   Matrix permuted(const Matrix& lower) const;
   void order(const Matrix& lower);
-  void findFronts(const Matrix& lower);
+  /// False if it is stopped.
+  bool findFronts(const Matrix& lower, const Stop& stop);
   bool eliminate(const Matrix& lower, const Stop& stop);
   int row(const Front& front, int i) const
   {
