@@ -47,8 +47,8 @@ struct Atlas::Cache
   }
 };
 
-Status Atlas::read(
-  vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph, Pointer& atlas)
+Status Atlas::read(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph,
+  Pointer& atlas, const Stop& stop)
 {
   Cache& cache = Cache::instance();
   const std::lock_guard<std::mutex> lock(cache.Mutex);
@@ -65,7 +65,7 @@ Status Atlas::read(
     atlas.reset(); // before the new one is made: there need not be room for both
     auto fresh = std::make_shared<AtlasSurface>();
     ++cache.Reads;
-    if (Status status = readAtlas(charts, *fresh); !status.ok())
+    if (Status status = readAtlas(charts, *fresh, stop); !status.ok())
     {
       return status;
     }

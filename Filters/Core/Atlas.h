@@ -6,6 +6,7 @@
 
 #include "ChartGraph.h"
 #include "Lazy.h"
+#include "ReportingThread.h"
 #include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
 
@@ -48,8 +49,9 @@ public:
   /// The atlas of these data sets; the feature graph may be null. Who asks for the same unmodified
   /// data sets while anyone keeps their atlas gets that one, and the charts alone are shared by
   /// atlases of any graph. Modified() of a chart, its points, cells or arrays makes a new one.
-  [[nodiscard]] static Status read(
-    vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph, Pointer& atlas);
+  /// Stopped while charts are read, there is none.
+  [[nodiscard]] static Status read(vtkPartitionedDataSetCollection* charts,
+    vtkPolyData* featureGraph, Pointer& atlas, const Stop& stop = {});
   /// How often charts were read in this process.
   static int numberOfReads();
 

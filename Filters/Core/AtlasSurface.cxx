@@ -40,8 +40,9 @@ const char* const Remedy = "pass output port 0 of vtkConformalAtlas";
 class ChartReader
 {
 public:
-  explicit ChartReader(AtlasSurface& surface)
+  ChartReader(AtlasSurface& surface, const Stop& stop)
     : S(surface)
+    , WantsStop(stop)
   {
   }
 
@@ -170,6 +171,10 @@ private:
     const vtkIdType* corner;
     for (vtkIdType f = 0; f < cells->GetNumberOfCells(); ++f)
     {
+      if (isTimeToAsk(static_cast<std::size_t>(f)) && isAsked(this->WantsStop))
+      {
+        return Status::aborted();
+      }
       cells->GetCellAtId(f, size, corner);
       if (size != 3)
       {
@@ -198,17 +203,18 @@ private:
   }
 
   AtlasSurface& S;
+  const Stop& WantsStop;
   int IdLimit = 0;
   std::vector<int> SurfaceId; // by point of the chart
   std::vector<Vec2> Parameter;
 };
 }
 
-Status readAtlas(vtkPartitionedDataSetCollection* charts, AtlasSurface& surface)
+Status readAtlas(vtkPartitionedDataSetCollection* charts, AtlasSurface& surface, const Stop& stop)
 {
   surface = {};
   surface.chartBegin.push_back(0);
-  ChartReader reader(surface);
+  ChartReader reader(surface, stop);
   Status status = reader.prepare(charts);
   for (int c = 0; status.ok() && c < static_cast<int>(surface.charts.size()); ++c)
   {
@@ -221,6 +227,6 @@ Status readAtlas(vtkPartitionedDataSetCollection* charts, AtlasSurface& surface)
   }
   surface.points.shrink_to_fit();
   surface.connect();
-  return Status::success();
+  return isAsked(stop) ? Status::aborted() : Status::success();
 }
 }

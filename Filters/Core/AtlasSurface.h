@@ -7,6 +7,7 @@
 
 #include "FlatFaceCells.h"
 #include "Progress.h"
+#include "ReportingThread.h"
 #include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 
@@ -67,7 +68,7 @@ STIPPLEFILTERSCORE_EXPORT vtkPolyData* chartOf(
 /// Welds the charts along their seams by SurfacePointId; says what is wrong if they are no atlas.
 /// Stages do not call this: Atlas::read() keeps what it makes.
 STIPPLEFILTERSCORE_EXPORT Status readAtlas(
-  vtkPartitionedDataSetCollection* charts, AtlasSurface& surface);
+  vtkPartitionedDataSetCollection* charts, AtlasSurface& surface, const Stop& stop = {});
 }
 
 #endif

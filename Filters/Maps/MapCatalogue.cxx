@@ -70,11 +70,11 @@ bool MapCatalogue::isDefault(const std::string& name)
     all.begin() + numberOfDefaults;
 }
 
-Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts)
+Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts, const Stop& stop)
 {
   this->Charts.clear();
   this->Normals.clear();
-  if (Status status = Atlas::read(charts, nullptr, this->Charted); !status.ok())
+  if (Status status = Atlas::read(charts, nullptr, this->Charted, stop); !status.ok())
   {
     return status;
   }
@@ -82,6 +82,10 @@ Status MapCatalogue::read(vtkPartitionedDataSetCollection* charts)
   this->Charts.resize(s.numberOfCharts());
   for (int c = 0; c < s.numberOfCharts(); ++c)
   {
+    if (isAsked(stop))
+    {
+      return Status::aborted();
+    }
     const std::string name = "chart " + std::to_string(c);
     MapChart& chart = this->Charts[c];
     chart.extent = s.extent[Chart(c)];

@@ -32,7 +32,7 @@ public:
   static bool isDefault(const std::string& name);
 
   /// Reads the charts; borrows their arrays until the next read().
-  Status read(vtkPartitionedDataSetCollection* charts);
+  Status read(vtkPartitionedDataSetCollection* charts, const Stop& stop = {});
 
   int numberOfCharts() const { return static_cast<int>(this->Charts.size()); }
   const MapChart& chart(int c) const { return this->Charts[c]; }

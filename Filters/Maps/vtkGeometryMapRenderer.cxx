@@ -72,7 +72,7 @@ struct vtkGeometryMapRenderer::Internals
     this->Charts.clear();
     this->Demands.clear();
   }
-  stipple::Status read(vtkPartitionedDataSetCollection* charts);
+  stipple::Status read(vtkPartitionedDataSetCollection* charts, const stipple::Stop& stop);
   std::vector<Size> sizes(int mapSize, vtkIdType samples) const;
   stipple::Status chooseBackend(int backend);
   stipple::Status drawChart(
@@ -81,7 +81,8 @@ struct vtkGeometryMapRenderer::Internals
 };
 
 //------------------------------------------------------------------------------
-stipple::Status vtkGeometryMapRenderer::Internals::read(vtkPartitionedDataSetCollection* charts)
+stipple::Status vtkGeometryMapRenderer::Internals::read(
+  vtkPartitionedDataSetCollection* charts, const stipple::Stop& stop)
 {
   decltype(this->Key) key;
   for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
@@ -94,7 +95,7 @@ stipple::Status vtkGeometryMapRenderer::Internals::read(vtkPartitionedDataSetCol
     return stipple::Status::success();
   }
   this->forget();
-  const stipple::Status status = this->Catalogue.read(charts);
+  const stipple::Status status = this->Catalogue.read(charts, stop);
   if (status.ok())
   {
     this->Key = std::move(key);
@@ -340,7 +341,11 @@ int vtkGeometryMapRenderer::RequestData(
       names.emplace_back(this->MapSelection->GetArrayName(k));
     }
   }
-  stipple::Status status = self.read(input);
+  const auto isStopped = [this] {
+    this->UpdateProgress(0.);
+    return this->GetAbortExecute() != 0;
+  };
+  stipple::Status status = self.read(input, isStopped);
   if (status.ok())
   {
     status = self.chooseBackend(this->Backend);

@@ -101,6 +101,20 @@ TEST(Curvature, SliverStaysFinite)
   }
 }
 
+TEST(Curvature, StopsWhenAsked)
+{
+  const TriangleSurface sphere = shapes::sphere(1, 5); // 20,480 triangles
+  int asked = 0;
+  const Curvature c = computeCurvature(sphere, [&asked] { return ++asked == 3; });
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(c.gaussian.size(), sphere.points.size());
+  computeCurvature(sphere, [&asked] {
+    ++asked;
+    return false;
+  });
+  EXPECT_EQ(asked, 3 + 5) << "once in 4,096 triangles";
+}
+
 TEST(FeatureGraph, CubeHasTwelveEdgesAndEightCorners)
 {
   CutSurface s = shapes::cutSurface(shapes::cube(5));

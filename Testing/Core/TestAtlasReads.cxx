@@ -71,6 +71,15 @@ TEST_F(AtlasReads, AreSharedAsLongAsNothingChanges)
   EXPECT_EQ(Atlas::numberOfReads(), before + 2);
 }
 
+TEST_F(AtlasReads, StopWhenAskedAndKeepNothing)
+{
+  Atlas::Pointer atlas;
+  EXPECT_TRUE(Atlas::read(this->charts, this->graph, atlas, [] { return true; }).isAbort());
+  EXPECT_EQ(atlas, nullptr);
+  EXPECT_TRUE(Atlas::read(this->charts, this->graph, atlas, [] { return false; }).ok());
+  EXPECT_NE(atlas, nullptr);
+}
+
 TEST_F(AtlasReads, NoticeWhatIsModified)
 {
   const Atlas::Pointer first = read(this->charts, this->graph);

@@ -193,6 +193,17 @@ TEST(MeshOptimizer, ReportsAndStops)
   }
 }
 
+TEST(MeshOptimizer, AsksBetweenItsLastRepairs)
+{
+  const auto t = meshes::patchOf(12, [](double x, double y) { return Vec3(x, y, x * y); });
+  int askedAtTheEnd = 0;
+  EXPECT_TRUE(optimizeMesh(t->mesh, {}, [&](double done) {
+    askedAtTheEnd += done == 1. ? 1 : 0;
+    return true;
+  }).ok());
+  EXPECT_GE(askedAtTheEnd, 5);
+}
+
 namespace
 {
 constexpr double Slope = 0.1;
