@@ -184,8 +184,8 @@ private:
 
 void cutAlongCreases(CutSurface& surface)
 {
-  if (std::count(surface.sharp.begin(), surface.sharp.end(), 0) ==
-    static_cast<std::ptrdiff_t>(surface.sharp.size()))
+  if (std::all_of(
+        surface.sharp.begin(), surface.sharp.end(), [](char isSharp) { return isSharp == 0; }))
   {
     return; // no crease: nothing to find out
   }

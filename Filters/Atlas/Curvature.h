@@ -4,7 +4,7 @@
 #ifndef stipple_Curvature_h
 #define stipple_Curvature_h
 
-#include "ReportingThread.h"
+#include "Progress.h"
 #include "StippleFiltersAtlasModule.h"
 #include "TriangleSurface.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureDetection.h"
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,31 +69,6 @@ public:
     }
     this->Accepted.assign(this->Edges.size(), 0);
     this->IsCandidate.assign(surface.twin.size(), 0);
-  }
-
-  void measureDihedral()
-  {
-    const CutSurface& surface = this->Surface;
-    std::vector<Vec3> normal(static_cast<std::size_t>(surface.numberOfFaces()));
-    vtkSMPTools::For(0, surface.numberOfFaces(), [&](vtkIdType begin, vtkIdType end) {
-      for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f)
-      {
-        normal[f] = surface.faceNormal(f);
-      }
-    });
-    this->Dihedral.assign(surface.twin.size(), 0.);
-    vtkSMPTools::For(0, 3 * surface.numberOfFaces(), [&](vtkIdType begin, vtkIdType end) {
-      for (int h = static_cast<int>(begin); h < static_cast<int>(end); ++h)
-      {
-        const int t = surface.twin[h];
-        if (t > h)
-        {
-          const Vec3& a = normal[h / 3];
-          const Vec3& b = normal[t / 3];
-          this->Dihedral[h] = this->Dihedral[t] = std::atan2(a.cross(b).norm(), a.dot(b));
-        }
-      }
-    });
   }
 
   /// Takes the strong edges, and the weak ones that continue a chain of accepted edges straight on.
@@ -235,6 +210,23 @@ public:
   }
 
 private:
+  void measureDihedral()
+  {
+    const CutSurface& surface = this->Surface;
+    ElementArray<Face, Vec3> normal(static_cast<std::size_t>(surface.numberOfFaces()));
+    parallelFor(surface.faces(), [&](Face f) { normal[f] = surface.faceNormal(f); });
+    this->Dihedral.assign(surface.twin.size(), 0.);
+    parallelFor(surface.halfedges(), [&](Halfedge h) {
+      const Halfedge t = surface.twin[h];
+      if (t > h) // both are this edge's own
+      {
+        const Vec3& a = normal[faceOf(h)];
+        const Vec3& b = normal[faceOf(t)];
+        this->Dihedral[h.index()] = this->Dihedral[t.index()] =
+          std::atan2(a.cross(b).norm(), a.dot(b));
+      }
+    });
+  }
   void accept(int e, bool yes)
   {
     this->Accepted[e] = yes;

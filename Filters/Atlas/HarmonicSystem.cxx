@@ -120,18 +120,17 @@ bool HarmonicSystem::isInBlocks() const
 
 bool HarmonicSystem::factorize(const std::vector<char>& positiveAt)
 {
-  const HalfWeights weights = this->ownWeights();
-  return !isAsked(this->IsToStop) && this->factorize(this->laplacian(weights, positiveAt));
+  return this->factorizeWith(this->ownWeights(), positiveAt);
 }
 
 bool HarmonicSystem::factorizeDelaunay()
 {
-  return this->factorize(this->laplacian(this->delaunayWeights(), {}));
+  return this->factorizeWith(this->delaunayWeights());
 }
 
 bool HarmonicSystem::factorizeUniform()
 {
-  return this->factorize(this->laplacian(this->uniformWeights(), {}));
+  return this->factorizeWith(this->uniformWeights());
 }
 
 Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
@@ -176,8 +175,13 @@ Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
   return result;
 }
 
-bool HarmonicSystem::factorize(const Eigen::SparseMatrix<double>& laplacian)
+bool HarmonicSystem::factorizeWith(const HalfWeights& weights, const std::vector<char>& positiveAt)
 {
+  if (isAsked(this->IsToStop))
+  {
+    return false;
+  }
+  const Eigen::SparseMatrix<double> laplacian = this->laplacian(weights, positiveAt);
   if (this->isInBlocks())
   {
     return this->InBlocks.factorize(laplacian, this->IsToStop);

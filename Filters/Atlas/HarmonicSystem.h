@@ -58,7 +58,7 @@ private:
   HalfWeights uniformWeights() const;
   Eigen::SparseMatrix<double> laplacian(
     const HalfWeights& edges, const std::vector<char>& positiveAt);
-  bool factorize(const Eigen::SparseMatrix<double>& laplacian);
+  bool factorizeWith(const HalfWeights& weights, const std::vector<char>& positiveAt = {});
   bool isInBlocks() const;
   Eigen::MatrixXd solveByColumns(const Eigen::MatrixXd& rightHandSides) const;
 

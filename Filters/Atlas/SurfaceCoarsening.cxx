@@ -12,10 +12,6 @@ namespace stipple
 {
 using Constants = AtlasConstants;
 
-namespace
-{
-}
-
 /// Works on the surface's own halfedges: a triangle that is gone keeps its links, which say where
 /// it was.
 class SurfaceCoarsening::Builder

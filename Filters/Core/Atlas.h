@@ -6,7 +6,7 @@
 
 #include "ChartGraph.h"
 #include "Lazy.h"
-#include "ReportingThread.h"
+#include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
 

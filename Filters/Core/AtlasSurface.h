@@ -7,7 +7,6 @@
 
 #include "FlatFaceCells.h"
 #include "Progress.h"
-#include "ReportingThread.h"
 #include "StippleFiltersCoreModule.h"
 #include "TriangleSurface.h"
 

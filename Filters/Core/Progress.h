@@ -4,6 +4,7 @@
 #ifndef stipple_Progress_h
 #define stipple_Progress_h
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -17,6 +18,21 @@ using Progress = std::function<bool(double)>;
 inline bool report(const Progress& progress, double fraction)
 {
   return !progress || progress(fraction);
+}
+
+/// Whether to give up: asked within loops that have no fraction to tell, by several threads at
+/// once. May be empty.
+using Stop = std::function<bool()>;
+
+inline bool isAsked(const Stop& stop)
+{
+  return stop && stop();
+}
+
+/// Whether so many steps of a long loop, short each, have been made that the next may ask.
+inline bool isTimeToAsk(std::size_t step)
+{
+  return step % 4096 == 0;
 }
 
 /// What became of an algorithm. The numbers are what filters answer to GetErrorCode(); those of

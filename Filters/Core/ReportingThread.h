@@ -15,21 +15,6 @@
 
 namespace stipple
 {
-/// Whether to give up: asked within loops that have no fraction to tell, by several threads at
-/// once. May be empty.
-using Stop = std::function<bool()>;
-
-inline bool isAsked(const Stop& stop)
-{
-  return stop && stop();
-}
-
-/// Whether so many steps of a long loop, short each, have been made that the next may ask.
-inline bool isTimeToAsk(std::size_t step)
-{
-  return step % 4096 == 0;
-}
-
 /// Calls work(progress) on another thread, and `progress`, on this one, once before and a hundred
 /// times a second with the fraction that the work has told last. What the work is given costs next
 /// to nothing and may be called by any thread, so that every loop can ask whether to stop. Returns

@@ -293,10 +293,6 @@ bool SparseCholesky::factorize(const Matrix& lower, const Stop& stop)
     return false;
   }
   const Matrix inOrder = this->permuted(lower);
-  if (isAsked(stop))
-  {
-    return false;
-  }
   return this->findFronts(inOrder, stop) && this->eliminate(inOrder, stop);
 }
 
