@@ -158,7 +158,9 @@ bool VertexStar::exceeds(const SurfacePoint& there, double bound) const
 {
   if (bound < 0)
   {
-    return this->quality(there) > bound;
+    return this->quality(there) > bound &&
+      std::none_of(this->Triangles.begin(), this->Triangles.end(),
+        [&](const Triangle& t) { return t.q == there.position || t.r == there.position; });
   }
   const Vec3 normal = this->HasNormal ? there.normal : Vec3(Vec3::Zero());
   if (bound != this->Bound)

@@ -31,7 +31,9 @@ public:
 
   /// starQuality() with the vertex there.
   double quality(const SurfacePoint& there) const;
-  /// quality(there) > bound, without looking on once that is out of the question.
+  /// quality(there) > bound, without looking on once that is out of the question. A place of
+  /// another vertex of the star never does: a folded triangle can be undone by moves, one without
+  /// an edge can't.
   bool exceeds(const SurfacePoint& there, double bound) const;
 
 private:

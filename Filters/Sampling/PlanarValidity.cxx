@@ -98,6 +98,11 @@ public:
       this->refineLongestBoundaryInterval();
       return;
     }
+    if (this->isOnLine())
+    {
+      this->refineIntervalOffLine();
+      return;
+    }
     for (std::size_t v = 0; v < this->Graph.vertices.size(); ++v)
     {
       if (this->BoundaryPlace[v] < 0)
@@ -165,6 +170,85 @@ private:
     if (longest)
     {
       this->refine(*longest);
+    }
+  }
+
+  /// Where a segment begins or ends, or between, on the surface.
+  Vec3 position(const ChartGraph::Segment& s, double share) const
+  {
+    const auto [begin, end] = this->ends(s);
+    const double at = begin + share * (end - begin);
+    const double length = this->Domain.traces()[s.backbone].length();
+    const SurfacePlace place =
+      this->Domain.atlas->placeOfBackbone(s.backbone, at > length ? at - length : at);
+    return this->Domain.surface().position(place.face, place.bary);
+  }
+
+  /// From one sample to that farthest from it, in space.
+  struct Line
+  {
+    Vec3 first = Vec3::Zero();
+    Vec3 along = Vec3::Zero();
+
+    double distance(const Vec3& p) const
+    {
+      return this->along.squaredNorm() > 0
+        ? (p - this->first).cross(this->along).norm() / this->along.norm()
+        : (p - this->first).norm();
+    }
+  };
+  Line line() const
+  {
+    Line result;
+    result.first = this->position(this->Graph.segments.front(), 0.);
+    for (const ChartGraph::Segment& s : this->Graph.segments)
+    {
+      for (const double end : { 0., 1. })
+      {
+        const Vec3 to = this->position(s, end) - result.first;
+        result.along = to.squaredNorm() > result.along.squaredNorm() ? to : result.along;
+      }
+    }
+    return result;
+  }
+
+  /// Whether all that the chart's triangles would join lies on one line in space, as the four ends
+  /// of a letter U do: the parameter plane does not tell.
+  bool isOnLine() const
+  {
+    if (!this->Domain.chartConstraints[this->Chart].empty())
+    {
+      return false;
+    }
+    const Line line = this->line();
+    return std::all_of(
+      this->Graph.segments.begin(), this->Graph.segments.end(), [&](const ChartGraph::Segment& s) {
+        const double least = Constants::LeastHeight * line.along.norm();
+        return line.distance(this->position(s, 0.)) <= least &&
+          line.distance(this->position(s, 1.)) <= least;
+      });
+  }
+
+  void refineIntervalOffLine()
+  {
+    const Line line = this->line();
+    const ChartGraph::Segment* farthest = nullptr;
+    double largest = 0;
+    for (const ChartGraph::Segment& s : this->Graph.segments)
+    {
+      for (const double share : { 0.25, 0.5, 0.75 })
+      {
+        const double distance = s.onBoundary ? line.distance(this->position(s, share)) : 0.;
+        if (distance > Constants::LeastHeight * line.along.norm() && distance > largest)
+        {
+          farthest = &s;
+          largest = distance;
+        }
+      }
+    }
+    if (farthest)
+    {
+      this->refine(*farthest);
     }
   }
 

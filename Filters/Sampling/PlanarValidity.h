@@ -25,6 +25,7 @@ struct BackboneInterval
 
 /// Intervals that need a sample in their middle, ascending, because
 /// - a chart's boundary polygon has fewer than three corners or no area,
+/// - all samples of a chart lie on one line in space,
 /// - a feature's sample or a constraint does not lie strictly inside it,
 /// - two segments cross, touch or overlap other than at a shared end,
 /// - a sample or constraint lies between a segment and the curve that it stands for, or on it,

@@ -67,6 +67,10 @@ struct SamplingConstants
   /// Segments that meet at a smaller angle, in radians, overlap. Unlike a distance, an angle does
   /// not vanish as segments get shorter; predicates in double precision are right to 1e-15.
   static constexpr double LeastAngle = 1e-10;
+  /// Samples lie on one line in space if none is farther from it, in lengths of that line: what
+  /// triangles between them would have for an angle then, the optimizer counts as none
+  /// (Tuning::NoAngle).
+  static constexpr double LeastHeight = 1e-4;
   /// Samples are tried out if they are fewer than so many times the least number and so many more.
   /// Of 5,000 random draws on small shapes, of up to a thousand more than the least, one had no
   /// mesh (7 points); of the 294 numbers from the least to 20 more on four models 21 had none,

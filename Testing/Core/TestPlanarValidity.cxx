@@ -34,7 +34,15 @@ struct Square
   Builder builder;
   SamplingDomain domain;
   BackbonePlaces places;
-  Square() { this->builder.addGrid(Size, Size, at); }
+  template <typename Position>
+  explicit Square(const Position& position)
+  {
+    this->builder.addGrid(Size, Size, position);
+  }
+  Square()
+    : Square(at)
+  {
+  }
   void outline()
   {
     for (const auto& side : { path({ { 0, 0 }, { 12, 0 } }), path({ { 12, 0 }, { Size, 0 } }),
@@ -43,6 +51,12 @@ struct Square
     {
       this->builder.addBackbone(BackboneType::Boundary, side);
     }
+  }
+  template <typename Position>
+  void side(const Position& position, std::array<int, 2> from, std::array<int, 2> to)
+  {
+    this->builder.addBackbone(
+      BackboneType::Boundary, run(position, from[0], from[1], to[0], to[1]));
   }
   void feature(std::initializer_list<std::array<int, 2>> knots, bool closed = false)
   {
@@ -85,6 +99,25 @@ TEST(PlanarValidity, ABareSquareIsValid)
   Square s;
   s.outline();
   EXPECT_EQ(s.invalid(), Intervals{});
+}
+
+TEST(PlanarValidity, SamplesDoNotAllLieOnOneLine)
+{
+  // Half a ring, as wide as a third of its outer radius: its four corners are on one line.
+  const auto halfRing = [](int i, int j) {
+    const double radius = 2. + static_cast<double>(j) / Size;
+    const double angle = M_PI * i / Size;
+    return Vec3(-radius * std::cos(angle), 5, radius * std::sin(angle));
+  };
+  Square s(halfRing);
+  s.side(halfRing, { 0, 0 }, { Size, 0 });
+  s.side(halfRing, { Size, 0 }, { Size, Size });
+  s.side(halfRing, { Size, Size }, { 0, Size });
+  s.side(halfRing, { 0, Size }, { 0, 0 });
+  EXPECT_EQ(s.invalid(), (Intervals{ { 2, 0 } })) << "the outer arc is farther from that line";
+  ValidPlaces valid;
+  ASSERT_TRUE(makeValid(s.domain, s.places, valid).ok());
+  EXPECT_EQ(valid.samples.size(), 5u);
 }
 
 TEST(PlanarValidity, NothingBetweenASegmentAndItsCurve)
