@@ -100,10 +100,14 @@ void bisectToDisk(ChartRegions& regions, int region)
 
 /// Cuts a face of a machined part that has holes (a plate, a tube) open from hole to hole: such a
 /// face is one that creases bound, or that can be unrolled. Not if the map would break the bound.
-void openToDisk(ChartRegions& regions, int region, const ChartPartitionOptions& options)
+void openToDisk(
+  ChartRegions& regions, int region, const ChartMesh& mesh, const ChartPartitionOptions& options)
 {
+  if (mesh.boundaryLoops < 2)
+  {
+    return;
+  }
   const CutSurface& surface = regions.surface();
-  const ChartMesh mesh = regions.mesh(region);
   const std::vector<Face>& faces = regions.faces(region);
   const auto isAtCrease = [&](Face f) {
     bool found = false;
@@ -114,7 +118,7 @@ void openToDisk(ChartRegions& regions, int region, const ChartPartitionOptions& 
     return found;
   };
   const bool unrolls = isNearlyDevelopable(surface, mesh);
-  if (mesh.boundaryLoops < 2 || !(unrolls || std::any_of(faces.begin(), faces.end(), isAtCrease)))
+  if (!unrolls && std::none_of(faces.begin(), faces.end(), isAtCrease))
   {
     return;
   }
@@ -146,8 +150,12 @@ Status splitIntoDisks(
     {
       return Status::aborted();
     }
-    openToDisk(regions, r, options);
-    bisectToDisk(regions, r);
+    const ChartMesh mesh = regions.mesh(r);
+    if (!mesh.isDisk())
+    {
+      openToDisk(regions, r, mesh, options);
+      bisectToDisk(regions, r);
+    }
   }
   return Status::success();
 }
@@ -293,7 +301,7 @@ private:
   {
     for (int r = 0; r < this->Regions.size() && !this->Regions.isStopped(); ++r)
     {
-      while (this->Regions.isReshaped(r) && this->Regions.mesh(r).boundary.size() < 4)
+      while (this->Regions.isReshaped(r) && this->Regions.numberOfCuts(r, 4) < 4)
       {
         splitLongestBoundaryEdge(this->Regions, r);
       }

@@ -60,6 +60,19 @@ int ChartRegions::numberOfInputTriangles(int region) const
     [this](Face f) { return f.index() < this->NumberOfInputTriangles; }));
 }
 
+int ChartRegions::numberOfCuts(int region, int most) const
+{
+  int cuts = 0;
+  for (auto f = this->Faces[region].begin(); f != this->Faces[region].end() && cuts < most; ++f)
+  {
+    for (const Halfedge h : halfedgesOf(*f))
+    {
+      cuts += this->Surface.cut[h];
+    }
+  }
+  return std::min(cuts, most);
+}
+
 int ChartRegions::splitEdge(Halfedge h, double t)
 {
   const Halfedge g = this->Surface.twin[h];
@@ -148,9 +161,20 @@ void ChartRegions::closeSlits(int region)
 
 void ChartRegions::splitChords(int region)
 {
-  const ChartMesh chart = this->mesh(region);
-  ElementArray<Halfedge, char> onBoundary(this->Surface.numberOfHalfedges(), 0); // the tail
-  spread(chart, chart.onBoundary, onBoundary);
+  ElementArray<Halfedge, char>& onBoundary = this->TailOnBoundary;
+  onBoundary.resize(this->Surface.numberOfHalfedges(), 0);
+  for (const Face f : this->Faces[region])
+  {
+    for (const Halfedge h : halfedgesOf(f))
+    {
+      for (Halfedge g = h; this->Surface.cut[h] && g.valid();) // all that leave this tail
+      {
+        onBoundary[g] = 1;
+        const Halfedge previous = previousHalfedge(g);
+        g = this->Surface.cut[previous] ? Halfedge() : this->Surface.twin[previous];
+      }
+    }
+  }
   // Faces that splits add join the list and are looked at in their turn. That comes to an end: a
   // split puts its point inside, so that each leaves a chord less.
   for (std::size_t i = 0; i < this->Faces[region].size(); ++i)
@@ -167,6 +191,13 @@ void ChartRegions::splitChords(int region)
       onBoundary.resize(this->Surface.numberOfHalfedges(), 0);
       followSplit(onBoundary, h, added, char(0));
       followSplit(onBoundary, g, Face(added.index() + 1), char(0));
+    }
+  }
+  for (const Face f : this->Faces[region])
+  {
+    for (const Halfedge h : halfedgesOf(f))
+    {
+      onBoundary[h] = 0;
     }
   }
 }

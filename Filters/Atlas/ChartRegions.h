@@ -49,6 +49,9 @@ public:
   /// Triangles of the region that splits did not add.
   int numberOfInputTriangles(int region) const;
 
+  /// Edges around the region, and both sides of those cut inside it; counted up to `most`.
+  int numberOfCuts(int region, int most) const;
+
   /// A triangle of the region that was split at an edge: its halfedge now ends at the new point,
   /// t of the way, and the triangle that was added has the corners new point, the halfedge's old
   /// head, the corner across.
@@ -107,6 +110,7 @@ private:
   std::vector<std::vector<Face>> Faces;
   std::vector<char> Reshaped;
   std::vector<std::vector<Split>> Splits;
+  ElementArray<Halfedge, char> TailOnBoundary; // all 0 in between; scratch
 };
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseCholesky.h"
 
+#include "EliminationOrder.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/OrderingMethods>
 
 #include <algorithm>
 
@@ -98,12 +99,19 @@ Matrix SparseCholesky::permuted(const Matrix& lower) const
   return result;
 }
 
-void SparseCholesky::order(const Matrix& lower)
+bool SparseCholesky::order(const Matrix& lower, const Stop& stop)
 {
-  Permutation columns;
-  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), columns);
-  this->Order = columns.inverse();
-  const std::vector<int> post = postorder(eliminationTree(this->permuted(lower)));
+  this->Order = eliminationOrder(lower, stop);
+  if (this->Order.size() != lower.cols())
+  {
+    return false;
+  }
+  const Matrix inOrder = this->permuted(lower);
+  if (isAsked(stop))
+  {
+    return false;
+  }
+  const std::vector<int> post = postorder(eliminationTree(inOrder));
   std::vector<int> place(post.size());
   for (std::size_t i = 0; i < post.size(); ++i)
   {
@@ -113,12 +121,17 @@ void SparseCholesky::order(const Matrix& lower)
   {
     this->Order.indices()[i] = place[this->Order.indices()[i]];
   }
+  return !isAsked(stop);
 }
 
 bool SparseCholesky::findFronts(const Matrix& lower, const Stop& stop)
 {
   const int n = static_cast<int>(lower.cols());
   const std::vector<int> parent = eliminationTree(lower);
+  if (isAsked(stop))
+  {
+    return false;
+  }
   std::vector<std::vector<int>> children(parent.size());
   std::vector<std::vector<int>> below(parent.size()); // rows under the front that ends there
   std::vector<int> begin(parent.size());              // of that front
@@ -197,7 +210,7 @@ bool SparseCholesky::findFronts(const Matrix& lower, const Stop& stop)
       ++this->Fronts[frontOf[this->row(front, front.numberOfColumns())]].numberOfChildren;
     }
   }
-  this->Panels.assign(size, 0.);
+  this->Panels.resize(static_cast<Eigen::Index>(size));
   return true;
 }
 
@@ -214,7 +227,8 @@ bool SparseCholesky::eliminate(const Matrix& lower, const Stop& stop)
   {
     const int columns = front.numberOfColumns();
     const int rows = front.numberOfRows();
-    Eigen::Map<Eigen::MatrixXd> panel(&this->Panels[front.panel], rows, columns);
+    Eigen::Map<Eigen::MatrixXd> panel(this->Panels.data() + front.panel, rows, columns);
+    panel.setZero();
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(rows - columns, rows - columns);
     for (int i = 0; i < rows; ++i)
     {
@@ -287,13 +301,12 @@ bool SparseCholesky::factorize(const Matrix& lower, const Stop& stop)
   {
     return false;
   }
-  this->order(lower);
-  if (isAsked(stop))
+  if (!this->order(lower, stop))
   {
     return false;
   }
   const Matrix inOrder = this->permuted(lower);
-  return this->findFronts(inOrder, stop) && this->eliminate(inOrder, stop);
+  return !isAsked(stop) && this->findFronts(inOrder, stop) && this->eliminate(inOrder, stop);
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rightHandSides) const
@@ -302,7 +315,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rightHandSides) con
   Eigen::MatrixXd part;
   const auto panelOf = [this](const Front& front) {
     return Eigen::Map<const Eigen::MatrixXd>(
-      &this->Panels[front.panel], front.numberOfRows(), front.numberOfColumns());
+      this->Panels.data() + front.panel, front.numberOfRows(), front.numberOfColumns());
   };
   for (const Front& front : this->Fronts)
   {

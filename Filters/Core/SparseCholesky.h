@@ -16,8 +16,9 @@
 namespace stipple
 {
 /// The multifrontal method (Duff and Reid 1983; Liu 1992) in the order of approximate minimum
-/// degrees. Neighbouring columns with hardly more than the same rows are eliminated as one dense
-/// front; what that leaves of its rows is added to the front of the first of them.
+/// degrees, where there are many unknowns after nested dissection. Neighbouring columns with hardly
+/// more than the same rows are eliminated as one dense front; what that leaves of its rows is added
+/// to the front of the first of them.
 class STIPPLEFILTERSCORE_EXPORT SparseCholesky
 {
 public:
@@ -46,8 +47,8 @@ private:
     int numberBelow() const { return this->numberOfRows() - this->numberOfColumns(); }
   };
   Matrix permuted(const Matrix& lower) const;
-  void order(const Matrix& lower);
-  /// False if it is stopped.
+  /// These two are false if they are stopped.
+  bool order(const Matrix& lower, const Stop& stop);
   bool findFronts(const Matrix& lower, const Stop& stop);
   bool eliminate(const Matrix& lower, const Stop& stop);
   int row(const Front& front, int i) const
@@ -58,7 +59,7 @@ private:
   Permutation Order;         // from a column's number to that in which it is eliminated
   std::vector<Front> Fronts; // children first
   std::vector<int> Rows;
-  std::vector<double> Panels;
+  Eigen::VectorXd Panels;
 };
 }
 
