@@ -115,15 +115,21 @@ bool improveByMove(MeshEdit& edit, Vertex v)
 }
 
 bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces,
-  double enough, double wanted, int maximumNumberOfRounds)
+  double enough, double wanted, int maximumNumberOfRounds, int* numberOfMoves)
 {
+  int tried = 0;
+  int& moves = numberOfMoves ? *numberOfMoves : tried;
   bool changed = true;
   for (int round = 0; round < maximumNumberOfRounds && changed; ++round)
   {
     changed = false;
     for (const Vertex v : vertices)
     {
-      changed = (starQuality(edit.mesh(), v) < enough && improveByMove(edit, v)) || changed;
+      if (starQuality(edit.mesh(), v) < enough)
+      {
+        ++moves;
+        changed = improveByMove(edit, v) || changed;
+      }
     }
     if (worstQuality(edit.mesh(), faces) >= wanted)
     {

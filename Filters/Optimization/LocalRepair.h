@@ -16,9 +16,11 @@ namespace stipple
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool improveByMove(MeshEdit& edit, Vertex v);
 
 /// Moves vertices beside triangles that are worse than `enough` (radians), round by round, until
-/// all of the faces are as good as `wanted`. Returns whether they are.
+/// all of the faces are as good as `wanted`. Returns whether they are, and adds up how often a
+/// vertex was to move.
 STIPPLEFILTERSOPTIMIZATION_EXPORT bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices,
-  const std::vector<Face>& faces, double enough, double wanted, int maximumNumberOfRounds);
+  const std::vector<Face>& faces, double enough, double wanted, int maximumNumberOfRounds,
+  int* numberOfMoves = nullptr);
 
 /// Swaps edges and moves vertices about every triangle whose quality is below `threshold`
 /// (radians), always such that the worst triangle touched becomes better. Returns the number of

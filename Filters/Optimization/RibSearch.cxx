@@ -149,12 +149,10 @@ RibSearch::RibSearch(MeshEdit& edit, const SurfaceProximity& proximity, int budg
 
 bool RibSearch::mend(Halfedge h, const RibDemand& demand)
 {
-  const bool isFree = demand.sequences == 1;
-  if (ribExcess(this->Mesh, h) == 0 || (!isFree && this->Budget <= 0))
+  if (ribExcess(this->Mesh, h) == 0 || this->Budget <= 0)
   {
     return false;
   }
-  const int before = this->Budget;
   const auto found = this->Memory.find(h);
   bool mended = false;
   if (found == this->Memory.end() || found->second.demand.sequences < demand.sequences ||
@@ -168,10 +166,6 @@ bool RibSearch::mend(Halfedge h, const RibDemand& demand)
     attempt.demand = demand;
     mended = std::any_of(attempt.candidates.begin(), attempt.candidates.end(),
       [&](const std::vector<Edge>& edges) { return this->swapAndSettle(edges, demand); });
-  }
-  if (isFree)
-  {
-    this->Budget = before;
   }
   return mended;
 }
@@ -354,7 +348,6 @@ void RibSearch::addSwapsAfter(const std::vector<Edge>& sequence, std::vector<Edg
 /// nothing is changed.
 bool RibSearch::swapAndSettle(const std::vector<Edge>& edges, const RibDemand& demand)
 {
-  this->Budget -= Tuning::TrialCost;
   std::vector<Vertex> inner; // that the swaps change edges of
   for (const Edge e : edges)
   {
@@ -367,8 +360,10 @@ bool RibSearch::swapAndSettle(const std::vector<Edge>& edges, const RibDemand& d
     filtered(all, [this](Vertex v) { return this->Mesh.freedom(v) != Freedom::None; });
   const double wanted = std::min(demand.minimumAngle, worstQuality(this->Mesh, faces));
   const double bend = std::min(Tuning::LeastBend, worstBend(this->Mesh, faces));
+  int moves = 0;
   const auto settleHere = [&]() {
-    return settle(this->Edit, movable, faces, demand.minimumAngle, wanted, Tuning::RibSettling);
+    return settle(
+      this->Edit, movable, faces, demand.minimumAngle, wanted, Tuning::RibSettling, &moves);
   };
   const auto settleSpread = [&]() {
     spread(this->Edit, movable);
@@ -379,6 +374,7 @@ bool RibSearch::swapAndSettle(const std::vector<Edge>& edges, const RibDemand& d
     return (this->Edit.attempt(settleHere) || this->Edit.attempt(settleSpread)) &&
       worstBend(this->Mesh, faces) >= bend && this->Proximity.isNear(faces, demand.bound);
   });
+  this->Budget -= Tuning::TrialCost + moves / Tuning::MovesPerSequence;
   if (isKept)
   {
     ++this->Time;

@@ -26,11 +26,11 @@ struct RibDemand
 class RibSearch
 {
 public:
-  /// Borrows both. The budget is of sequences.
+  /// Borrows both. The budget is of sequences, and of what moves cost in sequences.
   RibSearch(MeshEdit& edit, const SurfaceProximity& proximity, int budget);
 
   /// The side to the left of a halfedge along a crease, about the vertex that it leaves. Returns
-  /// whether it was mended. Once the budget is spent, it is not but by a single swap.
+  /// whether it was mended. Once the budget is spent, it is not.
   bool mend(Halfedge h, const RibDemand& demand);
 
   /// The vertices about all swaps that were made, some more than once.

@@ -88,7 +88,8 @@ int makeRibs(MeshEdit& edit)
   const auto within = [&](double share) {
     return SurfaceDistances{ share * largest.faces, share * largest.creases };
   };
-  RibSearch search(edit, proximity, Tuning::RibBudget);
+  RibSearch search(
+    edit, proximity, Tuning::RibBudget + Tuning::RibBudgetOfSide * static_cast<int>(sides.size()));
   int mended = 0;
   const auto mend = [&](const Tuning::RibEffort& effort, double angle, double share) {
     mended += mendAll(search, sides, { effort.sequences, effort.trials, angle, within(share) });

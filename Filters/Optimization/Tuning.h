@@ -251,8 +251,10 @@ struct Tuning
   static constexpr RibEffort LongSearch = { 3000, 300 };
   static constexpr RibEffort LongestSearch = { 16000, 300 };
   static constexpr int RibsOneInMany = 60;
-  static constexpr int RibBudget = 110000;   ///< sequences for all but single swaps: about a second
-  static constexpr int TrialCost = 20;       ///< sequences that are looked at in a trial's time
+  static constexpr int RibBudget = 110000;   ///< sequences: about a second and a half
+  static constexpr int RibBudgetOfSide = 30; ///< and as many for each side
+  static constexpr int TrialCost = 5;        ///< sequences that are looked at in a trial's time ...
+  static constexpr int MovesPerSequence = 2; ///< ... and moves of vertices, as measured: some 8 us
   static constexpr int RibWeight = 8;        ///< of a side against an irregular vertex elsewhere
   static constexpr int LongestSequence = 40; ///< swaps; with 20, 93 to 95 % at some numbers of
                                              ///< points
