@@ -67,11 +67,14 @@ TEST(RibSearch, OneSwapMendsNeighbours)
   const auto t = patchWithFault(1);
   EXPECT_EQ(numberOfFaults(t->mesh), 2);
   const SurfaceProximity proximity(t->mesh);
-  RibSearch search(t->edit, proximity, 0);
   const Halfedge side = sideOf(t->mesh, Vertex(2));
   ASSERT_EQ(ribExcess(t->mesh, side), -1);
-  EXPECT_FALSE(search.mend(side, { 100, 10, 0.3, Near })) << "the budget is spent";
-  EXPECT_TRUE(search.mend(side, { 1, 10, 0.3, Near })) << "but single swaps are free";
+  EXPECT_FALSE(RibSearch(t->edit, proximity, 0).mend(side, { 1, 10, 0.3, Near }));
+  RibSearch spent(t->edit, proximity, 2);
+  EXPECT_FALSE(spent.mend(side, { 1, 10, 0.3, { -1., -1. } })) << "nothing is as near as that";
+  EXPECT_FALSE(spent.mend(side, { 1, 10, 0.3, Near })) << "that trial has spent the budget";
+  RibSearch search(t->edit, proximity, 2);
+  EXPECT_TRUE(search.mend(side, { 1, 10, 0.3, Near }));
   EXPECT_EQ(numberOfFaults(t->mesh), 0);
   const auto& moved = search.moved();
   EXPECT_TRUE(std::find(moved.begin(), moved.end(), Vertex(12)) != moved.end());
