@@ -31,9 +31,9 @@ public:
   Permutation find()
   {
     const auto n = static_cast<std::size_t>(this->Lower.cols());
-    Permutation columns;
     if (n <= this->LargestPart)
     {
+      Permutation columns;
       Eigen::AMDOrdering<int>()(this->Lower.selfadjointView<Eigen::Lower>(), columns);
       return columns.inverse();
     }
