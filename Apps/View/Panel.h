@@ -25,7 +25,7 @@ public:
   /// Moves what does not fit into the box by notches of the wheel; true if it looks different then.
   bool scroll(int notches);
   /// `points` is how many there are where they follow; 0: not known yet. `edge` is the length that
-  /// the number of points stands for.
+  /// the mesh's number of points stands for; 0: there is no mesh of this session.
   void show(const Session& session, const ViewState& view, int points, double edge);
   void setUndo(bool canUndo, bool canRedo);
   /// What looks as before is left, unless the canvas is empty. In two halves: VTK's painter keeps

@@ -336,7 +336,7 @@ void Viewer::takeResults()
     this->AfterSide.setLost(this->Mesh->lost);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
-    this->showStale();
+    this->showSession();
     this->Problem.clear();
     this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
@@ -500,10 +500,10 @@ void Viewer::changed(bool rests)
 void Viewer::showSession()
 {
   const int points = this->Shown ? static_cast<int>(this->Shown->samples->GetNumberOfPoints()) : 0;
-  // Of equilateral triangles that are alike.
-  const double number = points > 0 ? points : this->Now.number("points");
+  // Of equilateral triangles that are alike, as many as the mesh has.
+  const vtkIdType number = this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0;
   this->Controls.show(this->Now, this->View, points,
-    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / number) : 0);
+    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / static_cast<double>(number)) : 0);
   this->Controls.setUndo(this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));

@@ -95,6 +95,16 @@ class Options(ViewTest):
         self.assertEqual((session["edge_length"], session["points"]), (0, 700))
         self.assertEqual(self.play(*typed, *click(EDGE_LENGTH, "Right"))["edge_length"], 0)
 
+    def test_the_edge_length_is_that_of_the_mesh(self):
+        """Of the one that is there, not of the one before; whatever there was before."""
+        field = np.s_[408:428, 1145:1265]
+        away = "MouseMoveEvent", 1000, 790
+        typed = self.recorded("n", *"1500", "Return", *DOWN, away), self.recorded("n", *"700", "Return", *DOWN, away)
+        first, second = self.shots((self.ball, "--points", 700), *typed)
+        at_once, = self.shots((self.ball, "--points", 1500), self.recorded(*DOWN, away))
+        np.testing.assert_array_equal(first[field], at_once[field])
+        self.assertGreater((first[field] != second[field]).any(axis=2).sum(), 10)
+
     def test_a_distance_leads_to_a_number_of_points(self):
         typed = *click(EDGE_LENGTH), ".", "0", "8", "Return", *click(DISTANCE), "1", "Return"
         session = self.play(*typed)
