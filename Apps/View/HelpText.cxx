@@ -24,7 +24,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
     { "Ctrl+Z, Ctrl+Y", "undo, redo" }, { "Return", "mesh now" }, { "Esc", "stop meshing" },
     { "Show", "" }, { "d", "next of samples, input, charts, density" },
-    { "l, m", "feature lines (violet: simplified in the mesh), seams" },
+    { "l, m", "feature lines (violet: lost in the mesh), seams" },
     { "o", "both in one view, with a line to drag between them" },
     { "c", "mesh colored by smallest angle, quality, deviation, not" },
     { "g", "go to the worst triangle, then to the next" }, { "Files", "" },

@@ -103,7 +103,7 @@ Viewer::Viewer(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
-                        "Simplified features are violet in the views.");
+                        "Lost feature edges of the input are violet in the views.");
   this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->connect();
