@@ -262,6 +262,15 @@ class Sliders(ViewTest):
             with self.subTest(keys=keys):
                 self.assertEqual(self.session(*self.click(self.value), *keys)["gamma"], expected)
 
+    def test_nothing_of_the_typing_stays(self):
+        """No caret, whether the number is taken or given up."""
+        away = "MouseMoveEvent", 1020, 790
+        model = FANDISK, "--points", 300
+        before, given_up, taken = self.shots(model, self.recorded(away), self.recorded(*self.click(self.value), "2", "Escape", away),
+            self.recorded(*self.click(self.value), ".", "5", "Return", away))
+        np.testing.assert_array_equal(given_up, before)
+        np.testing.assert_array_equal(taken, before)
+
     def test_keys_that_are_typed_do_nothing_else(self):
         """q and 3 among them."""
         self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 3)
