@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
+#include "Document.h"
 #include "SessionEdits.h"
 #include "ViewOptions.h"
 
@@ -115,7 +116,7 @@ void Panel::addSampling(Commands& commands)
     format("%.3f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("minimum_density", value); }, rests);
     });
-  const Session defaults;
+  const Session defaults = openingSession();
   this->Gamma->setDefault(defaults.number("gamma"));
   this->Gradation->setDefault(defaults.number("gradation"));
   this->Floor->setDefault(defaults.number("minimum_density"));
@@ -159,7 +160,7 @@ void Panel::addFeatures(Commands& commands)
     "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("charts", std::trunc(value)); }, rests);
     });
-  const Session defaults;
+  const Session defaults = openingSession();
   this->Angle->setDefault(defaults.number("feature_angle"));
   this->Charts->setDefault(defaults.number("charts"));
   this->Angle->setHint(

@@ -276,9 +276,11 @@ class Sliders(ViewTest):
         self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 3)
 
     def test_the_right_button_resets(self):
-        self.assertEqual(self.session(*self.click(self.line, "Right"))["gamma"], 1)
-        undone = self.session(*self.click(self.line, "Right"), "Control+z")
-        self.assertEqual(undone["gamma"], 0.5)
+        """To what a model opens with."""
+        typed = *self.click(self.value), "2", "Return"
+        self.assertEqual(self.session(*typed, *self.click(self.line, "Right"))["gamma"], 0.5)
+        undone = self.session(*typed, *self.click(self.line, "Right"), "Control+z")
+        self.assertEqual(undone["gamma"], 2)
 
     def test_what_is_under_the_pointer_is_told(self):
         places = (1100, 577), (1100, 540), (1050, 650), (1180, 650), (250, 400), (100, 100), (500, 100), (800, 100)
