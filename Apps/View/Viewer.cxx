@@ -424,6 +424,7 @@ Activity Viewer::activity()
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;
+  now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
   now.sampleProblem = this->PreviewProblem;
   now.meshProblem = this->Problem;
   const bool works = !this->Stopped && this->Worker.busy();
@@ -445,6 +446,10 @@ void Viewer::showActivity()
   }
   // Progress is shown at once; the rest after a preview, where one is drawn.
   const bool note = now.note() != this->Doing.note();
+  if (!this->Shown && now.sampleNote() != this->Doing.sampleNote())
+  {
+    this->Window.touch(ViewerWindow::Before);
+  }
   this->Doing = now;
   this->StaleIsOld = this->StaleIsOld || note;
   this->Window.touch(ViewerWindow::Status);
