@@ -359,7 +359,9 @@ bool Viewer::takePreview()
   {
     return false;
   }
-  this->PreviewProblem = preview->problem;
+  // Maps of another number of points say nothing about this one, for which there are none yet.
+  const bool mapsAreDue = this->MeshWanted || this->Worker.makesCharts();
+  this->PreviewProblem = mapsAreDue ? "" : preview->problem;
   if (preview->problem.empty())
   {
     this->BeforeSide.setPreview(
@@ -493,6 +495,7 @@ void Viewer::changed(bool rests)
 {
   this->usePicture();
   this->PreviewIsOld = true;
+  this->PreviewProblem.clear();
   this->Problem.clear();
   this->say("");
   this->Stopped = false;
