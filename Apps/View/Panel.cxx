@@ -40,9 +40,9 @@ double rounded(double value)
 }
 }
 
-Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arrays)
+Panel::Panel(Commands& commands, std::string model, const Choosable& choosable)
   : Model(std::move(model))
-  , Arrays(std::move(arrays))
+  , Input(choosable)
 {
   this->addSampling(commands);
   this->addFeatures(commands);
@@ -348,7 +348,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Importance->choose(std::min(kind, ArrayWord));
   this->Importance->setWord(ArrayWord,
     importance == "array" ? s.text("importance_array") : (this->HasPicture ? "image" : "array"));
-  this->Importance->setEnabled(ArrayWord, this->HasPicture || !this->Arrays.empty());
+  this->Importance->setEnabled(ArrayWord, this->HasPicture || this->Input.arrays);
   const bool uniform = importance == "uniform";
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {

@@ -45,21 +45,22 @@ constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
-std::vector<std::string> arraysOf(vtkPolyData* input)
+Panel::Choosable choosableOf(vtkPolyData* input)
 {
-  std::vector<std::string> names;
+  Panel::Choosable choosable;
   for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(input->GetPointData()),
          static_cast<vtkDataSetAttributes*>(input->GetCellData()) })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      if (vtkDataArray* array = data->GetArray(i); array && array->GetName())
-      {
-        names.emplace_back(array->GetName());
-      }
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      const bool isNamed = array && array->GetName();
+      choosable.arrays = choosable.arrays || (isNamed && vtkDataArray::SafeDownCast(array));
+      choosable.regions = choosable.regions || (isNamed && data == input->GetCellData());
     }
   }
-  return names;
+  choosable.textures = input->GetPointData()->GetTCoords() != nullptr;
+  return choosable;
 }
 }
 
@@ -78,7 +79,7 @@ Viewer::Viewer(
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(document.picker)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
-      arraysOf(document.input))
+      choosableOf(document.input))
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {

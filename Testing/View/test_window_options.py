@@ -13,7 +13,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from stipple_program import VIEW, run
-from view_program import ViewTest
+from view_program import FANDISK, ViewTest
 
 DOWN = [("MouseWheelBackwardEvent", 1150, 300)] * 20  # to the panel's end, in a window of 1280x800
 EDGE_LENGTH, DISTANCE, TURN, SHORTEST, LONGEST, GROWTH = ((1200, y) for y in (418, 389, 360, 331, 302, 273))
@@ -173,6 +173,16 @@ class Options(ViewTest):
         self.assertEqual(len(np.unique(points, axis=0)), 700)
         self.assertGreater(len(points), 700)
         self.assertIs(self.play(*click(UV_SEAMS), *click(UV_SEAMS))["keep_uv_seams"], False)
+
+    def test_what_is_not_there_cannot_be_chosen(self):
+        """Seams without texture coordinates, the projection of no picture, regions without arrays of cells."""
+        at_first = self.play()
+        self.assertEqual(self.play(*click(UV_SEAMS), *click(ALONG_Z)), at_first)
+        self.ball = FANDISK
+        self.assertEqual(self.play(*click(REGIONS), "1")["region_array"], "")
+        greyed, tip = self.shots((FANDISK, "--points", 300), self.recorded(*DOWN, ("MouseMoveEvent", 1000, 790)),
+            self.recorded(("MouseMoveEvent", *UV_SEAMS)))
+        self.assertGreater((tip[:26, :600] != greyed[:26, :600]).any(axis=2).sum(), 100, "why is told")
 
     def test_an_array_is_the_importance(self):
         session = self.play(*click(IMPORTANCE_FROM), "1")
