@@ -18,7 +18,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "n", "type the number of points; Return takes it" },
     { "on a slider", "click its number to type it; right button: default" },
     { "v, b, k, x", "pointer: camera, brush, constraint points, feature edges" },
-    { "[ ], Ctrl, Shift with the brush", "smaller, larger; erases; smooths paint" },
+    { "square brackets, Ctrl, Shift", "the brush: smaller, larger; erases; smooths paint" },
     { "y", "the brush mirrors in x, in y, in z, not" },
     { "Shift with the edge tool", "all edges on the way from the last one" },
     { "on the transfer function", "left button: add, drag a point; right: remove it" },
