@@ -262,6 +262,10 @@ class Sliders(ViewTest):
             with self.subTest(keys=keys):
                 self.assertEqual(self.session(*self.click(self.value), *keys)["gamma"], expected)
 
+    def test_powers_of_ten_are_typed(self):
+        self.assertEqual(self.session("n", *"1e3", "Return")["points"], 1000)
+        self.assertEqual(self.session("n", *"1e", "Return")["points"], 300, "no number")
+
     def test_nothing_of_the_typing_stays(self):
         """No caret, whether the number is taken or given up."""
         away = "MouseMoveEvent", 1020, 790
