@@ -16,6 +16,12 @@ std::string Activity::note() const
   return this->mesh == Mesh::Current ? "" : (this->works() ? "updating ..." : "not up to date");
 }
 
+std::string Activity::sampleNote() const
+{
+  return this->sampleProblem.empty() && (this->samples || this->works()) ? "sampling ..."
+                                                                         : "no samples";
+}
+
 bool Activity::alarms() const
 {
   return this->mesh == Mesh::Failed || !this->sampleProblem.empty();
@@ -55,7 +61,7 @@ std::string Activity::sentence() const
 bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
-    return std::tie(a.reading, a.mesh, a.progress, a.savesMesh, a.sampling, a.meshFile,
+    return std::tie(a.reading, a.mesh, a.progress, a.savesMesh, a.sampling, a.samples, a.meshFile,
       a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);

@@ -26,6 +26,7 @@ struct Activity
   double progress = 0;       ///< 0 to 1 of what showsBar()
   bool savesMesh = false;    ///< the mesh is written when it is done
   bool sampling = false;     ///< the samples on the left are not those of the session
+  bool samples = false;      ///< they are on their way, however quick
   std::string reading;       ///< the file that is opened next
   std::string meshFile;      ///< that is written then
   std::string sampleProblem; ///< why there are none for the session; empty mostly
@@ -35,6 +36,8 @@ struct Activity
   [[nodiscard]] bool showsBar() const { return mesh == Mesh::Charts || mesh == Mesh::Making; }
   /// Beside the title of the mesh; empty if the mesh is current.
   [[nodiscard]] std::string note() const;
+  /// Beside the title of samples that are not there.
+  [[nodiscard]] std::string sampleNote() const;
   /// Something went wrong, or stays as it is until the user does something.
   [[nodiscard]] bool alarms() const;
   /// For the status line; empty if the mesh is current and nothing is wrong.

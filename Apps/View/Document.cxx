@@ -21,9 +21,7 @@ constexpr int DefaultPoints = 5000;
 
 Status makeSession(const OptionValues& o, Session& session)
 {
-  // Something to see when gamma is moved.
-  session.set("importance", "total");
-  session.set("gamma", 0.5);
+  session = openingSession();
   if (o.has("session"))
   {
     if (Status status = readSession(o.text("session"), session); !status.ok())
@@ -67,6 +65,15 @@ ViewerFiles filesOf(const OptionValues& o, const Session& session)
   files.figures = stem + "-figure";
   return files;
 }
+}
+
+Session openingSession()
+{
+  Session session;
+  // Something to see when gamma is moved.
+  session.set("importance", "total");
+  session.set("gamma", 0.5);
+  return session;
 }
 
 Status readDocument(const OptionValues& options, Document& document)

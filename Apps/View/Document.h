@@ -40,6 +40,9 @@ struct Document
   double area = 0;    ///< of the input
 };
 
+/// What a model opens with, and what the right button goes back to.
+[[nodiscard]] Session openingSession();
+
 /// Reads what "model" or "session" of the options of stipple-view name; neither is the example.
 [[nodiscard]] Status readDocument(const OptionValues& options, Document& document);
 

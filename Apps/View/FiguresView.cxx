@@ -74,9 +74,9 @@ void FiguresView::paint(Canvas& canvas)
     { "angle, mean least", printed("%.1f\u00b0", q.averageMinimumAngle) },
     { "valence 6", printed("%.1f %%", q.percentValence6) },
     { "valence 5 to 7", printed("%.1f %%", q.percentValence567) } };
-  if (this->Figures.simplifiedFeatures > 0)
+  if (this->Figures.lostFeatureEdges > 0)
   {
-    rows.emplace_back("simplified features", grouped(this->Figures.simplifiedFeatures));
+    rows.emplace_back("lost feature edges", grouped(this->Figures.lostFeatureEdges));
   }
   const float column = 0.52F * this->Box.w;
   const float step = std::min(24 * s, this->Box.h / static_cast<float>(rows.size()));

@@ -6,6 +6,7 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace stipple
 {
@@ -14,6 +15,17 @@ namespace
 namespace fs = std::filesystem;
 constexpr std::size_t MostEntries = 5000;
 constexpr float RowHeight = 24; // pixels at scale 1
+
+/// As much of the end of the words as fits: there they are typed.
+std::string endOf(Canvas& canvas, const std::string& words, float width, const TextLook& look)
+{
+  std::string text = words;
+  while (!text.empty() && canvas.textWidth("..." + text, look) > width)
+  {
+    text.erase(0, 1);
+  }
+  return canvas.textWidth(words, look) <= width ? words : "..." + text;
+}
 }
 
 FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp)
@@ -41,9 +53,28 @@ void FileChooser::enter(const fs::path& folder)
     return;
   }
   this->Folder = folder.lexically_normal();
+  if (!this->Folder.has_filename()) // but a slash at its end
+  {
+    this->Folder = this->Folder.parent_path();
+  }
   this->Sentence.clear();
   this->Typed = this->Wanted.saves ? this->Typed : "";
   this->list();
+}
+
+bool FileChooser::typesPath() const
+{
+  return this->Typed.find('/') != std::string::npos || this->Typed == "~";
+}
+
+fs::path FileChooser::typedPath() const
+{
+  const char* home = std::getenv("HOME");
+  const bool fromHome = this->Typed == "~" || this->Typed.compare(0, 2, "~/") == 0;
+  const fs::path path = home && fromHome
+    ? fs::path(home) / fs::path(this->Typed.substr(std::min<std::size_t>(2, this->Typed.size())))
+    : this->Folder / this->Typed;
+  return path.lexically_normal();
 }
 
 void FileChooser::list()
@@ -52,37 +83,40 @@ void FileChooser::list()
   this->Current = 0;
   this->First = 0;
   this->Under = -1;
-  const std::string filter = this->Wanted.saves ? "" : upperCase(this->Typed);
+  const bool path = !this->Wanted.saves && this->typesPath();
+  const fs::path typed = this->typedPath();
+  const fs::path folder = path ? typed.parent_path() : this->Folder;
+  const std::string filter =
+    this->Wanted.saves ? "" : upperCase(path ? typed.filename().string() : this->Typed);
   const auto passes = [&filter](const std::string& name) {
     return filter.empty() ? name.compare(0, 1, ".") != 0
                           : upperCase(name).find(filter) != std::string::npos;
   };
   std::error_code error;
-  for (fs::directory_iterator i(this->Folder, error), end;
+  for (fs::directory_iterator i(folder, error), end;
        !error && i != end && this->Entries.size() < MostEntries; i.increment(error))
   {
     std::error_code ignored;
     const std::string name = i->path().filename().string();
-    const bool folder = i->is_directory(ignored);
+    const bool below = i->is_directory(ignored);
     const auto& endings = this->Wanted.endings;
     const bool fits =
-      folder || std::find(endings.begin(), endings.end(), fileExtension(name)) != endings.end();
+      below || std::find(endings.begin(), endings.end(), fileExtension(name)) != endings.end();
     if (fits && passes(name))
     {
-      this->Entries.push_back({ folder ? name + "/" : name, i->path(), folder });
+      this->Entries.push_back({ below ? name + "/" : name, i->path(), below });
     }
   }
   std::sort(this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b) {
     return a.folder != b.folder ? a.folder : a.text < b.text;
   });
-  if (this->Folder.has_parent_path() && this->Folder.parent_path() != this->Folder &&
-    filter.empty())
+  if (!error && folder.parent_path() != folder && filter.empty())
   {
-    this->Entries.insert(this->Entries.begin(), { "../", this->Folder.parent_path(), true });
+    this->Entries.insert(this->Entries.begin(), { "../", folder.parent_path(), true });
   }
   // Return is not to lead out of the folder at once.
   this->Current = this->Entries.size() > 1 && this->Entries.front().text == "../" ? 1 : 0;
-  if (!this->Wanted.saves && filter.empty() && !this->Wanted.recent.empty())
+  if (!this->Wanted.saves && this->Typed.empty() && !this->Wanted.recent.empty())
   {
     this->Current = 0;
     std::vector<Entry> recent;
@@ -111,7 +145,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   canvas.box(field, shades::Card, shades::Accent, 4, 1.5F);
   const std::string lead = this->Wanted.saves ? "name: " : "filter: ";
   const TextLook plain{ 12.5F, shades::Word };
-  const std::string words = canvas.fitted(lead + this->Typed, inner - 24 * s, plain);
+  const std::string words = endOf(canvas, lead + this->Typed, inner - 24 * s, plain);
   const float middle = field.y + 0.5F * field.h;
   canvas.text(field.x + 8 * s, middle, words, plain);
   const float caret = field.x + 10 * s + canvas.textWidth(words, plain);
@@ -140,7 +174,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   }
   const std::string help = this->Wanted.saves
     ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk"
-    : "Return opens, letters filter, BackSpace leads up, Esc gives up";
+    : "Return opens, letters filter or are a path, ../ leads up, Esc gives up";
   const TextLook foot{ 11.5F, this->Sentence.empty() ? shades::Quiet : shades::Alarm };
   canvas.text(box.x + pad, box.y + 20 * s,
     canvas.fitted(this->Sentence.empty() ? help : this->Sentence, inner, foot), foot);
@@ -174,16 +208,41 @@ void FileChooser::open(const fs::path& path, bool folder)
 
 void FileChooser::accept()
 {
-  if (!this->Wanted.saves)
+  std::error_code error;
+  const fs::path typed = this->typedPath();
+  const bool path = this->typesPath() || this->Typed == "..";
+  if (path && fs::is_directory(typed, error))
   {
-    if (this->Current < static_cast<int>(this->Entries.size()))
-    {
-      const Entry entry = this->Entries[static_cast<std::size_t>(this->Current)];
-      this->open(entry.path, entry.folder);
-    }
-    return;
+    this->Typed.clear();
+    this->enter(typed);
   }
-  const fs::path file = this->Folder / this->Typed;
+  else if (path && !fs::is_directory(typed.parent_path(), error))
+  {
+    this->Sentence = "There is no folder " + typed.parent_path().string() + ".";
+  }
+  else if (this->Wanted.saves)
+  {
+    this->acceptName();
+  }
+  else if (path && fs::exists(typed, error))
+  {
+    this->open(typed, false);
+  }
+  else if (this->Current < static_cast<int>(this->Entries.size()))
+  {
+    const Entry entry = this->Entries[static_cast<std::size_t>(this->Current)];
+    this->open(entry.path, entry.folder);
+  }
+  else
+  {
+    this->Sentence = path ? "There is no file " + typed.string() + "."
+                          : "No name here has \"" + this->Typed + "\" in it.";
+  }
+}
+
+void FileChooser::acceptName()
+{
+  const fs::path file = this->typedPath();
   const auto& endings = this->Wanted.endings;
   if (std::find(endings.begin(), endings.end(), fileExtension(this->Typed)) == endings.end())
   {
@@ -249,13 +308,17 @@ void FileChooser::key(const KeyStroke& stroke)
     const int seen = std::max(1, static_cast<int>(this->Boxes.size()));
     this->First = std::clamp(this->First, this->Current - seen + 1, this->Current);
   }
-  else if (key == "BackSpace" && this->Typed.empty())
+  else if (key == "BackSpace" || (stroke.letter != 0 && !stroke.control))
   {
-    this->enter(this->Folder.parent_path());
-  }
-  else if (key == "BackSpace" || (stroke.letter != 0 && stroke.letter != '/' && !stroke.control))
-  {
-    key == "BackSpace" ? this->Typed.pop_back() : this->Typed.push_back(stroke.letter);
+    // A key that is held goes on when the name is empty, and nobody sees how far.
+    if (key != "BackSpace")
+    {
+      this->Typed.push_back(stroke.letter);
+    }
+    else if (!this->Typed.empty())
+    {
+      this->Typed.pop_back();
+    }
     if (!this->Wanted.saves)
     {
       this->list();

@@ -12,9 +12,10 @@
 
 namespace stipple
 {
-/// A folder's files to choose from, or a name to save by. Arrows choose, Return opens, BackSpace
-/// without a typed letter leads to the folder above, Esc gives up; letters filter the list or,
-/// where it is saved, are the name. A file that exists is replaced by a second Return only.
+/// A folder's files to choose from, or a name to save by. Arrows choose, Return opens, Esc gives
+/// up; letters filter the list or, where it is saved, are the name. What has a slash, or begins
+/// with ~, is a path: the list is that of its folder. BackSpace takes letters and nothing else. A
+/// file that exists is replaced by a second Return only.
 class FileChooser : public Page
 {
 public:
@@ -48,6 +49,10 @@ private:
   void list();
   void open(const std::filesystem::path& path, bool folder);
   void accept();
+  void acceptName();
+  /// Where what is typed leads: from the folder, from home, or from the root.
+  std::filesystem::path typedPath() const;
+  bool typesPath() const;
   int entryAt(const Pointer& pointer) const; ///< -1: none
 
   Wish Wanted;

@@ -17,7 +17,7 @@ struct MeshFigures
   MeshQuality quality;
   std::array<double, 7> valences = {}; ///< vertices of valence 3 or less, 4, ..., 8, 9 or more
   std::array<double, 18> angles = {};  ///< the triangles' angles, 10 degrees a bar
-  int simplifiedFeatures = 0;          ///< times that one was, for want of room
+  int lostFeatureEdges = 0;            ///< of the input, that the mesh has no room for
 };
 
 [[nodiscard]] MeshFigures measureFigures(vtkPolyData* mesh);

@@ -165,8 +165,8 @@ void MeshWorker::perform(const Session& session)
   {
     result->lost = lostFeatures(
       vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)), result->lines);
-    // Most are points that moved along one; where all lines are kept, nobody need care.
-    result->figures.simplifiedFeatures = result->lost->GetNumberOfLines() > 0 ? simplified : 0;
+    // Most simplifications move points along a line that is kept: what is counted is what is seen.
+    result->figures.lostFeatureEdges = static_cast<int>(result->lost->GetNumberOfLines());
   }
   if (!this->inspect(*result))
   {

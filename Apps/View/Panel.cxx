@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
+#include "Document.h"
 #include "SessionEdits.h"
 #include "ViewOptions.h"
 
@@ -39,9 +40,9 @@ double rounded(double value)
 }
 }
 
-Panel::Panel(Commands& commands, std::string model, std::vector<std::string> arrays)
+Panel::Panel(Commands& commands, std::string model, const Choosable& choosable)
   : Model(std::move(model))
-  , Arrays(std::move(arrays))
+  , Input(choosable)
 {
   this->addSampling(commands);
   this->addFeatures(commands);
@@ -115,7 +116,7 @@ void Panel::addSampling(Commands& commands)
     format("%.3f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("minimum_density", value); }, rests);
     });
-  const Session defaults;
+  const Session defaults = openingSession();
   this->Gamma->setDefault(defaults.number("gamma"));
   this->Gradation->setDefault(defaults.number("gradation"));
   this->Floor->setDefault(defaults.number("minimum_density"));
@@ -159,7 +160,7 @@ void Panel::addFeatures(Commands& commands)
     "Charts, at least", range, format("%.0f"), [&commands](double value, bool rests) {
       commands.edit([value](Session& s) { s.set("charts", std::trunc(value)); }, rests);
     });
-  const Session defaults;
+  const Session defaults = openingSession();
   this->Angle->setDefault(defaults.number("feature_angle"));
   this->Charts->setDefault(defaults.number("charts"));
   this->Angle->setHint(
@@ -347,7 +348,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Importance->choose(std::min(kind, ArrayWord));
   this->Importance->setWord(ArrayWord,
     importance == "array" ? s.text("importance_array") : (this->HasPicture ? "image" : "array"));
-  this->Importance->setEnabled(ArrayWord, this->HasPicture || !this->Arrays.empty());
+  this->Importance->setEnabled(ArrayWord, this->HasPicture || this->Input.arrays);
   const bool uniform = importance == "uniform";
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {

@@ -18,14 +18,21 @@ namespace stipple
 class Panel
 {
 public:
-  /// `model` is shown; `arrays` can be importances.
-  Panel(Commands& commands, std::string model, std::vector<std::string> arrays);
+  /// What of the input can be chosen at all.
+  struct Choosable
+  {
+    bool arrays = false; ///< of numbers
+    bool regions = false;
+    bool textures = false;
+  };
+  /// `model` is shown.
+  Panel(Commands& commands, std::string model, const Choosable& choosable);
 
   void setBox(const Rect& box, float scale);
   /// Moves what does not fit into the box by notches of the wheel; true if it looks different then.
   bool scroll(int notches);
   /// `points` is how many there are where they follow; 0: not known yet. `edge` is the length that
-  /// the number of points stands for.
+  /// the mesh's number of points stands for; 0: there is no mesh of this session.
   void show(const Session& session, const ViewState& view, int points, double edge);
   void setUndo(bool canUndo, bool canRedo);
   /// What looks as before is left, unless the canvas is empty. In two halves: VTK's painter keeps
@@ -67,7 +74,7 @@ private:
   void row(std::vector<Control*> controls, float height, float space = 4);
 
   std::string Model;
-  std::vector<std::string> Arrays;
+  Choosable Input;
   Rect Box;
   float Scale = 1;
   float Scrolled = 0; ///< pixels that the rows are moved up
@@ -97,6 +104,7 @@ private:
   Choice* Coloring = nullptr;
   NumberField* EdgeLength = nullptr;
   Choice* Picture = nullptr;
+  Choice* Projection = nullptr;
   Slider* Finest = nullptr;
   Slider* Coarsest = nullptr;
 

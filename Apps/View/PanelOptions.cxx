@@ -62,8 +62,12 @@ Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* l
 {
   auto* choice = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ label }, 1,
     [this, &commands, option](int) { commands.chooseArray(option, this->Points); });
-  choice->setHints({ hintOf(*findOption(option)) });
-  choice->setEnabled(0, !this->Arrays.empty());
+  const bool regions = option == std::string("region_array");
+  const bool isThere = regions ? this->Input.regions : this->Input.arrays;
+  choice->setHints({ isThere ? hintOf(*findOption(option))
+      : regions              ? "The file has no array of its cells that could tell regions."
+                             : "The file has no array of numbers." });
+  choice->setEnabled(0, isThere);
   this->ArrayChoices.push_back({ option, label, choice });
   return choice;
 }
@@ -114,19 +118,18 @@ void Panel::addInputs(Commands& commands)
       commands.edit(
         [](Session& s) { s.set("keep_uv_seams", s.flag("keep_uv_seams") ? 0. : 1.); }, true);
     });
-  this->TextureSeams->setHints({ hintOf(*findOption("keep_uv_seams")) });
+  this->TextureSeams->setHints({ this->Input.textures ? hintOf(*findOption("keep_uv_seams"))
+                                                      : "The file has no texture coordinates." });
   this->row(
     { this->arrayChoice(commands, "region_array", "regions"), this->TextureSeams }, FieldHeight);
   this->row({ this->arrayChoice(commands, "importance_array", "importance from") }, FieldHeight);
   this->Picture = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ "" }, 1,
     [&commands](int) { commands.choosePicture(); });
   this->Picture->setHints({ "A picture whose bright places attract samples: .png, .jpg, ..." });
-  auto* projection =
+  this->Projection =
     this->optionChoice(commands, "image_projection", { "pasted", "along x", "along y", "along z" });
-  projection->setHints({ "The picture lies in every chart.", "It is projected along x.",
-    "It is projected along y.", "It is projected along z." });
   this->row({ this->Picture }, FieldHeight);
-  this->row({ projection }, FieldHeight, 8);
+  this->row({ this->Projection }, FieldHeight, 8);
   const auto band = [this, &commands](const char* label, int end) {
     auto* slider = this->make<Slider>(
       label, Slider::Range{ 0, 20, 2, false, 0.05 },
@@ -162,10 +165,20 @@ void Panel::showOptions(const Session& s)
     choice->setOn(0, !array.empty());
   }
   this->TextureSeams->setOn(0, s.flag("keep_uv_seams"));
+  this->TextureSeams->setEnabled(0, this->Input.textures || s.flag("keep_uv_seams"));
   const std::string& picture = s.text("importance_image");
   this->Picture->setWord(0,
     "picture: " + (picture.empty() ? "none" : std::filesystem::path(picture).filename().string()));
   this->Picture->setOn(0, s.text("importance") == "image");
+  for (int word = 0; word < 4; ++word)
+  {
+    this->Projection->setEnabled(word, !picture.empty());
+  }
+  const std::string none = "There is no picture yet: choose one above.";
+  this->Projection->setHints(picture.empty()
+      ? std::vector<std::string>(4, none)
+      : std::vector<std::string>{ "The picture lies in every chart.", "It is projected along x.",
+          "It is projected along y.", "It is projected along z." });
   this->Finest->setValue(s.list("band_pass")[0]);
   this->Finest->setEnabled(s.list("band_pass")[1] > 0);
   this->Coarsest->setValue(s.list("band_pass")[1]);

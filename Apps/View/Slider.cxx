@@ -59,10 +59,11 @@ void Slider::paint(Canvas& canvas)
   if (this->Typed.on())
   {
     const float width = ValueWidth * s;
-    canvas.box({ this->Box.right() - width, upper - 9 * s, width + 2 * s, 18 * s }, shades::Card,
-      shades::Accent, 3);
-    canvas.text(this->Box.right() - 4 * s, upper, this->Typed.text(), look);
-    const float caret = this->Box.right() - 2 * s;
+    // Within its box: beyond, nobody would paint over it.
+    canvas.box(
+      { this->Box.right() - width, upper - 9 * s, width, 18 * s }, shades::Card, shades::Accent, 3);
+    canvas.text(this->Box.right() - 5 * s, upper, this->Typed.text(), look);
+    const float caret = this->Box.right() - 3 * s;
     canvas.rule(caret, upper - 6 * s, caret, upper + 6 * s, shades::Accent);
   }
   else

@@ -18,7 +18,10 @@ void TypedNumber::begin(const std::string& text)
 
 bool TypedNumber::takes(char letter) const
 {
-  return (letter >= '0' && letter <= '9') || (!this->Whole && (letter == '.' || letter == '-'));
+  const bool isExponent = letter == 'e' && !this->Fresh && !this->Text.empty() &&
+    this->Text.find('e') == std::string::npos;
+  return (letter >= '0' && letter <= '9') || isExponent ||
+    (!this->Whole && (letter == '.' || letter == '-'));
 }
 
 TypedNumber::End TypedNumber::key(const KeyStroke& stroke)

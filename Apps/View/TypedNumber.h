@@ -20,7 +20,7 @@ public:
     GivenUp   ///< Esc
   };
 
-  /// Whole numbers have no point and no sign.
+  /// Whole numbers have no point and no sign; 1e4 is one.
   explicit TypedNumber(bool whole)
     : Whole(whole)
   {

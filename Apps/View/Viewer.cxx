@@ -45,21 +45,22 @@ constexpr double OwnFrameTime = 0.06;
 /// Lines become smooth when nothing has moved for this long.
 constexpr std::chrono::milliseconds CalmTime(150);
 
-std::vector<std::string> arraysOf(vtkPolyData* input)
+Panel::Choosable choosableOf(vtkPolyData* input)
 {
-  std::vector<std::string> names;
+  Panel::Choosable choosable;
   for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(input->GetPointData()),
          static_cast<vtkDataSetAttributes*>(input->GetCellData()) })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      if (vtkDataArray* array = data->GetArray(i); array && array->GetName())
-      {
-        names.emplace_back(array->GetName());
-      }
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      const bool isNamed = array && array->GetName();
+      choosable.arrays = choosable.arrays || (isNamed && vtkDataArray::SafeDownCast(array));
+      choosable.regions = choosable.regions || (isNamed && data == input->GetCellData());
     }
   }
-  return names;
+  choosable.textures = input->GetPointData()->GetTCoords() != nullptr;
+  return choosable;
 }
 }
 
@@ -78,7 +79,7 @@ Viewer::Viewer(
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(document.picker)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
-      arraysOf(document.input))
+      choosableOf(document.input))
   , Sheet([this](const Vec3& position, bool begins, bool rests) {
     if (rests)
     {
@@ -103,7 +104,7 @@ Viewer::Viewer(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
-                        "Simplified features are violet in the views.");
+                        "Lost feature edges of the input are violet in the views.");
   this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->connect();
@@ -336,7 +337,7 @@ void Viewer::takeResults()
     this->AfterSide.setLost(this->Mesh->lost);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
-    this->showStale();
+    this->showSession();
     this->Problem.clear();
     this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
@@ -359,7 +360,9 @@ bool Viewer::takePreview()
   {
     return false;
   }
-  this->PreviewProblem = preview->problem;
+  // Maps of another number of points say nothing about this one, for which there are none yet.
+  const bool mapsAreDue = this->MeshWanted || this->Worker.makesCharts();
+  this->PreviewProblem = mapsAreDue ? "" : preview->problem;
   if (preview->problem.empty())
   {
     this->BeforeSide.setPreview(
@@ -424,6 +427,7 @@ Activity Viewer::activity()
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;
+  now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
   now.sampleProblem = this->PreviewProblem;
   now.meshProblem = this->Problem;
   const bool works = !this->Stopped && this->Worker.busy();
@@ -445,6 +449,10 @@ void Viewer::showActivity()
   }
   // Progress is shown at once; the rest after a preview, where one is drawn.
   const bool note = now.note() != this->Doing.note();
+  if (!this->Shown && now.sampleNote() != this->Doing.sampleNote())
+  {
+    this->Window.touch(ViewerWindow::Before);
+  }
   this->Doing = now;
   this->StaleIsOld = this->StaleIsOld || note;
   this->Window.touch(ViewerWindow::Status);
@@ -488,6 +496,7 @@ void Viewer::changed(bool rests)
 {
   this->usePicture();
   this->PreviewIsOld = true;
+  this->PreviewProblem.clear();
   this->Problem.clear();
   this->say("");
   this->Stopped = false;
@@ -500,10 +509,10 @@ void Viewer::changed(bool rests)
 void Viewer::showSession()
 {
   const int points = this->Shown ? static_cast<int>(this->Shown->samples->GetNumberOfPoints()) : 0;
-  // Of equilateral triangles that are alike.
-  const double number = points > 0 ? points : this->Now.number("points");
+  // Of equilateral triangles that are alike, as many as the mesh has.
+  const vtkIdType number = this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0;
   this->Controls.show(this->Now, this->View, points,
-    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / number) : 0);
+    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / static_cast<double>(number)) : 0);
   this->Controls.setUndo(this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));

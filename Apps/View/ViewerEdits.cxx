@@ -23,6 +23,13 @@ std::string fileName(const std::string& file)
 {
   return std::filesystem::path(file).filename().string();
 }
+
+/// With its folder, so that nobody has to guess where it went.
+std::string wholePath(const std::string& file)
+{
+  std::error_code error;
+  return std::filesystem::absolute(file, error).lexically_normal().string();
+}
 }
 
 void Viewer::edit(const std::function<void(Session&)>& change, bool rests)
@@ -140,7 +147,7 @@ void Viewer::saveMesh()
   {
     status = files.commit();
   }
-  this->say(status.ok() ? "Wrote " + fileName(this->Files.mesh) + ": " +
+  this->say(status.ok() ? "Wrote " + wholePath(this->Files.mesh) + ": " +
         grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points, " +
         grouped(this->Mesh->mesh->GetNumberOfPolys()) + " triangles."
                         : status.message(),
@@ -155,7 +162,7 @@ void Viewer::savePicture()
   }
   const Status status = this->writePicture(this->Files.picture);
   this->say(
-    status.ok() ? "Wrote " + fileName(this->Files.picture) + "." : status.message(), !status.ok());
+    status.ok() ? "Wrote " + wholePath(this->Files.picture) + "." : status.message(), !status.ok());
 }
 
 void Viewer::saveFigures()
@@ -189,7 +196,7 @@ void Viewer::saveFigures()
     status = files.commit();
   }
   this->placeControls();
-  const std::string name = fileName(this->Files.figures);
+  const std::string name = wholePath(this->Files.figures);
   this->say(status.ok() ? "Wrote " + name + "-before.png and -after.png, " +
         std::to_string(FigureHeight) + " pixels high, transparent."
                         : status.message(),
@@ -223,7 +230,7 @@ bool Viewer::writeSessionFile()
     this->Saved = this->Now;
   }
   this->say(
-    status.ok() ? "Wrote " + fileName(this->Files.session) + "." : status.message(), !status.ok());
+    status.ok() ? "Wrote " + wholePath(this->Files.session) + "." : status.message(), !status.ok());
   return status.ok();
 }
 }

@@ -71,7 +71,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
       : this->showsVertices() && this->View.display == Display::Samples
       ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "samples, as the mesh has them")
       : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "samples")
-                    : (this->PreviewProblem.empty() ? "sampling ..." : "no samples");
+                    : this->Doing.sampleNote();
   }
   else
   {

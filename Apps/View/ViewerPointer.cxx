@@ -215,8 +215,8 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   switch (this->View.tool)
   {
     case Tool::Brush:
-      return std::string(
-               "Brush: drag paints, Ctrl erases, Shift smooths; [ ] change its size; y mirrors: ") +
+      return std::string("Brush: drag paints, Ctrl erases, Shift smooths; square brackets change "
+                         "its size; y mirrors: ") +
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
       return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";

@@ -232,7 +232,7 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
     if (options.ribs)
     {
       reduceError(); // so that ribs are held against what is possible without them
-      makeRibs(edit);
+      makeRibs(edit, [&] { return !report(progress, 1.); }); // seconds where there is no room
     }
   }
   if (!report(progress, 1.))

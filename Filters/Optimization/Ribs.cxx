@@ -36,7 +36,8 @@ std::vector<Halfedge> sidesOf(const OptimizedMesh& mesh)
   return sides;
 }
 
-int mendAll(RibSearch& search, const std::vector<Halfedge>& sides, const RibDemand& demand)
+int mendAll(
+  RibSearch& search, const std::vector<Halfedge>& sides, const RibDemand& demand, const Stop& stop)
 {
   int total = 0;
   for (int pass = 0; pass < Tuning::RibPasses; ++pass)
@@ -44,6 +45,10 @@ int mendAll(RibSearch& search, const std::vector<Halfedge>& sides, const RibDema
     int mended = 0;
     for (const Halfedge h : sides)
     {
+      if (isAsked(stop))
+      {
+        return total + mended;
+      }
       mended += search.mend(h, demand) ? 1 : 0;
     }
     total += mended;
@@ -71,7 +76,7 @@ void repair(MeshEdit& edit, const std::vector<Vertex>& vertices, ProximityGuard&
 }
 }
 
-int makeRibs(MeshEdit& edit)
+int makeRibs(MeshEdit& edit, const Stop& stop)
 {
   const OptimizedMesh& mesh = edit.mesh();
   const std::vector<Halfedge> sides = sidesOf(mesh);
@@ -92,7 +97,8 @@ int makeRibs(MeshEdit& edit)
     edit, proximity, Tuning::RibBudget + Tuning::RibBudgetOfSide * static_cast<int>(sides.size()));
   int mended = 0;
   const auto mend = [&](const Tuning::RibEffort& effort, double angle, double share) {
-    mended += mendAll(search, sides, { effort.sequences, effort.trials, angle, within(share) });
+    mended +=
+      mendAll(search, sides, { effort.sequences, effort.trials, angle, within(share) }, stop);
   };
   const auto areMany = [&]() {
     return Tuning::RibsOneInMany * numberLeft() > static_cast<std::ptrdiff_t>(sides.size());
@@ -117,6 +123,10 @@ int makeRibs(MeshEdit& edit)
   if (areMany())
   {
     mend(Tuning::LongestSearch, Tuning::LastRibAngle, Tuning::LastRibDistance);
+  }
+  if (isAsked(stop))
+  {
+    return mended;
   }
   ProximityGuard guard(mesh, proximity, within(Tuning::RibEqualizingDistance));
   const std::vector<Vertex> about = withRings(mesh, search.moved(), Tuning::RibRings,

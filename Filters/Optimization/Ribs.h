@@ -5,6 +5,7 @@
 #define stipple_Ribs_h
 
 #include "MeshEdit.h"
+#include "Progress.h"
 #include "StippleFiltersOptimizationModule.h"
 
 namespace stipple
@@ -14,8 +15,8 @@ namespace stipple
 /// does no harm; then the vertices about the swaps move, those on creases along them, until all
 /// triangles there are good enough, or as good as the worst of them was: else all is taken back.
 /// Nothing gets farther from the surface than the mesh is somewhere, and no triangle is flipped.
-/// Returns the number of sides that were mended.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int makeRibs(MeshEdit& edit);
+/// Returns the number of sides that were mended; those until then, where it is stopped.
+STIPPLEFILTERSOPTIMIZATION_EXPORT int makeRibs(MeshEdit& edit, const Stop& stop);
 }
 
 #endif

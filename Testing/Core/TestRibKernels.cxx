@@ -119,14 +119,14 @@ TEST(Ribs, WhatHasThemIsLeftAlone)
 {
   const auto t = meshes::patch(6);
   const Snapshot before(t->mesh);
-  EXPECT_EQ(makeRibs(t->edit), 0);
+  EXPECT_EQ(makeRibs(t->edit, {}), 0);
   EXPECT_TRUE(Snapshot(t->mesh) == before);
 }
 
 TEST(Ribs, FaultsOfAPatchAreMended)
 {
   const auto t = patchWithFault(3);
-  EXPECT_GE(makeRibs(t->edit), 1);
+  EXPECT_GE(makeRibs(t->edit, {}), 1);
   EXPECT_EQ(numberOfFaults(t->mesh), 0);
   EXPECT_GT(worstOf(t->mesh), 0.43);
   for (const Vertex v : t->mesh.vertices())
@@ -141,6 +141,20 @@ TEST(Ribs, FaultsOfAPatchAreMended)
   }
 }
 
+TEST(Ribs, AreStoppedWhileTheyAreMade)
+{
+  const auto t = meshes::cube(400, false);
+  ASSERT_TRUE(optimizeMesh(t->mesh, {}, {}).ok());
+  int asked = 0;
+  makeRibs(t->edit, [&asked] { return ++asked > 30; });
+  EXPECT_GT(asked, 30) << "asked for each side";
+  EXPECT_LT(asked, 60) << "and then it ends";
+  for (const Face f : t->mesh.faces())
+  {
+    EXPECT_TRUE(t->mesh.isSound(f)) << "what was done is a mesh";
+  }
+}
+
 TEST(Ribs, OfACubeCostNeitherFoldsNorEdges)
 {
   const auto t = meshes::cube(400, false);
@@ -148,7 +162,7 @@ TEST(Ribs, OfACubeCostNeitherFoldsNorEdges)
   const int before = numberOfFaults(t->mesh);
   EXPECT_GT(before, 10);
   const double worst = worstOf(t->mesh);
-  EXPECT_GT(makeRibs(t->edit), 0);
+  EXPECT_GT(makeRibs(t->edit, {}), 0);
   EXPECT_LT(numberOfFaults(t->mesh), 0.1 * before);
   EXPECT_GE(worstOf(t->mesh), std::min(0.26, worst) - 1e-9);
   const SurfaceProximity proximity(t->mesh);

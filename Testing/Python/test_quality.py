@@ -25,6 +25,7 @@ class Quality(unittest.TestCase):
             "rms_pct": 0, "hausdorff_pct": 0, "closed": True, "manifold": True,
         }.items():  # fmt: skip
             self.assertAlmostEqual(figures[name], value, places=6, msg=name)
+        self.assertIsInstance(figures["genus"], int)
 
     def test_two_open_components(self):
         points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 0, 0], [6, 0, 0], [5, 1, 0], [9, 9, 9]])

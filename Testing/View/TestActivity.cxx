@@ -62,6 +62,17 @@ TEST(Activity, ProblemsComeFirst)
   EXPECT_EQ(a.sentence(), "It failed.");
 }
 
+TEST(Activity, NoSamplesAreAwaitedWhereNothingRuns)
+{
+  EXPECT_EQ(of(Mesh::Charts).sampleNote(), "sampling ...") << "they follow the charts";
+  Activity a = of(Mesh::Stopped);
+  EXPECT_EQ(a.sampleNote(), "no samples");
+  a.samples = true;
+  EXPECT_EQ(a.sampleNote(), "sampling ...");
+  a.sampleProblem = "Too few points.";
+  EXPECT_EQ(a.sampleNote(), "no samples");
+}
+
 TEST(Activity, SamplesThatTakeLongAreTold)
 {
   Activity a = of(Mesh::Current);

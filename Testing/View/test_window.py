@@ -262,14 +262,29 @@ class Sliders(ViewTest):
             with self.subTest(keys=keys):
                 self.assertEqual(self.session(*self.click(self.value), *keys)["gamma"], expected)
 
+    def test_powers_of_ten_are_typed(self):
+        self.assertEqual(self.session("n", *"1e3", "Return")["points"], 1000)
+        self.assertEqual(self.session("n", *"1e", "Return")["points"], 300, "no number")
+
+    def test_nothing_of_the_typing_stays(self):
+        """No caret, whether the number is taken or given up."""
+        away = "MouseMoveEvent", 1020, 790
+        model = FANDISK, "--points", 300
+        before, given_up, taken = self.shots(model, self.recorded(away), self.recorded(*self.click(self.value), "2", "Escape", away),
+            self.recorded(*self.click(self.value), ".", "5", "Return", away))
+        np.testing.assert_array_equal(given_up, before)
+        np.testing.assert_array_equal(taken, before)
+
     def test_keys_that_are_typed_do_nothing_else(self):
         """q and 3 among them."""
         self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 3)
 
     def test_the_right_button_resets(self):
-        self.assertEqual(self.session(*self.click(self.line, "Right"))["gamma"], 1)
-        undone = self.session(*self.click(self.line, "Right"), "Control+z")
-        self.assertEqual(undone["gamma"], 0.5)
+        """To what a model opens with."""
+        typed = *self.click(self.value), "2", "Return"
+        self.assertEqual(self.session(*typed, *self.click(self.line, "Right"))["gamma"], 0.5)
+        undone = self.session(*typed, *self.click(self.line, "Right"), "Control+z")
+        self.assertEqual(undone["gamma"], 2)
 
     def test_what_is_under_the_pointer_is_told(self):
         places = (1100, 577), (1100, 540), (1050, 650), (1180, 650), (250, 400), (100, 100), (500, 100), (800, 100)

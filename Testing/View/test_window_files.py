@@ -57,7 +57,7 @@ class Files(ViewTest):
 
     def test_folders_are_gone_through(self):
         """Down into a folder, up again; what is no surface is not offered."""
-        self.play("o", *"below", "Return", "BackSpace", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
+        self.play("o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
     def test_another_file_is_opened_in_the_same_window(self):
@@ -190,6 +190,31 @@ class Files(ViewTest):
         self.assertEqual(mesh_check(self.work / "a.off", FANDISK)["points"], 310)
         self.play("Control+S", *names, *"a.doc", "Return", "Return", "Escape", model=part)
         self.assertFalse((self.work / "a.doc").exists())
+
+    def test_a_path_is_taken_as_it_is_typed(self):
+        """From the folder, from home, from the root; a missing folder is refused, and nothing is written."""
+        self.environment["HOME"] = str(self.work)
+        part = ("part.off", "--points", 300)
+        empty = ["BackSpace"] * len("part-remeshed.ply")
+        for typed, file in (("below/a.off", "below/a.off"), ("~/b.off", "b.off"), (f"{self.work}/below/c.off", "below/c.off"),
+                            ("below/../d.off", "d.off")):
+            with self.subTest(typed):
+                self.play("Control+S", *empty, *typed, "Return", model=part)
+                self.assertEqual(mesh_check(self.work / file, FANDISK)["points"], 300)
+        kept = sorted(self.folder.rglob("*.off"))
+        self.play("Control+S", *empty, *"missing/e.off", "Return", "Return", "Escape", model=part)
+        self.assertEqual(sorted(self.folder.rglob("*.off")), kept)
+        for typed in ("~/part.off", f"{self.work}/part.off", "below/../part.off", f"{self.work}/par"):
+            with self.subTest(typed):
+                self.play("o", *typed, "Return", "Control+j")
+                self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
+                (self.work / "part-session.json").unlink()
+
+    def test_a_held_backspace_stays_in_the_folder(self):
+        self.play("Control+S", *["BackSpace"] * 60, *"a.off", "Return", model=("part.off", "--points", 300))
+        self.assertTrue((self.work / "a.off").exists())
+        self.play("o", *["BackSpace"] * 9, *"part", "Return", "Control+j")
+        self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
     def test_figures_are_the_views_alone(self):
         self.play("Control+e", model=("part.off", "--points", 400))

@@ -13,7 +13,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from stipple_program import VIEW, run
-from view_program import ViewTest
+from view_program import FANDISK, ViewTest
 
 DOWN = [("MouseWheelBackwardEvent", 1150, 300)] * 20  # to the panel's end, in a window of 1280x800
 EDGE_LENGTH, DISTANCE, TURN, SHORTEST, LONGEST, GROWTH = ((1200, y) for y in (418, 389, 360, 331, 302, 273))
@@ -95,6 +95,16 @@ class Options(ViewTest):
         self.assertEqual((session["edge_length"], session["points"]), (0, 700))
         self.assertEqual(self.play(*typed, *click(EDGE_LENGTH, "Right"))["edge_length"], 0)
 
+    def test_the_edge_length_is_that_of_the_mesh(self):
+        """Of the one that is there, not of the one before; whatever there was before."""
+        field = np.s_[408:428, 1145:1265]
+        away = "MouseMoveEvent", 1000, 790
+        typed = self.recorded("n", *"1500", "Return", *DOWN, away), self.recorded("n", *"700", "Return", *DOWN, away)
+        first, second = self.shots((self.ball, "--points", 700), *typed)
+        at_once, = self.shots((self.ball, "--points", 1500), self.recorded(*DOWN, away))
+        np.testing.assert_array_equal(first[field], at_once[field])
+        self.assertGreater((first[field] != second[field]).any(axis=2).sum(), 10)
+
     def test_a_distance_leads_to_a_number_of_points(self):
         typed = *click(EDGE_LENGTH), ".", "0", "8", "Return", *click(DISTANCE), "1", "Return"
         session = self.play(*typed)
@@ -163,6 +173,16 @@ class Options(ViewTest):
         self.assertEqual(len(np.unique(points, axis=0)), 700)
         self.assertGreater(len(points), 700)
         self.assertIs(self.play(*click(UV_SEAMS), *click(UV_SEAMS))["keep_uv_seams"], False)
+
+    def test_what_is_not_there_cannot_be_chosen(self):
+        """Seams without texture coordinates, the projection of no picture, regions without arrays of cells."""
+        at_first = self.play()
+        self.assertEqual(self.play(*click(UV_SEAMS), *click(ALONG_Z)), at_first)
+        self.ball = FANDISK
+        self.assertEqual(self.play(*click(REGIONS), "1")["region_array"], "")
+        greyed, tip = self.shots((FANDISK, "--points", 300), self.recorded(*DOWN, ("MouseMoveEvent", 1000, 790)),
+            self.recorded(("MouseMoveEvent", *UV_SEAMS)))
+        self.assertGreater((tip[:26, :600] != greyed[:26, :600]).any(axis=2).sum(), 100, "why is told")
 
     def test_an_array_is_the_importance(self):
         session = self.play(*click(IMPORTANCE_FROM), "1")

@@ -30,7 +30,8 @@ def quality(mesh, reference=None, samples=20000):
 
         - V, F, isolated: points, triangles, points that no triangle uses;
         - nonmanifold_edges, boundary_edges, misoriented_edges, nonmanifold_vertices, components, boundary_loops;
-        - euler: V - E + F over the points that triangles use; genus: that of all components together;
+        - euler: V - E + F over the points that triangles use; genus: that of all components together, an int
+          where it is whole (it is not on surfaces that cannot be oriented);
         - degenerate: triangles of no area;
         - Qmin, Qavg: 6/sqrt(3) area / (half perimeter x longest edge), 1 for an equilateral triangle;
         - angle_min, angle_min_avg, angle_max: degrees;
@@ -69,6 +70,8 @@ def quality(mesh, reference=None, samples=20000):
 
 def _number(column):
     value = column.GetTuple1(0)
+    if column.GetName() == "genus" and value.is_integer():
+        return int(value)
     if isinstance(column, vtkUnsignedCharArray):
         return bool(value)
     return int(value) if isinstance(column, vtkIdTypeArray) else value
