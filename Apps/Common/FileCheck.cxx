@@ -300,7 +300,7 @@ public:
       }
       else if (key == "METADATA")
       {
-        this->metadata();
+        status = this->metadata();
       }
       else if (key == "POINT_DATA" || key == "CELL_DATA")
       {
@@ -528,7 +528,10 @@ private:
       std::string name = upperCase(this->word());
       while (name == "METADATA")
       {
-        this->metadata();
+        if (Status status = this->metadata(); !status.ok())
+        {
+          return status;
+        }
         name = upperCase(this->word());
       }
       const long long components = this->number();
@@ -561,13 +564,21 @@ private:
     return Status::success();
   }
 
-  /// Up to an empty line.
-  void metadata()
+  /// Up to an empty line, by VTK's rule: blanks are not, and what a zero ends is no text.
+  Status metadata()
   {
     this->line();
-    while (!this->Rest.empty() && this->line().find_first_not_of(Blanks) != std::string_view::npos)
+    bool isEmpty = false;
+    while (!this->Rest.empty() && !isEmpty)
     {
+      const std::string_view text = this->line();
+      if (text.find('\0') != std::string_view::npos)
+      {
+        return this->error("METADATA is followed by what is no text");
+      }
+      isEmpty = text.empty() || text == "\r";
     }
+    return Status::success();
   }
 
   Status attribute(const std::string& key)
