@@ -93,7 +93,7 @@ std::unordered_map<std::uint64_t, Sample> middlesOnBackbones(
   return result;
 }
 
-Status relax(const Atlas& atlas, SubdividedMesh& mesh, int rounds)
+Status relax(const Atlas& atlas, SubdividedMesh& mesh, int rounds, const Progress& progress)
 {
   OptimizedMesh optimized;
   const DensityField uniform;
@@ -107,7 +107,7 @@ Status relax(const Atlas& atlas, SubdividedMesh& mesh, int rounds)
   options.moves = OptimizerOptions::Moves::Lloyd;
   options.iterations = rounds;
   options.errorReduction = 0;
-  status = optimizeMesh(optimized, options, {});
+  status = optimizeMesh(optimized, options, progress);
   mesh.samples = optimized.samples();
   return status;
 }
@@ -179,14 +179,15 @@ Status subdivideSemiRegularly(const Atlas& atlas, const std::vector<Sample>& sam
   }
   for (int level = 1; level <= levels; ++level)
   {
-    if (!report(progress, static_cast<double>(level - 1) / levels))
+    const auto part = [&](double done) { return report(progress, (level - 1 + done) / levels); };
+    if (!part(0.))
     {
       return Status::aborted();
     }
     splitOnce(atlas, level, mesh);
     if (rounds > 0)
     {
-      Status status = relax(atlas, mesh, rounds);
+      Status status = relax(atlas, mesh, rounds, part);
       if (!status.ok())
       {
         return status;

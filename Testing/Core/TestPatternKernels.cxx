@@ -388,4 +388,14 @@ TEST(SemiRegular, LevelsAreRelaxedOnTheSurface)
       return ++asked < 2;
     }).isAbort());
   EXPECT_EQ(stopped.triangles.size(), 4U * t->triangles.size()) << "after one level";
+  asked = 0;
+  double told = 0;
+  EXPECT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 3, 10, stopped, [&](double done) {
+      EXPECT_GE(done, told);
+      told = done;
+      return ++asked < 6;
+    }).isAbort());
+  EXPECT_EQ(asked, 6);
+  EXPECT_EQ(stopped.triangles.size(), 4U * t->triangles.size()) << "amid the rounds of a level";
 }
