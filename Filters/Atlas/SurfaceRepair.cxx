@@ -513,6 +513,7 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   if (const int thin = removeThinTriangles(s, r.sourceCell); thin > 0)
   {
     r.counts.degenerateTriangles += thin;
+    compactPoints(r); // CGAL asks for a mesh without points of no triangle
     removeDegenerateFaces(s, r.sourcePoint, r.sourceCell); // what single steps could not
     compactPoints(r);
   }
