@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileCheck.h"
 
+#include "ObjText.h"
+
 #include "Text.h"
 #include "TextNumbers.h"
 
@@ -19,62 +21,10 @@ namespace stipple
 {
 namespace
 {
-constexpr const char* Blanks = " \t\r\n\v\f";
-
-std::string_view nextWord(std::string_view& text)
-{
-  const std::size_t begin = std::min(text.find_first_not_of(Blanks), text.size());
-  const std::size_t end = std::min(text.find_first_of(Blanks, begin), text.size());
-  const std::string_view word = text.substr(begin, end - begin);
-  text.remove_prefix(end);
-  return word;
-}
-
 std::string inQuotes(std::string_view word)
 {
   return "'" + printable(word, 40) + "'";
 }
-
-/// Lines of an OBJ file, those that end in a backslash joined with the next.
-class ObjLines
-{
-public:
-  explicit ObjLines(const std::string& content)
-    : Content(content)
-  {
-  }
-  bool next(std::string& line)
-  {
-    line.clear();
-    for (bool more = true; more && this->Next < this->Content.size();)
-    {
-      const std::size_t end = std::min(this->Content.find('\n', this->Next), this->Content.size());
-      line.append(this->Content, this->Next, end - this->Next);
-      this->Next = end + 1;
-      ++this->Number;
-      while (!line.empty() && line.back() == '\r')
-      {
-        line.pop_back();
-      }
-      more = !line.empty() && line.back() == '\\';
-      if (more)
-      {
-        line.back() = ' ';
-      }
-      if (!more)
-      {
-        return true;
-      }
-    }
-    return !line.empty();
-  }
-  int number() const { return this->Number; }
-
-private:
-  const std::string& Content;
-  std::size_t Next = 0;
-  int Number = 0;
-};
 
 /// "7", "7/1", "7//3" or "7/1/3", each from 1 to so many, or back from the end so far.
 bool isObjCorner(

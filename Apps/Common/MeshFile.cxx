@@ -5,6 +5,7 @@
 #include "CornerTexture.h"
 #include "FileCheck.h"
 #include "Messages.h"
+#include "ObjText.h"
 #include "OffFile.h"
 #include "PlyFile.h"
 #include "RegionFile.h"
@@ -110,72 +111,6 @@ Status readByVTK(vtkAlgorithm* reader, const std::string& file, vtkPolyData* mes
     "cannot read '" + file + "'" + (sentence.empty() ? "" : ": " + printable(sentence, 200)));
 }
 
-/// Whether a text ends, from there on, with a face of less than three corners, in OBJ.
-bool isShortFace(const std::string& text, std::size_t from)
-{
-  if (text[from] != 'f')
-  {
-    return false;
-  }
-  int corners = 0;
-  bool isBetween = true;
-  for (std::size_t i = from + 1; i < text.size() && corners < 3; ++i)
-  {
-    const bool isBlank = std::isspace(static_cast<unsigned char>(text[i])) != 0 || text[i] == '\\';
-    corners += isBetween && !isBlank ? 1 : 0;
-    isBetween = isBlank;
-  }
-  return corners < 3;
-}
-
-/// OBJ's cells without comments, without slashes that nothing follows ("7/" and "7//" name a
-/// point alone), and without faces of less than three corners: VTK's reader takes these for errors,
-/// or crashes on them.
-std::string plainObj(const std::string& content)
-{
-  std::string result;
-  result.reserve(content.size());
-  bool isCell = false;
-  bool goesOn = false;   // the cell, in the next line
-  std::size_t start = 0; // of the cell
-  for (std::size_t begin = 0; begin < content.size();)
-  {
-    const std::size_t end = std::min(content.find('\n', begin), content.size());
-    start = goesOn ? start : result.size();
-    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 || goesOn;
-    const auto at = [&content](
-                      std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto last =
-      static_cast<std::size_t>(std::find(at(begin), at(end), '#') - content.begin()); // a comment
-                                                                                      // follows
-    for (std::size_t i = begin; isCell && i < last; ++i)
-    {
-      const std::size_t next = content[i] == '/' ? content.find_first_not_of('/', i) : i;
-      if (next > i &&
-        (next >= last || std::isspace(static_cast<unsigned char>(content[next])) != 0))
-      {
-        i = next - 1;
-      }
-      else
-      {
-        result += content[i];
-      }
-    }
-    if (!isCell)
-    {
-      result.append(content, begin, end - begin);
-    }
-    result.append(content, end, 1);
-    goesOn = isCell && end > 0 && end < content.size() && content[end - 1] == '\\';
-    if (isCell && !goesOn && isShortFace(result, start))
-    {
-      result.resize(start);
-    }
-    begin = end + 1;
-  }
-  return result;
-}
-
 /// vtkOBJReader has an array of texture coordinates for each material, named like it, with -1 at
 /// the points of others: all in one, for no point is of two.
 void joinTexture(vtkPolyData* mesh)
@@ -215,8 +150,9 @@ Status readObj(const std::string& file, vtkPolyData* mesh)
 {
   const std::string content = contentOf(file);
   const std::string plain = plainObj(content);
+  const std::string forVTK = withShortMaterials(plain);
   TemporaryFile copy;
-  if (plain.size() != content.size() && !copy.write(plain))
+  if (forVTK != content && !copy.write(forVTK))
   {
     return Status::error("cannot read '" + file + "': no temporary file can be written");
   }

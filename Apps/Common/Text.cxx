@@ -34,4 +34,13 @@ std::string upperCase(std::string_view text)
     [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   return result;
 }
+
+std::string_view nextWord(std::string_view& text)
+{
+  const std::size_t begin = std::min(text.find_first_not_of(Blanks), text.size());
+  const std::size_t end = std::min(text.find_first_of(Blanks, begin), text.size());
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
 }

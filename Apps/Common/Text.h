@@ -18,6 +18,12 @@ namespace stipple
 
 /// Letters of ASCII in capitals, whatever the locale.
 [[nodiscard]] std::string upperCase(std::string_view text);
+
+/// What is between words.
+constexpr const char* Blanks = " \t\r\n\v\f";
+
+/// Takes the first word from a text, with the blanks before it; empty if there is none.
+std::string_view nextWord(std::string_view& text);
 }
 
 #endif

@@ -204,6 +204,38 @@ TEST_F(MeshFile, ObjFacesHaveTheirMaterialsBesideLines)
   EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 0, 0, 0, 1, 1 }));
 }
 
+TEST_F(MeshFile, ObjFacesNeedNoNormalsWhereThereAreSome)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 1\nvn 0 0 1\n";
+  for (const std::string faces : { "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+         "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\n f 1/1/ 4/1/ \\\n3/1/\nf 2/1 3/1 4/1",
+         "f 1//1 3//1 2//1\nf 1 2 4 # none\nf 1 4 3\nf 2//1 3//1 4//1\n" })
+  {
+    vtkSmartPointer<vtkPolyData> mesh;
+    const Status status = readMesh(this->write("n.obj", points + faces), mesh);
+    ASSERT_TRUE(status.ok()) << faces << status.message();
+    EXPECT_EQ(mesh->GetNumberOfPolys(), 4) << faces;
+  }
+}
+
+// VTK's reader has room for 111 characters where there are texture coordinates.
+TEST_F(MeshFile, ObjMaterialsMayHaveLongNames)
+{
+  const std::string a(500, 'a');
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt .25 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  ASSERT_TRUE(
+    readMesh(this->write("m.obj",
+               points + "usemtl " + a + "\nf 1/1 3/1 2/1\nusemtl " + a +
+                 "b\nf 1/1 2/1 4/1\nusemtl c\nf 1/1 4/1 3/1\nusemtl " + a + "\nf 2/1 3/1 4/1\n"),
+      mesh)
+      .ok());
+  EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 1, 2, 0 }));
+  EXPECT_EQ(names(mesh, "MaterialNames"), (std::vector<std::string>{ a, a + "b", "c" }));
+  ASSERT_TRUE(mesh->GetPointData()->GetTCoords());
+  EXPECT_EQ(mesh->GetPointData()->GetTCoords()->GetComponent(0, 0), .25);
+}
+
 TEST_F(MeshFile, RegionsOfObj)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";

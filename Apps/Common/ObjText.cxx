@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ObjText.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+namespace stipple
+{
+namespace
+{
+/// Whether a text ends, from there on, with a face of less than three corners, in OBJ.
+bool isShortFace(const std::string& text, std::size_t from)
+{
+  if (text[from] != 'f')
+  {
+    return false;
+  }
+  int corners = 0;
+  bool isBetween = true;
+  for (std::size_t i = from + 1; i < text.size() && corners < 3; ++i)
+  {
+    const bool isBlank = std::isspace(static_cast<unsigned char>(text[i])) != 0 || text[i] == '\\';
+    corners += isBetween && !isBlank ? 1 : 0;
+    isBetween = isBlank;
+  }
+  return corners < 3;
+}
+
+/// Where the second slash of a corner is, or its end.
+std::size_t endOfTexture(std::string_view corner)
+{
+  const std::size_t first = corner.find('/');
+  return std::min(
+    first == std::string_view::npos ? first : corner.find('/', first + 1), corner.size());
+}
+
+/// Whether the file has normals, and corners of faces that have none.
+bool lacksNormals(const std::string& content)
+{
+  bool hasNormals = false;
+  bool isLacking = false;
+  std::string line;
+  for (ObjLines lines(content); lines.next(line) && !(hasNormals && isLacking);)
+  {
+    std::string_view rest = line;
+    std::string_view word = nextWord(rest);
+    hasNormals = hasNormals || word == "vn";
+    const bool isFace = word == "f";
+    for (word = nextWord(rest); isFace && !word.empty() && word[0] != '#'; word = nextWord(rest))
+    {
+      isLacking = isLacking || endOfTexture(word) + 1 >= word.size();
+    }
+  }
+  return hasNormals && isLacking;
+}
+
+/// Lines of normals go, and the last of the three numbers of a corner.
+std::string withoutNormals(const std::string& content)
+{
+  std::string result;
+  std::string line;
+  for (ObjLines lines(content); lines.next(line);)
+  {
+    std::string_view rest = line;
+    std::string_view word = nextWord(rest);
+    if (word == "f")
+    {
+      result += 'f';
+      for (word = nextWord(rest); !word.empty() && word[0] != '#'; word = nextWord(rest))
+      {
+        result += ' ';
+        result += word.substr(0, endOfTexture(word));
+      }
+    }
+    else if (word != "vn")
+    {
+      result += line;
+    }
+    result += '\n';
+  }
+  return result;
+}
+
+std::string plainCells(const std::string& content)
+{
+  std::string result;
+  result.reserve(content.size());
+  bool isCell = false;
+  bool goesOn = false;   // the cell, in the next line
+  std::size_t start = 0; // of the cell
+  for (std::size_t begin = 0; begin < content.size();)
+  {
+    const std::size_t end = std::min(content.find('\n', begin), content.size());
+    start = goesOn ? start : result.size();
+    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 || goesOn;
+    const auto at = [&content](
+                      std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto last =
+      static_cast<std::size_t>(std::find(at(begin), at(end), '#') - content.begin()); // a comment
+                                                                                      // follows
+    for (std::size_t i = begin; isCell && i < last; ++i)
+    {
+      const std::size_t next = content[i] == '/' ? content.find_first_not_of('/', i) : i;
+      if (next > i &&
+        (next >= last || std::isspace(static_cast<unsigned char>(content[next])) != 0))
+      {
+        i = next - 1;
+      }
+      else
+      {
+        result += content[i];
+      }
+    }
+    if (!isCell)
+    {
+      result.append(content, begin, end - begin);
+    }
+    result.append(content, end, 1);
+    goesOn = isCell && end > 0 && end < content.size() && content[end - 1] == '\\';
+    if (isCell && !goesOn && isShortFace(result, start))
+    {
+      result.resize(start);
+    }
+    begin = end + 1;
+  }
+  return result;
+}
+}
+
+std::string plainObj(const std::string& content)
+{
+  return plainCells(lacksNormals(content) ? withoutNormals(content) : content);
+}
+
+std::string withShortMaterials(const std::string& plain)
+{
+  constexpr std::size_t LongestName = 100;
+  const auto nameOf = [](const std::string& line) {
+    std::string_view rest = line;
+    return std::string(nextWord(rest) == "usemtl" ? rest : std::string_view());
+  };
+  bool isLong = false;
+  std::string line;
+  for (ObjLines lines(plain); !isLong && lines.next(line);)
+  {
+    isLong = nameOf(line).size() > LongestName;
+  }
+  if (!isLong)
+  {
+    return plain;
+  }
+  std::string result;
+  std::map<std::string, std::size_t> known;
+  for (ObjLines lines(plain); lines.next(line);)
+  {
+    const std::string name = nameOf(line);
+    if (name.empty())
+    {
+      result += line;
+    }
+    else
+    {
+      result += "usemtl " + std::to_string(known.try_emplace(name, known.size()).first->second);
+    }
+    result += '\n';
+  }
+  return result;
+}
+}
