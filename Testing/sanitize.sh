@@ -56,7 +56,8 @@ if [ "$fuzz" = ON ] && [ "$seconds" -gt 0 ]; then
   for seeds in Testing/Fuzz/Seeds/*/; do
     name=$(basename "$seeds")
     if [ "$name" = pipeline ]; then
-      hunt "$name" "$PWD/$folder/bin/StippleFuzzPipeline" -timeout=60 -max_len=400 -rss_limit_mb=4000
+      # Some soups ask for seconds of work, and sanitizers take ten times as long.
+      hunt "$name" "$PWD/$folder/bin/StippleFuzzPipeline" -timeout=600 -max_len=400 -rss_limit_mb=4000
     else
       # The offsets of a .vtp are numbers among others: what they ask for is not there, and that is a sentence.
       megabytes=2000
