@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseCholesky.h"
 
-#include "EliminationOrder.h"
-
 #include <Eigen/Cholesky>
+#include <Eigen/OrderingMethods>
 
 #include <algorithm>
 
@@ -101,8 +100,10 @@ Matrix SparseCholesky::permuted(const Matrix& lower) const
 
 bool SparseCholesky::order(const Matrix& lower, const Stop& stop)
 {
-  this->Order = eliminationOrder(lower, stop);
-  if (this->Order.size() != lower.cols())
+  Permutation columns;
+  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), columns);
+  this->Order = columns.inverse();
+  if (isAsked(stop))
   {
     return false;
   }

@@ -16,9 +16,8 @@
 namespace stipple
 {
 /// The multifrontal method (Duff and Reid 1983; Liu 1992) in the order of approximate minimum
-/// degrees, where there are many unknowns after nested dissection. Neighbouring columns with hardly
-/// more than the same rows are eliminated as one dense front; what that leaves of its rows is added
-/// to the front of the first of them.
+/// degrees. Neighbouring columns with hardly more than the same rows are eliminated as one dense
+/// front; what that leaves of its rows is added to the front of the first of them.
 class STIPPLEFILTERSCORE_EXPORT SparseCholesky
 {
 public:
