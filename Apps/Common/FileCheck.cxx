@@ -3,7 +3,6 @@
 #include "FileCheck.h"
 
 #include "ObjText.h"
-
 #include "Text.h"
 #include "TextNumbers.h"
 

@@ -86,6 +86,7 @@ std::string withoutNormals(const std::string& content)
   return result;
 }
 
+/// What plainObj() does to cells, normals apart.
 std::string plainCells(const std::string& content)
 {
   std::string result;

@@ -98,9 +98,9 @@ public:
       this->refineLongestBoundaryInterval();
       return;
     }
-    if (this->isOnLine())
+    if (const Line line = this->line(); this->isAllOn(line))
     {
-      this->refineIntervalOffLine();
+      this->refineIntervalOff(line);
       return;
     }
     for (std::size_t v = 0; v < this->Graph.vertices.size(); ++v)
@@ -196,6 +196,8 @@ private:
         ? (p - this->first).cross(this->along).norm() / this->along.norm()
         : (p - this->first).norm();
     }
+    /// What is farther is off the line.
+    double least() const { return Constants::LeastHeight * this->along.norm(); }
   };
   Line line() const
   {
@@ -214,24 +216,18 @@ private:
 
   /// Whether all that the chart's triangles would join lies on one line in space, as the four ends
   /// of a letter U do: the parameter plane does not tell.
-  bool isOnLine() const
+  bool isAllOn(const Line& line) const
   {
-    if (!this->Domain.chartConstraints[this->Chart].empty())
-    {
-      return false;
-    }
-    const Line line = this->line();
-    return std::all_of(
-      this->Graph.segments.begin(), this->Graph.segments.end(), [&](const ChartGraph::Segment& s) {
-        const double least = Constants::LeastHeight * line.along.norm();
-        return line.distance(this->position(s, 0.)) <= least &&
-          line.distance(this->position(s, 1.)) <= least;
-      });
+    return this->Domain.chartConstraints[this->Chart].empty() &&
+      std::all_of(this->Graph.segments.begin(), this->Graph.segments.end(),
+        [&](const ChartGraph::Segment& s) {
+          return line.distance(this->position(s, 0.)) <= line.least() &&
+            line.distance(this->position(s, 1.)) <= line.least();
+        });
   }
 
-  void refineIntervalOffLine()
+  void refineIntervalOff(const Line& line)
   {
-    const Line line = this->line();
     const ChartGraph::Segment* farthest = nullptr;
     double largest = 0;
     for (const ChartGraph::Segment& s : this->Graph.segments)
@@ -239,7 +235,7 @@ private:
       for (const double share : { 0.25, 0.5, 0.75 })
       {
         const double distance = s.onBoundary ? line.distance(this->position(s, share)) : 0.;
-        if (distance > Constants::LeastHeight * line.along.norm() && distance > largest)
+        if (distance > line.least() && distance > largest)
         {
           farthest = &s;
           largest = distance;
