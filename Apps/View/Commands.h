@@ -38,6 +38,8 @@ public:
   /// Asks which of the input's arrays an option is to name; `points`: see setArray().
   virtual void chooseArray(const std::string& option, int points) = 0;
   virtual void choosePicture() = 0;
+  /// In the status line; `alarm`: it went wrong.
+  virtual void say(const std::string& sentence, bool alarm) = 0;
 };
 }
 

@@ -6,6 +6,7 @@
 
 #include "Canvas.h"
 
+#include <functional>
 #include <string>
 
 namespace stipple
@@ -73,11 +74,25 @@ public:
   virtual bool key(const KeyStroke&) { return false; }
   virtual void blur() {}
 
+  /// Where it says what it does not show.
+  using Tell = std::function<void(const std::string&)>;
+  void setTell(const Tell& tell) { this->OnTell = tell; }
+
 protected:
   virtual bool isHandled() const { return true; }
+  void tell(const std::string& sentence) const
+  {
+    if (this->OnTell)
+    {
+      this->OnTell(sentence);
+    }
+  }
   Rect Box;
   std::string Hint;
   bool Hovered = false;
+
+private:
+  Tell OnTell;
 };
 }
 

@@ -36,7 +36,7 @@ CurveEditor::CurveEditor(Change change)
 
 void CurveEditor::setPoints(const Points& points)
 {
-  this->Curve = points.empty() ? Points{ { 0, 0 }, { 1, 1 } } : points;
+  this->Curve = points.empty() ? straight() : points;
 }
 
 Rect CurveEditor::plot() const

@@ -17,6 +17,8 @@ class CurveEditor : public Control
 {
 public:
   using Points = std::vector<std::array<double, 2>>;
+  /// Importances as they are.
+  static Points straight() { return { { 0, 0 }, { 1, 1 } }; }
   using Change = std::function<void(const Points& points, bool rests)>;
 
   explicit CurveEditor(Change change);
@@ -40,7 +42,7 @@ private:
   int nearest(const Pointer& pointer) const; ///< -1: none is near
 
   Change Changed;
-  Points Curve = { { 0, 0 }, { 1, 1 } };
+  Points Curve = straight();
   double Gamma = 1;
   std::vector<double> Bars;
   int Held = -1;

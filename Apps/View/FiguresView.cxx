@@ -5,6 +5,7 @@
 #include "SceneActors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -20,6 +21,12 @@ std::string printed(const char* format, double value)
   char text[48];
   std::snprintf(text, sizeof(text), format, value);
   return text;
+}
+
+/// 100 only where it is all.
+std::string share(double percent)
+{
+  return printed("%.1f %%", std::floor(10. * percent) / 10.);
 }
 
 /// Bars over a base line; `labels` are (bar, text) below it.
@@ -72,8 +79,7 @@ void FiguresView::paint(Canvas& canvas)
     { "triangles", grouped(q.numberOfTriangles) }, { "quality, mean", printed("%.3f", q.averageQ) },
     { "angle, least", printed("%.1f\u00b0", q.minimumAngle) },
     { "angle, mean least", printed("%.1f\u00b0", q.averageMinimumAngle) },
-    { "valence 6", printed("%.1f %%", q.percentValence6) },
-    { "valence 5 to 7", printed("%.1f %%", q.percentValence567) } };
+    { "valence 6", share(q.percentValence6) }, { "valence 5 to 7", share(q.percentValence567) } };
   if (this->Figures.lostFeatureEdges > 0)
   {
     rows.emplace_back("lost feature edges", grouped(this->Figures.lostFeatureEdges));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 namespace stipple
 {
@@ -107,8 +108,13 @@ void FileChooser::list()
       this->Entries.push_back({ below ? name + "/" : name, i->path(), below });
     }
   }
-  std::sort(this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b) {
-    return a.folder != b.folder ? a.folder : a.text < b.text;
+  // What begins as it is typed comes first: Return takes it.
+  const auto begins = [&filter](const Entry& entry) {
+    return upperCase(entry.text).compare(0, filter.size(), filter) == 0;
+  };
+  std::sort(this->Entries.begin(), this->Entries.end(), [&begins](const Entry& a, const Entry& b) {
+    return std::make_tuple(!begins(a), !a.folder, a.text) <
+      std::make_tuple(!begins(b), !b.folder, b.text);
   });
   if (!error && folder.parent_path() != folder && filter.empty())
   {

@@ -92,9 +92,14 @@ void NumberField::finish(bool accept)
   {
     return;
   }
-  this->commit(this->Limits.automatic && value == 0
-      ? 0
-      : std::clamp(value, this->Limits.low, this->Limits.high));
+  const double within = this->Limits.automatic && value == 0
+    ? 0
+    : std::clamp(value, this->Limits.low, this->Limits.high);
+  this->commit(within);
+  if (within != value)
+  {
+    this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
+  }
 }
 
 bool NumberField::key(const KeyStroke& stroke)

@@ -52,6 +52,10 @@ Panel::Panel(Commands& commands, std::string model, const Choosable& choosable)
   this->addMesh(commands);
   this->addSizes(commands);
   this->addInputs(commands);
+  for (const auto& control : this->Owned)
+  {
+    control->setTell([&commands](const std::string& sentence) { commands.say(sentence, false); });
+  }
 }
 
 void Panel::heading(const std::string& text)

@@ -135,11 +135,15 @@ void Slider::finish(bool accept)
   double value = 0;
   const bool typed = this->Typed.on() && accept && parseNumber(this->Typed.text(), value);
   this->Typed.finish();
-  value = std::clamp(value, this->Limits.low, this->Limits.high);
-  if (typed && value != this->Value)
+  const double within = std::clamp(value, this->Limits.low, this->Limits.high);
+  if (typed && within != this->Value)
   {
-    this->Value = value;
-    this->Changed(value, true);
+    this->Value = within;
+    this->Changed(within, true);
+  }
+  if (typed && within != value)
+  {
+    this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
   }
 }
 

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TypedNumber.h"
 
+#include "SceneActors.h"
+#include "TextNumbers.h"
+
+#include <cmath>
+
 namespace stipple
 {
 namespace
@@ -14,6 +19,18 @@ void TypedNumber::begin(const std::string& text)
   this->On = true;
   this->Fresh = true;
   this->Text = text;
+}
+
+std::string TypedNumber::whyNot(double typed, double low, double high)
+{
+  const auto text = [](double value) {
+    return value == std::floor(value) && std::abs(value) < 1e15
+      ? grouped(static_cast<long long>(value))
+      : shortestText(value);
+  };
+  return typed < low ? text(low) + " is the least here."
+    : typed > high   ? text(high) + " is the most here."
+                     : "";
 }
 
 bool TypedNumber::takes(char letter) const

@@ -35,6 +35,8 @@ public:
   const std::string& text() const { return this->Text; }
   /// Takes all keys, so that none does anything else meanwhile.
   End key(const KeyStroke& stroke);
+  /// Why a number that was typed is not what is taken; empty if it is.
+  static std::string whyNot(double typed, double low, double high);
 
 private:
   bool takes(char letter) const;

@@ -91,7 +91,12 @@ Viewer::Viewer(
     }
   })
   , Curve([this](const CurveEditor::Points& points, bool rests) {
-    this->edit([&points](Session& s) { s.setRows("transfer", points); }, rests);
+    this->edit(
+      [&points](Session& s) {
+        // The straight line is no curve: what was added and removed again is no work to be saved.
+        points == CurveEditor::straight() ? s.reset("transfer") : s.setRows("transfer", points);
+      },
+      rests);
   })
   , MeshAt(Clock::now())
   , Sampler(CurveBars)
@@ -107,6 +112,7 @@ Viewer::Viewer(
                         "Lost feature edges of the input are violet in the views.");
   this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
+  this->Window.setTitle(std::filesystem::path(document.session.text("model")).filename().string());
   this->connect();
   this->showSession();
 }

@@ -108,6 +108,7 @@ public:
   void saveFigures() override;
   void chooseArray(const std::string& option, int points) override;
   void choosePicture() override;
+  void say(const std::string& sentence, bool alarm = false) override;
 
   // PointerHandler
   bool press(const Pointer& pointer) override;
@@ -139,7 +140,6 @@ private:
   /// What is done now, as everything in the window says it.
   [[nodiscard]] Activity activity();
   void showActivity();
-  void say(const std::string& sentence, bool alarm = false);
 
   /// Says whether it could be written.
   bool writeSessionFile();

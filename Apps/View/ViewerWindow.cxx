@@ -51,6 +51,11 @@ ViewerWindow::ViewerWindow(int width, int height)
 
 ViewerWindow::~ViewerWindow() = default;
 
+void ViewerWindow::setTitle(const std::string& name)
+{
+  this->Window->SetWindowName((name.empty() ? "stipple" : name + " - stipple").c_str());
+}
+
 vtkRenderer* ViewerWindow::renderer(Part part)
 {
   int index = 0;

@@ -47,6 +47,8 @@ public:
   /// What paints over a view, or all of another part.
   void addPainter(Part part, const vtkControlItem::Painter& painter);
   void showOverlay(bool on);
+  /// What the window is called, beside the program's name.
+  void setTitle(const std::string& name);
   /// Nothing is shown any more; the window stays.
   void clear();
 

@@ -126,6 +126,12 @@ class LiveWindow:
         X11.XGetWMNormalHints(self.display, ctypes.c_ulong(self.window()), ctypes.byref(hints), ctypes.byref(supplied))
         return hints.min_width, hints.min_height
 
+    def title(self):
+        """What window managers write over the window."""
+        name = ctypes.c_char_p()
+        X11.XFetchName(self.display, ctypes.c_ulong(self.window()), ctypes.byref(name))
+        return name.value.decode()
+
     def ended(self, limit=120.0):
         """Waits for the program's end; its exit status."""
         return self.program.wait(limit)

@@ -164,8 +164,6 @@ class Interaction(ViewTest):
     def test_curve_points_are_taken_away(self):
         self.assertEqual(len(json.loads(self.play("curve"))["transfer"]), 3)
         after = json.loads(self.play("curve", "uncurve"))
-        self.assertEqual(len(after["transfer"]) % 2, 0, "the two ends, or none")
-        after["transfer"] = []
         self.assertEqual(after, self.untouched())
 
     def test_erasing_brush(self):

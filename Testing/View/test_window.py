@@ -426,6 +426,7 @@ class Sizes(ViewTest):
             window.move(5, 5)
             window.settle()
             self.assertEqual(window.least_size(), (640, 480))
+            self.assertEqual(window.title(), "fandisk.off - stipple")
             for size in ((640, 480), (500, 1100), (1900, 500), (480, 360)):
                 with self.subTest(size=size):
                     window.resize(*size)

@@ -52,6 +52,7 @@ class Files(ViewTest):
         self.assertEqual(list(self.work.glob("*.json")), [])
 
     def test_files_are_opened_by_keys(self):
+        (self.work / "apart").mkdir()  # has what is typed in it, but does not begin with it
         self.play("o", *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
