@@ -142,6 +142,18 @@ vtkSmartPointer<vtkPolyData> append(const std::vector<vtkSmartPointer<vtkPolyDat
   return append->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> withBlockId(vtkPolyData* data, int id)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->ShallowCopy(data);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(BlockIds);
+  ids->SetNumberOfValues(part->GetNumberOfCells());
+  ids->FillValue(id);
+  part->GetCellData()->AddArray(ids);
+  return part;
+}
+
 /// The child of a tree's node that is a node itself; made if there is none.
 vtkMultiBlockDataSet* nodeBelow(vtkMultiBlockDataSet* node, unsigned int index)
 {
@@ -208,25 +220,35 @@ vtkSmartPointer<vtkPolyData> mergeBlocks(const std::vector<Block>& blocks)
   std::vector<vtkSmartPointer<vtkPolyData>> full;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    if (isEmpty(blocks[i].data))
+    if (!isEmpty(blocks[i].data))
     {
-      continue;
+      full.push_back(
+        blocks.size() > 1 ? withBlockId(blocks[i].data, static_cast<int>(i)) : blocks[i].data);
     }
-    vtkNew<vtkPolyData> part;
-    part->ShallowCopy(blocks[i].data);
-    if (blocks.size() > 1)
-    {
-      vtkNew<vtkIntArray> ids;
-      ids->SetName(BlockIds);
-      ids->SetNumberOfValues(part->GetNumberOfCells());
-      ids->FillValue(static_cast<int>(i));
-      part->GetCellData()->AddArray(ids);
-    }
-    full.emplace_back(part.Get());
   }
   return full.empty()  ? vtkSmartPointer<vtkPolyData>::New()
     : full.size() == 1 ? full.front()
                        : append(full);
+}
+
+void numberPieces(const std::vector<Block>& blocks, std::vector<BlockPiece>& pieces)
+{
+  if (blocks.size() < 2)
+  {
+    return;
+  }
+  std::map<std::vector<int>, int> numbers;
+  for (const Block& block : blocks)
+  {
+    numbers.emplace(block.path.indices, static_cast<int>(numbers.size()));
+  }
+  for (BlockPiece& piece : pieces)
+  {
+    if (!isEmpty(piece.data))
+    {
+      piece.data = withBlockId(piece.data, numbers.at(piece.path.indices));
+    }
+  }
 }
 
 void fillTree(const std::vector<Block>& blocks, vtkDataObject* tree)

@@ -76,6 +76,9 @@ std::vector<Block> joinBlocks(const std::vector<BlockPiece>& pieces, int port);
 /// All blocks as one. Where there are several, the cell array "BlockId" (int) counts them.
 vtkSmartPointer<vtkPolyData> mergeBlocks(const std::vector<Block>& blocks);
 
+/// The same array for pieces that are not joined: all ranks' blocks count.
+void numberPieces(const std::vector<Block>& blocks, std::vector<BlockPiece>& pieces);
+
 /// Fills a vtkMultiBlockDataSet or a vtkPartitionedDataSetCollection.
 void fillTree(const std::vector<Block>& blocks, vtkDataObject* tree);
 }

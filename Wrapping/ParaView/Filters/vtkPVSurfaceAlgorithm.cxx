@@ -66,6 +66,7 @@ struct vtkPVSurfaceAlgorithm::Internals
   std::vector<unsigned long long> Version;          ///< of the inputs that are at hand
   std::vector<stipple::Block> Surfaces;             ///< on rank 0
   std::vector<vtkSmartPointer<vtkPolyData>> Others; ///< a further port's data, or null; on rank 0
+  vtkSmartPointer<vtkPartitionedDataSet> Pieces;    ///< of a filter that takes them, on all ranks
 
   vtkPVSurfaceAlgorithm* Self = nullptr;
   vtkNew<vtkCallbackCommand> Observer;
@@ -117,6 +118,8 @@ struct vtkPVSurfaceAlgorithm::Internals
     return std::string(info->Get(vtkDataObject::DATA_TYPE_NAME())) == type;
   }
 
+  bool takesPieces() const { return this->Kinds[0] == InputKind::Pieces; }
+
   /// Reads what comes by port 0 and the further ports, on all ranks.
   std::string read(vtkInformationVector** input, bool merge)
   {
@@ -147,13 +150,38 @@ struct vtkPVSurfaceAlgorithm::Internals
     {
       return sentence;
     }
-    if (changed)
+    if (this->takesPieces())
+    {
+      this->keep(pieces, ranks);
+    }
+    else if (changed)
     {
       ranks.gather(pieces);
       this->join(pieces, merge);
     }
     this->Version = version;
     return "";
+  }
+
+  void keep(std::vector<stipple::BlockPiece>& pieces, const stipple::RankExchange& ranks)
+  {
+    std::vector<stipple::BlockPiece> places = pieces;
+    for (stipple::BlockPiece& place : places)
+    {
+      place.data = nullptr;
+    }
+    ranks.gather(places);
+    std::vector<stipple::Block> blocks = stipple::joinBlocks(places, 0);
+    ranks.share(blocks);
+    stipple::numberPieces(blocks, pieces);
+    this->Pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
+    for (const stipple::BlockPiece& piece : pieces)
+    {
+      if (piece.data)
+      {
+        this->Pieces->SetPartition(this->Pieces->GetNumberOfPartitions(), piece.data);
+      }
+    }
   }
 
   void join(const std::vector<stipple::BlockPiece>& pieces, bool merge)
@@ -223,7 +251,7 @@ struct vtkPVSurfaceAlgorithm::Internals
   }
 
   /// Runs the filter on a surface. The results are the caller's.
-  std::string run(vtkPolyData* surface, std::vector<vtkSmartPointer<vtkDataObject>>& results)
+  std::string run(vtkDataObject* surface, std::vector<vtkSmartPointer<vtkDataObject>>& results)
   {
     this->Sentence.clear();
     this->Filter->SetAbortExecute(0);
@@ -391,7 +419,12 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   const bool readable = sentence.empty();
   std::vector<std::vector<stipple::Block>> blocks(ports); // of ports with surfaces
   std::vector<vtkSmartPointer<vtkDataObject>> whole(ports);
-  if (readable && ranks.isRoot())
+  if (readable && d.takesPieces())
+  {
+    sentence = d.prepare(input);
+    sentence = sentence.empty() ? d.run(d.Pieces, whole) : sentence;
+  }
+  else if (readable && ranks.isRoot())
   {
     sentence = d.prepare(input);
     for (std::size_t i = 0; i < d.Surfaces.size() && sentence.empty(); ++i)
@@ -439,10 +472,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   }
   if (readable) // otherwise all ranks know it already
   {
-    std::vector<std::string> words{ sentence, d.Stopped ? "stopped" : "" };
-    ranks.share(words);
-    sentence = words[0];
-    d.Stopped = !words[1].empty();
+    ranks.agree(d.Stopped, sentence);
   }
   if (!sentence.empty())
   {
