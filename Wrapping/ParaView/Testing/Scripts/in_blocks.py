@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) Stipple developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""in_blocks.py MODEL.vtp: remeshes block by block, on all ranks; says numbers over all ranks, topologies and digests."""
+import hashlib
+import sys
+
+import numpy as np
+from common import count, fetch, say, spread, topology, values
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def gathered(mesh):
+    """The mesh of all ranks on rank 0: points of one global id are one."""
+    quality = simple.SurfaceQuality(Input=mesh)
+    quality.UpdatePipeline()
+    return fetch(quality)
+
+
+def digest(mesh):
+    """The same for the same points and triangles, whatever their order. Only the first rank has it."""
+    data = gathered(mesh)
+    if data.GetNumberOfPoints() == 0:
+        return ""
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    order = np.lexsort(points.T)
+    triangles = np.argsort(order)[triangles]
+    first = triangles.argmin(axis=1)[:, None]
+    triangles = np.take_along_axis(triangles, (first + np.arange(3)) % 3, axis=1)
+    triangles = triangles[np.lexsort(triangles.T)]
+    return hashlib.sha256(points[order].tobytes() + triangles.tobytes()).hexdigest()
+
+
+def remeshed(input_, **properties):
+    remesher = simple.GeometryRemesherInBlocks(Input=input_, TrianglesPerBlock=3000, **properties)
+    remesher.UpdatePipeline()
+    return remesher
+
+
+def figures(mesh):
+    return [gathered(mesh).GetNumberOfPoints(), topology(mesh), digest(mesh)]
+
+
+said = {}
+# A reader has all of it on rank 0, so that other ranks are empty.
+model = simple.XMLPolyDataReader(FileName=[sys.argv[1]])
+one = remeshed(model, NumberOfPoints=3000)
+said["model"] = figures(one)
+said["class"] = one.GetDataInformation().GetCompositeDataClassName()
+said["of ranks"] = count(one)
+said["of the first rank"] = fetch(one).GetNumberOfPoints()
+said["blocks"] = sorted(set(values(fetch(one, 1).GetCellData().GetArray("BlockIds"))))
+one.NumberOfPoints = 2500
+one.UpdatePipeline()
+said["fewer"] = gathered(one).GetNumberOfPoints()
+
+# Parts on the ranks, with global ids: the same surface for any number of ranks, and so with ghost cells.
+settings = {"NumberOfPoints": 3000, "Importance": "array", "ImportanceArray": "Height", "RegionArray": "Label"}
+for ghosts in (False, True):
+    parts = remeshed(spread(sys.argv[1], ghosts, True), **settings)
+    said["ghosts" if ghosts else "spread"] = figures(parts)
+labels = gathered(parts).GetCellData().GetArray("Label")
+said["labels"] = sorted(set(values(labels)))
+
+# Blocks, of parts that meet at equal places.
+part = spread(sys.argv[1])
+other = simple.Transform(Input=part)
+other.Transform.Translate = [5, 0, 0]
+group = simple.GroupDatasets(Input=[part, other], BlockNames=["near", "far"])
+both = remeshed(group, NumberOfPoints=5000)
+said["group"] = [gathered(both).GetNumberOfPoints(), topology(both)]
+said["group ids"] = sorted(set(values(gathered(both).GetCellData().GetArray("BlockId"))))
+
+nothing = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script="")
+empty = remeshed(nothing, NumberOfPoints=100)
+said["empty"] = [count(empty), count(empty, 1)]
+say(said)
