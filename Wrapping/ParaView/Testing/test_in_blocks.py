@@ -33,7 +33,9 @@ class InBlocks(unittest.TestCase):
     def test_each_rank_has_its_part(self):
         for ranks, said in self.said.items():
             self.assertEqual(said["class"], "vtkPartitionedDataSet")
-            self.assertGreaterEqual(len(said["blocks"]), 5)
+            self.assertEqual(said["blocks"], 5)
+            self.assertGreater(said["borders"][0], 5)
+            self.assertTrue(said["borders"][1])
             self.assertGreater(said["of ranks"], 3000)  # copies on the borders
             if ranks > 1:
                 self.assertLess(said["of the first rank"], 0.8 * said["of ranks"])

@@ -50,7 +50,8 @@ said["model"] = figures(one)
 said["class"] = one.GetDataInformation().GetCompositeDataClassName()
 said["of ranks"] = count(one)
 said["of the first rank"] = fetch(one).GetNumberOfPoints()
-said["blocks"] = sorted(set(values(fetch(one, 1).GetCellData().GetArray("BlockIds"))))
+said["blocks"] = one.GetDataInformation().GetNumberOfDataSets()
+said["borders"] = [fetch(one, 1).GetNumberOfLines(), fetch(one, 1).GetCellData().HasArray("BlockIds")]
 one.NumberOfPoints = 2500
 one.UpdatePipeline()
 said["fewer"] = gathered(one).GetNumberOfPoints()
