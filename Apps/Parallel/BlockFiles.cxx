@@ -180,7 +180,7 @@ std::string pieceName(const std::string& file, unsigned int block)
   return stem + "_" + std::to_string(block) + ".vtp";
 }
 
-Status writePieces(vtkPartitionedDataSet* blocks, const std::string& file,
+Status writePieces(vtkPartitionedDataSet* blocks, const std::string& file, int ghostLevels,
   const RankMessages& ranks, OutputFiles& files)
 {
   const fs::path target = fs::path(file).parent_path() / fs::path(file).stem();
@@ -240,7 +240,8 @@ Status writePieces(vtkPartitionedDataSet* blocks, const std::string& file,
     // The arrays, as any piece has them: told by the first block, which the first rank has.
     auto* first = vtkPolyData::SafeDownCast(blocks->GetPartitionAsDataObject(written.front()));
     index << "<VTKFile type=\"PPolyData\" version=\"0.1\" byte_order=\"LittleEndian\" "
-             "header_type=\"UInt32\">\n  <PPolyData GhostLevel=\"0\">\n";
+             "header_type=\"UInt32\">\n  <PPolyData GhostLevel=\""
+          << ghostLevels << "\">\n";
     const auto tell = [&](const char* name, vtkDataSetAttributes* data, const char* active) {
       index << "    <" << name << active << ">\n";
       for (int a = 0; first && a < data->GetNumberOfArrays(); ++a)
@@ -280,6 +281,12 @@ const std::vector<std::string>& pieceFileExtensions()
   return extensions;
 }
 
+bool isPieceFile(const std::string& file)
+{
+  const auto& kinds = pieceFileExtensions();
+  return std::find(kinds.begin(), kinds.end(), fileExtension(file)) != kinds.end();
+}
+
 Status findPieces(
   const std::string& file, const RankMessages& ranks, std::vector<std::string>& pieces)
 {
@@ -289,8 +296,7 @@ Status findPieces(
   if (ranks.rank() == 0)
   {
     std::vector<std::string> found;
-    const auto& kinds = pieceFileExtensions();
-    if (std::find(kinds.begin(), kinds.end(), fileExtension(file)) != kinds.end())
+    if (isPieceFile(file))
     {
       status = readPieceNames(file, found);
     }
@@ -326,12 +332,10 @@ SurfacePieces shareOfPieces(const std::vector<std::string>& pieces, const RankMe
   return result;
 }
 
-Status writeBlockFiles(vtkPartitionedDataSet* blocks, const std::string& file,
+Status writeBlockFiles(vtkPartitionedDataSet* blocks, const std::string& file, int ghostLevels,
   const RankMessages& ranks, OutputFiles& files)
 {
-  const auto& kinds = pieceFileExtensions();
-  return std::find(kinds.begin(), kinds.end(), fileExtension(file)) != kinds.end()
-    ? writePieces(blocks, file, ranks, files)
-    : writeJoined(blocks, file, ranks, files);
+  return isPieceFile(file) ? writePieces(blocks, file, ghostLevels, ranks, files)
+                           : writeJoined(blocks, file, ranks, files);
 }
 }

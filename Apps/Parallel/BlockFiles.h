@@ -17,6 +17,7 @@ namespace stipple
 {
 /// What a program reads, and writes in pieces: ".pvtp", ".vtpd".
 [[nodiscard]] const std::vector<std::string>& pieceFileExtensions();
+[[nodiscard]] bool isPieceFile(const std::string& file);
 
 /// The files of a surface: those that a .pvtp or .vtpd names, or the file itself. All ranks call
 /// it, and the first looks.
@@ -29,9 +30,10 @@ namespace stipple
 
 /// Writes what all ranks have: pieces of their own and, by the first rank, the file that names
 /// them, for .pvtp and .vtpd; and for a mesh file all in one, by the first rank, points in the
-/// order of their global ids. Nothing is in place before files are committed.
+/// order of their global ids. Pieces may have so many rings of ghost cells, a mesh in one none.
+/// Nothing is in place before files are committed.
 [[nodiscard]] Status writeBlockFiles(vtkPartitionedDataSet* blocks, const std::string& file,
-  const RankMessages& ranks, OutputFiles& files);
+  int ghostLevels, const RankMessages& ranks, OutputFiles& files);
 }
 
 #endif

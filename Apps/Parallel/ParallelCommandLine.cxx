@@ -45,6 +45,12 @@ std::vector<Option> options()
   memory.initial = 0.;
   memory.automatic = "no limit, and no such files";
   result.push_back(memory);
+  Option ghosts = programOption(Group::General, Kind::Integer, "ghost_levels", "L",
+    "rings of other pieces' triangles that each piece of .pvtp and .vtpd gets as ghost cells");
+  ghosts.low = 0;
+  ghosts.high = 100;
+  ghosts.initial = 0.;
+  result.push_back(ghosts);
   result.push_back(
     programOption(Group::General, Kind::Flag, "verbose", "", "blocks and seconds, on stderr"));
   result.push_back(programOption(Group::General, Kind::Flag, "version", "", "the version"));
@@ -66,6 +72,11 @@ Arguments parseParallelCommandLine(const std::vector<std::string>& arguments)
   if (!o.has("output"))
   {
     line.problem = "no output file; say -o FILE";
+  }
+  else if (o.has("ghost_levels") && o.integer("ghost_levels") > 0 && !isPieceFile(o.text("output")))
+  {
+    line.problem =
+      "--ghost-levels is for outputs in pieces: " + listed(pieceFileExtensions(), " and ");
   }
   else if (o.has("importance_array") && !o.has("importance"))
   {

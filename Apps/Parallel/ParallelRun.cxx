@@ -3,6 +3,7 @@
 #include "ParallelRun.h"
 
 #include "BlockFiles.h"
+#include "BlockGhosts.h"
 #include "BlockwiseRemesher.h"
 #include "MeshFile.h"
 #include "Program.h"
@@ -118,7 +119,9 @@ Status runParallel(const OptionValues& o, const RankMessages& ranks)
   if (status.ok() && result.blocks > 0)
   {
     OutputFiles files;
-    status = ranks.agree(writeBlockFiles(mesh, o.text("output"), ranks, files));
+    const int ghostLevels = o.has("ghost_levels") ? o.integer("ghost_levels") : 0;
+    addGhostCells(ghostLevels, ranks, mesh);
+    status = ranks.agree(writeBlockFiles(mesh, o.text("output"), ghostLevels, ranks, files));
     // Pieces first: who sees the file that names them finds them.
     for (int turn = ranks.size() - 1; turn >= 0 && status.ok(); --turn)
     {

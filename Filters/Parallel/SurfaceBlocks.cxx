@@ -3,6 +3,7 @@
 #include "SurfaceBlocks.h"
 
 #include "BlockCuts.h"
+#include "BlockGhosts.h"
 #include "BlockStorage.h"
 #include "PolyDataConversion.h"
 
@@ -244,6 +245,7 @@ private:
     {
       return status;
     }
+    piece.data = withoutGhosts(piece.data);
     return readPolyData(piece.data, piece.surface, &piece.sourceCell);
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPGeometryRemesher.h"
 
+#include "BlockGhosts.h"
 #include "BlockwiseRemesher.h"
 #include "FilterExecution.h"
 
@@ -20,6 +21,8 @@
 #include <exception>
 #include <new>
 #include <vector>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkPGeometryRemesher);
 vtkCxxSetObjectMacro(vtkPGeometryRemesher, Controller, vtkMultiProcessController);
@@ -81,10 +84,20 @@ int vtkPGeometryRemesher::RequestDataObject(
   return 1;
 }
 
+int vtkPGeometryRemesher::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // Otherwise ranks but the first would not be asked, nor any for ghost cells.
+  for (int port = 0; port < 2; ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
 int vtkPGeometryRemesher::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   const bool isAlone = !this->Controller;
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), isAlone ? 0 : this->Controller->GetLocalProcessId());
@@ -137,6 +150,17 @@ int vtkPGeometryRemesher::RequestData(
       return this->AbortExecute == 0;
     },
     output, result);
+  if (status.ok())
+  {
+    vtkInformation* asked = outputVector->GetInformationObject(0);
+    const int levels = asked->Has(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
+      ? asked->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
+      : 0;
+    std::vector<double> least = { -static_cast<double>(
+      std::max(levels, this->MinimumNumberOfGhostLevels)) };
+    ranks.minimum(least); // the same for all, whatever each was asked for
+    stipple::addGhostCells(static_cast<int>(-least[0]), ranks, output);
+  }
   this->NumberOfBlocks = result.blocks;
   this->NumberOfBorderPoints = result.borderPoints;
   this->LeastNumberOfPoints = result.least;
@@ -167,6 +191,7 @@ void vtkPGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "TrianglesPerBlock: " << this->TrianglesPerBlock << "\n";
   os << indent << "HealingRings: " << this->HealingRings << "\n";
+  os << indent << "MinimumNumberOfGhostLevels: " << this->MinimumNumberOfGhostLevels << "\n";
   os << indent << "NumberOfBlocks: " << this->NumberOfBlocks << "\n";
   os << indent << "NumberOfBorderPoints: " << this->NumberOfBorderPoints << "\n";
   os << indent << "LeastNumberOfPoints: " << this->LeastNumberOfPoints << "\n";

@@ -20,9 +20,11 @@
  * several partitions may have. Point arrays: those of the input, float and double ones
  * interpolated, others those of the nearest of the triangle's points; and `SourceCellId`, the cell
  * of the input below, of which those of all pieces are counted in a row. Cell arrays: those of the
- * input at the cell below. Output port 1, on the first rank: the borders of the blocks that the
- * surface was cut into, a vtkPolyData of polylines from sample to sample with the cell array
- * `BlockIds` (two blocks each).
+ * input at the cell below. Where ghost cells are asked for, triangles of other partitions come
+ * behind a partition's own, and arrays `vtkGhostType` of points and cells tell what is there twice:
+ * each triangle, and each point, is no ghost in one partition. Output port 1, on the first rank:
+ * the borders of the blocks that the surface was cut into, a vtkPolyData of polylines from sample
+ * to sample with the cell array `BlockIds` (two blocks each).
  *
  * Of GetRemesher() count: the importances UNIFORM and ARRAY with Gamma, FeatureAngle,
  * RegionArrayName and MinimumFeatureLength of its atlas, and the parameters of its optimiser.
@@ -84,6 +86,14 @@ public:
   vtkGetMacro(HealingRings, int);
   ///@}
 
+  ///@{
+  /// Rings of other partitions' triangles that each partition of the mesh gets as ghost cells, 0 to
+  /// 100; what the pipeline asks for counts where it is more (of one piece it asks for none). The
+  /// default is 0.
+  vtkSetClampMacro(MinimumNumberOfGhostLevels, int, 0, 100);
+  vtkGetMacro(MinimumNumberOfGhostLevels, int);
+  ///@}
+
   /// What remeshes the blocks, for its parameters; its NumberOfPoints and input do not count.
   vtkGeometryRemesher* GetRemesher();
 
@@ -122,6 +132,7 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -133,6 +144,7 @@ private:
   int NumberOfPoints = 0;
   vtkIdType TrianglesPerBlock = 300000;
   int HealingRings = 6;
+  int MinimumNumberOfGhostLevels = 0;
   vtkGeometryRemesher* Remesher;
   int NumberOfBlocks = 0;
   int NumberOfBorderPoints = 0;

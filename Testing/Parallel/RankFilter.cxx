@@ -9,6 +9,7 @@
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkMPIController.h"
 #include "vtkNew.h"
 #include "vtkPGeometryRemesher.h"
@@ -16,8 +17,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -125,6 +131,89 @@ int main(int argc, char* argv[])
     test::check(ranks > 4 || blocks > 0, "each rank has a block");
     auto* borders = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1));
     test::check((borders->GetNumberOfLines() > 0) == (rank == 0), "the first rank has the borders");
+
+    // With ghost cells each partition has all triangles at its own points.
+    if (ranks > 1)
+    {
+      remesher->UpdatePiece(rank, ranks, 1); // as a filter behind it asks for neighbours
+    }
+    else // the pipeline asks for none, as it has all there is
+    {
+      remesher->SetMinimumNumberOfGhostLevels(1);
+      remesher->Update();
+    }
+    mesh = vtkPartitionedDataSet::SafeDownCast(remesher->GetOutputDataObject(0));
+    std::vector<int> trianglesAt(Points, 0); // without ghosts
+    std::vector<int> isOwned(Points, 0);     // by how many partitions
+    const auto visit = [&](bool withGhosts, const auto& seen) {
+      for (unsigned int b = 0; b < mesh->GetNumberOfPartitions(); ++b)
+      {
+        auto* block = vtkPolyData::SafeDownCast(mesh->GetPartitionAsDataObject(b));
+        for (vtkIdType t = 0; block && t < block->GetNumberOfPolys(); ++t)
+        {
+          if (withGhosts || block->GetCellGhostArray()->GetValue(t) == 0)
+          {
+            seen(block, t);
+          }
+        }
+      }
+    };
+    const auto idsOf = [](vtkPolyData* block, vtkIdType t) {
+      vtkNew<vtkIdList> corners;
+      block->GetPolys()->GetCellAtId(t, corners);
+      std::array<int, 3> ids = {};
+      for (int k = 0; k < 3; ++k)
+      {
+        ids[k] = static_cast<int>(
+          block->GetPointData()->GetGlobalIds()->GetComponent(corners->GetId(k), 0));
+      }
+      return ids;
+    };
+    visit(false, [&](vtkPolyData* block, vtkIdType t) {
+      for (const int id : idsOf(block, t))
+      {
+        ++trianglesAt[id];
+      }
+    });
+    std::vector<std::map<int, int>> trianglesHere; // by partition and id
+    const vtkPolyData* last = nullptr;
+    std::vector<std::set<int>> own;
+    visit(true, [&](vtkPolyData* block, vtkIdType t) {
+      if (block != last)
+      {
+        last = block;
+        trianglesHere.emplace_back();
+        own.emplace_back();
+        vtkDataArray* ids = block->GetPointData()->GetGlobalIds();
+        for (vtkIdType p = 0; p < block->GetNumberOfPoints(); ++p)
+        {
+          isOwned[static_cast<int>(ids->GetComponent(p, 0))] +=
+            block->GetPointGhostArray()->GetValue(p) == 0 ? 1 : 0;
+        }
+      }
+      for (const int id : idsOf(block, t))
+      {
+        ++trianglesHere.back()[id];
+        if (block->GetCellGhostArray()->GetValue(t) == 0)
+        {
+          own.back().insert(id);
+        }
+      }
+    });
+    std::vector<int> sum(Points, 0);
+    controller->AllReduce(trianglesAt.data(), sum.data(), Points, vtkCommunicator::SUM_OP);
+    for (std::size_t b = 0; b < own.size(); ++b)
+    {
+      for (const int id : own[b])
+      {
+        test::check(trianglesHere[b][id] == sum[id],
+          "point " + std::to_string(id) + " has " + std::to_string(trianglesHere[b][id]) +
+            " triangles of " + std::to_string(sum[id]));
+      }
+    }
+    controller->AllReduce(isOwned.data(), sum.data(), Points, vtkCommunicator::SUM_OP);
+    test::check(
+      std::count(sum.begin(), sum.end(), 1) == Points, "each point is no ghost in one partition");
 
     // One rank's piece is broken: all ranks hear it, and have nothing.
     if (rank == parts - 1)

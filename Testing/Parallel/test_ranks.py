@@ -169,6 +169,35 @@ class Ranks(unittest.TestCase):
         points, triangles = read_ply(self.folder / "again.ply")
         self.assertEqual((len(points), len(triangles)), (700, 1400))
 
+    def test_ghost_cells_are_written_and_left_out_of_a_surface(self):
+        write_pieces(self.folder, 3)
+        options = ["--points", 2000, "--triangles-per-block", 2000]
+        for name, ranks, ghosts in (("none", 1, []), ("one", 1, ["--ghost-levels", 1]), ("two", 2, ["--ghost-levels", 1])):
+            (self.folder / name).mkdir()
+            status, said, _ = run(
+                ranks, self.folder / "torus.pvtp", "-o", self.folder / name / "mesh.pvtp", *options, *ghosts
+            )
+            self.assertEqual((status, said), (0, []))
+        pieces = {
+            name: {path.name: path.read_bytes() for path in (self.folder / name).rglob("*") if path.is_file()}
+            for name in ("none", "one", "two")
+        }
+        self.assertEqual(pieces["one"], pieces["two"])
+        self.assertEqual(pieces["one"].keys(), pieces["none"].keys())
+        self.assertIn(b'GhostLevel="1"', pieces["one"]["mesh.pvtp"])
+        self.assertEqual(pieces["one"]["mesh.pvtp"].count(b'Name="vtkGhostType"'), 2)
+        again = []
+        for name in ("none", "one"):
+            out = self.folder / f"again-{name}.ply"
+            status, said, _ = run(2, self.folder / name / "mesh.pvtp", "-o", out, "--points", 700)
+            self.assertEqual((status, said), (0, []))
+            again.append(out.read_bytes())
+        self.assertEqual(again[0], again[1])
+        status, said, _ = run(
+            1, self.folder / "torus.pvtp", "-o", self.folder / "mesh.ply", *options, "--ghost-levels", 1
+        )
+        self.assertEqual((status, len(said)), (2, 1))
+
     def test_more_ranks_than_pieces_and_blocks(self):
         write_pieces(self.folder, 1)
         status, said, _ = run(4, self.folder / "torus.vtpd", "-o", self.folder / "mesh.ply", "--points", 600)
