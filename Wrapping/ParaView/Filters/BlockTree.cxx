@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockTree.h"
 
+#include "BlockGhosts.h"
 #include "PieceBorders.h"
 
 #include "vtkAppendPolyData.h"
@@ -100,16 +101,13 @@ private:
     vtkNew<vtkPolyData> piece;
     if (auto* surface = vtkPolyData::SafeDownCast(data))
     {
-      piece->ShallowCopy(surface);
-      if (piece->HasAnyGhostCells())
-      {
-        piece->RemoveGhostCells();
-      }
+      piece->ShallowCopy(withoutGhosts(surface));
     }
     else if (auto* points = vtkPointSet::SafeDownCast(data); points && this->Kind == Taken::Points)
     {
       piece->SetPoints(points->GetPoints());
       piece->GetPointData()->ShallowCopy(points->GetPointData());
+      piece->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     }
     else
     {
@@ -118,9 +116,6 @@ private:
         (this->Kind == Taken::Points ? ", not a set of points."
                                      : ", not a surface: apply Extract Surface to it first."));
     }
-    // Where ranks meet is of no concern to what comes out.
-    piece->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-    piece->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     this->add(piece.Get(), path);
     return Status::success();
   }

@@ -12,6 +12,21 @@
 
 vtkStandardNewMacro(vtkPVGeometryRemesherInBlocks);
 
+namespace
+{
+/// Sets a parameter of the filter. The filter's time is not this one's: runs modify it, too.
+template <typename Setter>
+void change(vtkAlgorithm* self, vtkAlgorithm* filter, Setter setter)
+{
+  const vtkMTimeType before = filter->GetMTime();
+  setter(vtkPGeometryRemesher::SafeDownCast(filter));
+  if (filter->GetMTime() != before)
+  {
+    self->Modified();
+  }
+}
+}
+
 vtkPVGeometryRemesherInBlocks::vtkPVGeometryRemesherInBlocks()
 {
   const vtkNew<vtkPGeometryRemesher> remesher;
@@ -27,27 +42,20 @@ stipple::Status vtkPVGeometryRemesherInBlocks::TakeInputs(
   return stipple::Status::success();
 }
 
-// The filter's own time does not count: it is modified by each run.
 void vtkPVGeometryRemesherInBlocks::SetTrianglesPerBlock(vtkIdType triangles)
 {
-  auto* remesher = vtkPGeometryRemesher::SafeDownCast(this->GetFilter());
-  const vtkIdType before = remesher->GetTrianglesPerBlock();
-  remesher->SetTrianglesPerBlock(triangles);
-  if (remesher->GetTrianglesPerBlock() != before)
-  {
-    this->Modified();
-  }
+  change(this, this->GetFilter(), [=](auto* filter) { filter->SetTrianglesPerBlock(triangles); });
 }
 
 void vtkPVGeometryRemesherInBlocks::SetHealingRings(int rings)
 {
-  auto* remesher = vtkPGeometryRemesher::SafeDownCast(this->GetFilter());
-  const int before = remesher->GetHealingRings();
-  remesher->SetHealingRings(rings);
-  if (remesher->GetHealingRings() != before)
-  {
-    this->Modified();
-  }
+  change(this, this->GetFilter(), [=](auto* filter) { filter->SetHealingRings(rings); });
+}
+
+void vtkPVGeometryRemesherInBlocks::SetMinimumNumberOfGhostLevels(int levels)
+{
+  change(
+    this, this->GetFilter(), [=](auto* filter) { filter->SetMinimumNumberOfGhostLevels(levels); });
 }
 
 void vtkPVGeometryRemesherInBlocks::PrintSelf(ostream& os, vtkIndent indent)

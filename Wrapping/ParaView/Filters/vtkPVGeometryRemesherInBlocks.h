@@ -26,9 +26,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// See vtkPGeometryRemesher. The defaults are 300000 and 6.
+  /// See vtkPGeometryRemesher. The defaults are 300000, 6 and 0.
   void SetTrianglesPerBlock(vtkIdType triangles);
   void SetHealingRings(int rings);
+  void SetMinimumNumberOfGhostLevels(int levels);
   ///@}
 
 protected:

@@ -14,6 +14,7 @@
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -250,13 +251,24 @@ struct vtkPVSurfaceAlgorithm::Internals
     this->Self->Modified();
   }
 
-  /// Runs the filter on a surface. The results are the caller's.
-  std::string run(vtkDataObject* surface, std::vector<vtkSmartPointer<vtkDataObject>>& results)
+  /// Runs the filter on a surface, asked for what the first output is. The results are the
+  /// caller's.
+  std::string run(vtkDataObject* surface, vtkInformation* asked,
+    std::vector<vtkSmartPointer<vtkDataObject>>& results)
   {
     this->Sentence.clear();
     this->Filter->SetAbortExecute(0);
     this->Filter->SetInputDataObject(0, surface);
-    const bool updated = this->Filter->GetExecutive()->Update() != 0;
+    const vtkNew<vtkInformation> request;
+    if (this->takesPieces())
+    {
+      for (vtkInformationIntegerKey* key : { Pipeline::UPDATE_PIECE_NUMBER(),
+             Pipeline::UPDATE_NUMBER_OF_PIECES(), Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS() })
+      {
+        request->CopyEntry(asked, key);
+      }
+    }
+    const bool updated = this->Filter->Update(request) != 0;
     if (this->Filter->GetAbortExecute() || this->Self->GetAbortExecute())
     {
       this->Stopped = true;
@@ -409,6 +421,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   Internals& d = *this->Data;
   d.Stopped = false;
   const stipple::RankExchange ranks;
+  vtkInformation* asked = output->GetInformationObject(0);
   const int ports = this->GetNumberOfOutputPorts();
   for (int port = 0; port < ports; ++port)
   {
@@ -422,7 +435,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   if (readable && d.takesPieces())
   {
     sentence = d.prepare(input);
-    sentence = sentence.empty() ? d.run(d.Pieces, whole) : sentence;
+    sentence = sentence.empty() ? d.run(d.Pieces, asked, whole) : sentence;
   }
   else if (readable && ranks.isRoot())
   {
@@ -441,7 +454,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
         }
         continue;
       }
-      sentence = d.run(surface.data, results);
+      sentence = d.run(surface.data, asked, results);
       if (!sentence.empty())
       {
         sentence = tree ? "In " + stipple::nameOf(surface.path) + ": " + sentence : sentence;

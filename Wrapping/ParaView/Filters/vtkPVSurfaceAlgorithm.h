@@ -17,7 +17,8 @@
  * made of that table.
  * - With several ranks, all pieces of all inputs go to rank 0, which runs the filter. The other
  * ranks have empty outputs of the same structure. But a filter that takes pieces is run by all
- * ranks, each with its own ones in a vtkPartitionedDataSet.
+ * ranks, each with its own ones in a vtkPartitionedDataSet, and asked for ghost cells as output
+ * port 0 is.
  * - A failure on any rank ends all: outputs are empty, and rank 0 says one sentence. RequestData()
  * answers 1 then, so that ParaView neither repeats the run with every frame nor says more. So it is
  * with a run that was stopped by SetAbortExecute(1), but for the sentence, which is a warning.

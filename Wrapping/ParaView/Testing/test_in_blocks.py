@@ -40,6 +40,16 @@ class InBlocks(unittest.TestCase):
             if ranks > 1:
                 self.assertLess(said["of the first rank"], 0.8 * said["of ranks"])
 
+    def test_ghost_cells(self):
+        none, one = 2 * 3000 - 4, self.said[1]["one level"][0]
+        self.assertGreater(one, none)
+        for ranks, said in self.said.items():
+            self.assertEqual(said["one level"], [one, True])
+            # Of one piece VTK asks for no ghost cells, and of several ParaView asks for one level by itself.
+            self.assertEqual(said["triangles"], none if ranks == 1 else one)
+            if ranks > 1:
+                self.assertGreater(said["two levels"], one)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -98,7 +98,7 @@ class Table(unittest.TestCase):
         properties = self.properties(xml(), "GeometryRemesherInBlocks")
         self.assertEqual(
             set(properties),
-            {"Input", "TrianglesPerBlock", "HealingRings", "points", "importance", "importance_array", "gamma",
+            {"Input", "TrianglesPerBlock", "HealingRings", "MinimumNumberOfGhostLevels", "points", "importance", "importance_array", "gamma",
              "feature_angle", "minimum_feature_length", "region_array", "connectivity", "smoothing", "iterations"},
         )
         entries = [(e.get("text"), e.get("value")) for e in properties["importance"].iter("Entry")]

@@ -17,6 +17,11 @@ def count(proxy, port=0):
     return proxy.SMProxy.GetOutputPort(port).GetDataInformation().GetNumberOfPoints()
 
 
+def cells(proxy, port=0):
+    """The same of cells."""
+    return proxy.SMProxy.GetOutputPort(port).GetDataInformation().GetNumberOfCells()
+
+
 def figures(mesh, reference=None):
     """What Surface Quality says, by name."""
     quality = simple.SurfaceQuality(Input=mesh, **({"Reference": reference} if reference else {}))

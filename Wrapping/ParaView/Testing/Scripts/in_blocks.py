@@ -5,7 +5,7 @@ import hashlib
 import sys
 
 import numpy as np
-from common import count, fetch, say, spread, topology, values
+from common import cells, count, fetch, say, spread, topology, values
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -52,6 +52,23 @@ said["of ranks"] = count(one)
 said["of the first rank"] = fetch(one).GetNumberOfPoints()
 said["blocks"] = one.GetDataInformation().GetNumberOfDataSets()
 said["borders"] = [fetch(one, 1).GetNumberOfLines(), fetch(one, 1).GetCellData().HasArray("BlockIds")]
+
+# Ghost cells, as the property says, and as a filter behind asks for them.
+said["triangles"] = cells(one)
+asking = simple.ProgrammableFilter(
+    Input=one,
+    Script="self.GetOutputDataObject(0).ShallowCopy(self.GetInputDataObject(0, 0))",
+    RequestUpdateExtentScript="""
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+self.GetInputInformation(0, 0).Set(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 2)
+""",
+)
+asking.UpdatePipeline()
+said["two levels"] = cells(asking)
+one.MinimumNumberOfGhostLevels = 1
+one.UpdatePipeline()
+said["one level"] = [cells(one), figures(one) == said["model"]]
+
 one.NumberOfPoints = 2500
 one.UpdatePipeline()
 said["fewer"] = gathered(one).GetNumberOfPoints()
