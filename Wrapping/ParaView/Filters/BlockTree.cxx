@@ -242,6 +242,7 @@ void numberPieces(const std::vector<Block>& blocks, std::vector<BlockPiece>& pie
     if (!isEmpty(piece.data))
     {
       piece.data = withBlockId(piece.data, numbers.at(piece.path.indices));
+      piece.data->GetPointData()->SetGlobalIds(nullptr); // each block may count from 0
     }
   }
 }

@@ -30,6 +30,13 @@ def figures(mesh, reference=None):
     return {table.GetColumnName(i): table.GetValue(0, i).ToDouble() for i in range(table.GetNumberOfColumns())}
 
 
+def gathered(mesh):
+    """The mesh of all ranks on rank 0: points of one global id are one."""
+    quality = simple.SurfaceQuality(Input=mesh)
+    quality.UpdatePipeline()
+    return fetch(quality)
+
+
 SPREAD = """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy

@@ -5,16 +5,9 @@ import hashlib
 import sys
 
 import numpy as np
-from common import cells, count, fetch, say, spread, topology, values
+from common import cells, count, fetch, gathered, say, spread, topology, values
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-
-
-def gathered(mesh):
-    """The mesh of all ranks on rank 0: points of one global id are one."""
-    quality = simple.SurfaceQuality(Input=mesh)
-    quality.UpdatePipeline()
-    return fetch(quality)
 
 
 def digest(mesh):
@@ -81,8 +74,8 @@ for ghosts in (False, True):
 labels = gathered(parts).GetCellData().GetArray("Label")
 said["labels"] = sorted(set(values(labels)))
 
-# Blocks, of parts that meet at equal places.
-part = spread(sys.argv[1])
+# Blocks, each with global ids of its own.
+part = spread(sys.argv[1], ids=True)
 other = simple.Transform(Input=part)
 other.Transform.Translate = [5, 0, 0]
 group = simple.GroupDatasets(Input=[part, other], BlockNames=["near", "far"])
