@@ -164,6 +164,7 @@ struct vtkPVSurfaceAlgorithm::Internals
     return "";
   }
 
+  /// This rank's pieces as they are, but that their blocks are counted, over all ranks.
   void keep(std::vector<stipple::BlockPiece>& pieces, const stipple::RankExchange& ranks)
   {
     std::vector<stipple::BlockPiece> places = pieces;

@@ -11,7 +11,8 @@ for remesher, ports in (
     (simple.GeometryRemesherInBlocks(Input=sphere, NumberOfPoints=5000, TrianglesPerBlock=20000), 2),
 ):
     vtk = remesher.GetClientSideObject()
-    tag = vtk.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(int(0.2 < caller.GetProgress() < 1)))
+    stop = lambda caller, _: caller.SetAbortExecute(int(0.2 < caller.GetProgress() < 1))
+    tag = vtk.AddObserver("ProgressEvent", stop)
     remesher.UpdatePipeline()
     stopped = [count(remesher, port) for port in range(ports)]
     vtk.RemoveObserver(tag)
