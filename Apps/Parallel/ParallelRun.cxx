@@ -120,8 +120,11 @@ Status runParallel(const OptionValues& o, const RankMessages& ranks)
   {
     OutputFiles files;
     const int ghostLevels = o.has("ghost_levels") ? o.integer("ghost_levels") : 0;
-    addGhostCells(ghostLevels, ranks, mesh);
-    status = ranks.agree(writeBlockFiles(mesh, o.text("output"), ghostLevels, ranks, files));
+    status = addGhostCells(ghostLevels, ranks, mesh);
+    if (status.ok())
+    {
+      status = ranks.agree(writeBlockFiles(mesh, o.text("output"), ghostLevels, ranks, files));
+    }
     // Pieces first: who sees the file that names them finds them.
     for (int turn = ranks.size() - 1; turn >= 0 && status.ok(); --turn)
     {

@@ -424,12 +424,16 @@ private:
 };
 }
 
-void addGhostCells(int levels, const RankMessages& ranks, vtkPartitionedDataSet* blocks)
+Status addGhostCells(int levels, const RankMessages& ranks, vtkPartitionedDataSet* blocks)
 {
-  if (levels > 0)
+  if (levels <= 0)
   {
-    GhostExchange(ranks, blocks).add(levels);
+    return Status::success();
   }
+  return ranks.agree(guarded([&] {
+    GhostExchange(ranks, blocks).add(levels);
+    return Status::success();
+  }));
 }
 
 vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* data)

@@ -19,7 +19,7 @@ namespace stipple
 /// there twice: each triangle and each point is no ghost in one partition, a point in the first of
 /// those with a triangle of their own at it. All ranks call it, with the same number; none adds
 /// no arrays either.
-STIPPLEFILTERSPARALLEL_EXPORT void addGhostCells(
+[[nodiscard]] STIPPLEFILTERSPARALLEL_EXPORT Status addGhostCells(
   int levels, const RankMessages& ranks, vtkPartitionedDataSet* blocks);
 
 /// The same data, or a copy without ghost cells and arrays that tell of them.

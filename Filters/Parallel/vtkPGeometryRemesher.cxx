@@ -143,7 +143,7 @@ int vtkPGeometryRemesher::RequestData(
   stipple::BlockwiseResult result;
   vtkPartitionedDataSet* output = vtkPartitionedDataSet::GetData(outputVector);
   // On this thread: MPI may know no other.
-  const stipple::Status status = stipple::remeshBlockwise(
+  stipple::Status status = stipple::remeshBlockwise(
     surface, options, this->Remesher, ranks,
     [this](double fraction) {
       this->UpdateProgress(fraction);
@@ -159,7 +159,7 @@ int vtkPGeometryRemesher::RequestData(
     std::vector<double> least = { -static_cast<double>(
       std::max(levels, this->MinimumNumberOfGhostLevels)) };
     ranks.minimum(least); // the same for all, whatever each was asked for
-    stipple::addGhostCells(static_cast<int>(-least[0]), ranks, output);
+    status = stipple::addGhostCells(static_cast<int>(-least[0]), ranks, output);
   }
   this->NumberOfBlocks = result.blocks;
   this->NumberOfBorderPoints = result.borderPoints;

@@ -169,7 +169,7 @@ TEST(BlockGhosts, areTheRingsAboutAPartition)
       all.insert(part.own.begin(), part.own.end());
     }
     ASSERT_EQ(all.size(), surface.triangles.size());
-    addGhostCells(levels, RankMessages(nullptr), blocks);
+    ASSERT_TRUE(addGhostCells(levels, RankMessages(nullptr), blocks).ok());
     EXPECT_EQ(partition(blocks, 4), nullptr);
     std::map<vtkIdType, int> isOwned;
     for (unsigned int b = 0; b < 4; ++b)
@@ -206,7 +206,7 @@ TEST(BlockGhosts, areTheRingsAboutAPartition)
 TEST(BlockGhosts, noneLeavePartitionsAsTheyAre)
 {
   const auto blocks = dealt(shapes::sphere(0.9, 2), 5, slab);
-  addGhostCells(0, RankMessages(nullptr), blocks);
+  ASSERT_TRUE(addGhostCells(0, RankMessages(nullptr), blocks).ok());
   EXPECT_EQ(partition(blocks, 0)->GetPointGhostArray(), nullptr);
   EXPECT_EQ(partition(blocks, 0)->GetCellGhostArray(), nullptr);
 }
@@ -215,7 +215,7 @@ TEST(BlockGhosts, areLeftOutOfASurface)
 {
   const auto blocks = dealt(shapes::sphere(0.9, 3), 4, slab);
   const auto before = dealt(shapes::sphere(0.9, 3), 4, slab);
-  addGhostCells(2, RankMessages(nullptr), blocks);
+  ASSERT_TRUE(addGhostCells(2, RankMessages(nullptr), blocks).ok());
   for (unsigned int b = 0; b < 4; ++b)
   {
     const vtkSmartPointer<vtkPolyData> own = withoutGhosts(partition(blocks, b));
