@@ -3,6 +3,7 @@
 #include "ParallelCommandLine.h"
 
 #include "BlockFiles.h"
+#include "BlockOptions.h"
 #include "BlockwiseRemesher.h"
 #include "MeshFile.h"
 
@@ -14,11 +15,6 @@ namespace
 {
 using Kind = Option::Kind;
 using Group = Option::Group;
-
-/// Those of the table that blocks obey.
-constexpr const char* Shared[] = { "points", "importance", "importance_array", "gamma",
-  "feature_angle", "minimum_feature_length", "region_array", "connectivity", "smoothing",
-  "iterations", "threads" };
 
 /// Of what is read and written.
 std::vector<std::string> fileEndings()
@@ -33,23 +29,8 @@ std::vector<Option> options()
   std::vector<Option> result;
   result.push_back(programOption(Group::Files, Kind::File, "output", "FILE",
     "the mesh to write: .pvtp and .vtpd in pieces, the others in one", fileEndings()));
-  for (const char* name : Shared)
-  {
-    if (const Option* option = findOption(name))
-    {
-      result.push_back(*option);
-      if (option->name == "importance")
-      {
-        result.back().choices = { "uniform", "array" };
-        result.back().help = "what attracts samples: nothing, or an array";
-      }
-      if (option->name == "points")
-      {
-        result.back().high = 2147483647.;
-        result.back().automatic = "half as many as the input has triangles";
-      }
-    }
-  }
+  const std::vector<Option> shared = blockOptions();
+  result.insert(result.end(), shared.begin(), shared.end());
   Option triangles = programOption(Group::General, Kind::Integer, "triangles_per_block", "T",
     "the most triangles of the input that a block has");
   triangles.low = 100;

@@ -89,15 +89,6 @@ void appendTuple(vtkDataSetAttributes* from, vtkIdType i, vtkDataSetAttributes* 
   }
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> ghostArray(vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetName(vtkDataSetAttributes::GhostArrayName());
-  array->SetNumberOfTuples(tuples);
-  array->FillValue(0);
-  return array;
-}
-
 /// One of this rank's partitions.
 class Part
 {
@@ -210,7 +201,8 @@ public:
   /// Says what is a ghost.
   void mark()
   {
-    const auto points = ghostArray(this->Data->GetNumberOfPoints());
+    // Arrays of the data set's own: VTK 9.1 must be told of others, and later ones need not.
+    vtkUnsignedCharArray* points = this->Data->AllocatePointGhostArray();
     for (vtkIdType p = 0; p < points->GetNumberOfTuples(); ++p)
     {
       if (p >= this->NumberOfOwnPoints || this->IsElsewhere[static_cast<std::size_t>(p)] != 0)
@@ -218,15 +210,11 @@ public:
         points->SetValue(p, vtkDataSetAttributes::DUPLICATEPOINT);
       }
     }
-    const auto triangles = ghostArray(this->Data->GetNumberOfPolys());
+    vtkUnsignedCharArray* triangles = this->Data->AllocateCellGhostArray();
     for (vtkIdType t = this->NumberOfOwnTriangles; t < triangles->GetNumberOfTuples(); ++t)
     {
       triangles->SetValue(t, vtkDataSetAttributes::DUPLICATECELL);
     }
-    this->Data->GetPointData()->AddArray(points);
-    this->Data->GetCellData()->AddArray(triangles);
-    this->Data->UpdatePointGhostArrayCache();
-    this->Data->UpdateCellGhostArrayCache();
     this->Data->Modified();
   }
 

@@ -3,6 +3,7 @@
 // Cuts, borders and shares of blocks, alone.
 #include "BlockBorders.h"
 #include "BlockCuts.h"
+#include "BlockOptions.h"
 #include "BlockwiseRemesher.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,22 @@ std::vector<OpenEdge> straightBorder(int n)
   }
   return edges;
 }
+}
+
+TEST(BlockOptions, areRowsOfTheTableWithTheChoicesOfBlocks)
+{
+  const std::vector<Option> options = blockOptions();
+  EXPECT_EQ(options.size(), 11U);
+  for (const Option& option : options)
+  {
+    const Option* row = findOption(option.name);
+    ASSERT_NE(row, nullptr);
+    for (const std::string& choice : option.choices)
+    {
+      EXPECT_EQ(std::count(row->choices.begin(), row->choices.end(), choice), 1) << choice;
+    }
+    EXPECT_EQ(option.choices.size(), option.name == "importance" ? 2U : row->choices.size());
+  }
 }
 
 TEST(BlockCuts, blocksHaveTheSameNumberOfTrianglesAndAreBoxes)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockTree.h"
 
+#include "BlockGhosts.h"
 #include "PieceBorders.h"
 
 #include "vtkAppendPolyData.h"
@@ -100,16 +101,13 @@ private:
     vtkNew<vtkPolyData> piece;
     if (auto* surface = vtkPolyData::SafeDownCast(data))
     {
-      piece->ShallowCopy(surface);
-      if (piece->HasAnyGhostCells())
-      {
-        piece->RemoveGhostCells();
-      }
+      piece->ShallowCopy(withoutGhosts(surface));
     }
     else if (auto* points = vtkPointSet::SafeDownCast(data); points && this->Kind == Taken::Points)
     {
       piece->SetPoints(points->GetPoints());
       piece->GetPointData()->ShallowCopy(points->GetPointData());
+      piece->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     }
     else
     {
@@ -118,9 +116,6 @@ private:
         (this->Kind == Taken::Points ? ", not a set of points."
                                      : ", not a surface: apply Extract Surface to it first."));
     }
-    // Where ranks meet is of no concern to what comes out.
-    piece->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-    piece->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     this->add(piece.Get(), path);
     return Status::success();
   }
@@ -140,6 +135,18 @@ vtkSmartPointer<vtkPolyData> append(const std::vector<vtkSmartPointer<vtkPolyDat
   }
   append->Update();
   return append->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> withBlockId(vtkPolyData* data, int id)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->ShallowCopy(data);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(BlockIds);
+  ids->SetNumberOfValues(part->GetNumberOfCells());
+  ids->FillValue(id);
+  part->GetCellData()->AddArray(ids);
+  return part;
 }
 
 /// The child of a tree's node that is a node itself; made if there is none.
@@ -208,25 +215,36 @@ vtkSmartPointer<vtkPolyData> mergeBlocks(const std::vector<Block>& blocks)
   std::vector<vtkSmartPointer<vtkPolyData>> full;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    if (isEmpty(blocks[i].data))
+    if (!isEmpty(blocks[i].data))
     {
-      continue;
+      full.push_back(
+        blocks.size() > 1 ? withBlockId(blocks[i].data, static_cast<int>(i)) : blocks[i].data);
     }
-    vtkNew<vtkPolyData> part;
-    part->ShallowCopy(blocks[i].data);
-    if (blocks.size() > 1)
-    {
-      vtkNew<vtkIntArray> ids;
-      ids->SetName(BlockIds);
-      ids->SetNumberOfValues(part->GetNumberOfCells());
-      ids->FillValue(static_cast<int>(i));
-      part->GetCellData()->AddArray(ids);
-    }
-    full.emplace_back(part.Get());
   }
   return full.empty()  ? vtkSmartPointer<vtkPolyData>::New()
     : full.size() == 1 ? full.front()
                        : append(full);
+}
+
+void numberPieces(const std::vector<Block>& blocks, std::vector<BlockPiece>& pieces)
+{
+  if (blocks.size() < 2)
+  {
+    return;
+  }
+  std::map<std::vector<int>, int> numbers;
+  for (const Block& block : blocks)
+  {
+    numbers.emplace(block.path.indices, static_cast<int>(numbers.size()));
+  }
+  for (BlockPiece& piece : pieces)
+  {
+    if (!isEmpty(piece.data))
+    {
+      piece.data = withBlockId(piece.data, numbers.at(piece.path.indices));
+      piece.data->GetPointData()->SetGlobalIds(nullptr); // each block may count from 0
+    }
+  }
 }
 
 void fillTree(const std::vector<Block>& blocks, vtkDataObject* tree)

@@ -76,6 +76,10 @@ std::vector<Block> joinBlocks(const std::vector<BlockPiece>& pieces, int port);
 /// All blocks as one. Where there are several, the cell array "BlockId" (int) counts them.
 vtkSmartPointer<vtkPolyData> mergeBlocks(const std::vector<Block>& blocks);
 
+/// The same array for pieces that are not joined: all ranks' blocks count. Where there are several,
+/// pieces lose their global ids, which blocks may share.
+void numberPieces(const std::vector<Block>& blocks, std::vector<BlockPiece>& pieces);
+
 /// Fills a vtkMultiBlockDataSet or a vtkPartitionedDataSetCollection.
 void fillTree(const std::vector<Block>& blocks, vtkDataObject* tree);
 }

@@ -14,6 +14,7 @@
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -66,6 +67,7 @@ struct vtkPVSurfaceAlgorithm::Internals
   std::vector<unsigned long long> Version;          ///< of the inputs that are at hand
   std::vector<stipple::Block> Surfaces;             ///< on rank 0
   std::vector<vtkSmartPointer<vtkPolyData>> Others; ///< a further port's data, or null; on rank 0
+  vtkSmartPointer<vtkPartitionedDataSet> Pieces;    ///< of a filter that takes them, on all ranks
 
   vtkPVSurfaceAlgorithm* Self = nullptr;
   vtkNew<vtkCallbackCommand> Observer;
@@ -117,6 +119,8 @@ struct vtkPVSurfaceAlgorithm::Internals
     return std::string(info->Get(vtkDataObject::DATA_TYPE_NAME())) == type;
   }
 
+  bool takesPieces() const { return this->Kinds[0] == InputKind::Pieces; }
+
   /// Reads what comes by port 0 and the further ports, on all ranks.
   std::string read(vtkInformationVector** input, bool merge)
   {
@@ -147,13 +151,39 @@ struct vtkPVSurfaceAlgorithm::Internals
     {
       return sentence;
     }
-    if (changed)
+    if (this->takesPieces())
+    {
+      this->keep(pieces, ranks);
+    }
+    else if (changed)
     {
       ranks.gather(pieces);
       this->join(pieces, merge);
     }
     this->Version = version;
     return "";
+  }
+
+  /// This rank's pieces as they are, but that their blocks are counted, over all ranks.
+  void keep(std::vector<stipple::BlockPiece>& pieces, const stipple::RankExchange& ranks)
+  {
+    std::vector<stipple::BlockPiece> places = pieces;
+    for (stipple::BlockPiece& place : places)
+    {
+      place.data = nullptr;
+    }
+    ranks.gather(places);
+    std::vector<stipple::Block> blocks = stipple::joinBlocks(places, 0);
+    ranks.share(blocks);
+    stipple::numberPieces(blocks, pieces);
+    this->Pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
+    for (const stipple::BlockPiece& piece : pieces)
+    {
+      if (piece.data)
+      {
+        this->Pieces->SetPartition(this->Pieces->GetNumberOfPartitions(), piece.data);
+      }
+    }
   }
 
   void join(const std::vector<stipple::BlockPiece>& pieces, bool merge)
@@ -222,13 +252,24 @@ struct vtkPVSurfaceAlgorithm::Internals
     this->Self->Modified();
   }
 
-  /// Runs the filter on a surface. The results are the caller's.
-  std::string run(vtkPolyData* surface, std::vector<vtkSmartPointer<vtkDataObject>>& results)
+  /// Runs the filter on a surface, asked for what the first output is. The results are the
+  /// caller's.
+  std::string run(vtkDataObject* surface, vtkInformation* asked,
+    std::vector<vtkSmartPointer<vtkDataObject>>& results)
   {
     this->Sentence.clear();
     this->Filter->SetAbortExecute(0);
     this->Filter->SetInputDataObject(0, surface);
-    const bool updated = this->Filter->GetExecutive()->Update() != 0;
+    const vtkNew<vtkInformation> request;
+    if (this->takesPieces())
+    {
+      for (vtkInformationIntegerKey* key : { Pipeline::UPDATE_PIECE_NUMBER(),
+             Pipeline::UPDATE_NUMBER_OF_PIECES(), Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS() })
+      {
+        request->CopyEntry(asked, key);
+      }
+    }
+    const bool updated = this->Filter->Update(request) != 0;
     if (this->Filter->GetAbortExecute() || this->Self->GetAbortExecute())
     {
       this->Stopped = true;
@@ -381,6 +422,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   Internals& d = *this->Data;
   d.Stopped = false;
   const stipple::RankExchange ranks;
+  vtkInformation* asked = output->GetInformationObject(0);
   const int ports = this->GetNumberOfOutputPorts();
   for (int port = 0; port < ports; ++port)
   {
@@ -391,7 +433,12 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   const bool readable = sentence.empty();
   std::vector<std::vector<stipple::Block>> blocks(ports); // of ports with surfaces
   std::vector<vtkSmartPointer<vtkDataObject>> whole(ports);
-  if (readable && ranks.isRoot())
+  if (readable && d.takesPieces())
+  {
+    sentence = d.prepare(input);
+    sentence = sentence.empty() ? d.run(d.Pieces, asked, whole) : sentence;
+  }
+  else if (readable && ranks.isRoot())
   {
     sentence = d.prepare(input);
     for (std::size_t i = 0; i < d.Surfaces.size() && sentence.empty(); ++i)
@@ -408,7 +455,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
         }
         continue;
       }
-      sentence = d.run(surface.data, results);
+      sentence = d.run(surface.data, asked, results);
       if (!sentence.empty())
       {
         sentence = tree ? "In " + stipple::nameOf(surface.path) + ": " + sentence : sentence;
@@ -439,10 +486,7 @@ void vtkPVSurfaceAlgorithm::RequestData(vtkInformationVector** input, vtkInforma
   }
   if (readable) // otherwise all ranks know it already
   {
-    std::vector<std::string> words{ sentence, d.Stopped ? "stopped" : "" };
-    ranks.share(words);
-    sentence = words[0];
-    d.Stopped = !words[1].empty();
+    ranks.agree(d.Stopped, sentence);
   }
   if (!sentence.empty())
   {

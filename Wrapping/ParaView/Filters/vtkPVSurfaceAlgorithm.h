@@ -16,7 +16,9 @@
  * - Options are set by their names in stipple::optionTable(), so that ParaView's properties can be
  * made of that table.
  * - With several ranks, all pieces of all inputs go to rank 0, which runs the filter. The other
- * ranks have empty outputs of the same structure.
+ * ranks have empty outputs of the same structure. But a filter that takes pieces is run by all
+ * ranks, each with its own ones in a vtkPartitionedDataSet, and asked for ghost cells as output
+ * port 0 is.
  * - A failure on any rank ends all: outputs are empty, and rank 0 says one sentence. RequestData()
  * answers 1 then, so that ParaView neither repeats the run with every frame nor says more. So it is
  * with a run that was stopped by SetAbortExecute(1), but for the sentence, which is a warning.
@@ -28,7 +30,7 @@
  * @warning The gathered surface must fit into the memory of rank 0. Its points and cells are those
  * of the ranks in their order, and ids in options and provenance arrays count them.
  *
- * @sa vtkPVGeometryRemesher vtkPVConformalAtlas vtkPVSurfaceQuality
+ * @sa vtkPVGeometryRemesher vtkPVGeometryRemesherInBlocks vtkPVConformalAtlas vtkPVSurfaceQuality
  */
 #ifndef vtkPVSurfaceAlgorithm_h
 #define vtkPVSurfaceAlgorithm_h
@@ -94,6 +96,7 @@ protected:
   enum class InputKind
   {
     Surface,
+    Pieces, ///< a surface that each rank has its pieces of; it is the only port then
     Curves, ///< vtkPolyData, plain or in blocks, which are merged
     Points, ///< vtkPointSet, plain or in blocks, which are merged
     Image   ///< vtkImageData
@@ -103,8 +106,9 @@ protected:
 
   vtkAlgorithm* GetFilter() const;
 
-  /// Hands over what came by the further ports, before the filter runs on rank 0: options that
-  /// `values` may add to, and data. A port's data are null if it has none.
+  /// Hands over what came by the further ports, before the filter runs on rank 0, or on all ranks
+  /// if it takes pieces: options that `values` may add to, and data. A port's data are null if it
+  /// has none.
   virtual stipple::Status TakeInputs(
     const std::vector<vtkDataObject*>& data, stipple::OptionValues& values);
 

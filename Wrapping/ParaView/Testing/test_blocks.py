@@ -57,9 +57,10 @@ class Blocks(unittest.TestCase):
 class Stop(unittest.TestCase):
     def test_a_stopped_run_is_empty_and_the_next_is_not(self):
         said = run("stop.py")
-        self.assertEqual(said.result, [[0] * 7, 4000])
-        self.assertEqual(len(said.warnings), 1, said.warnings)
-        self.assertIn("The run was stopped: the output is empty.", said.warnings[0])
+        self.assertEqual(said.result, [[[0] * 7, 4000], [[0] * 2, 4000]])
+        self.assertEqual(len(said.warnings), 2, said.warnings)
+        for warning in said.warnings:
+            self.assertIn("The run was stopped: the output is empty.", warning)
 
 
 if __name__ == "__main__":

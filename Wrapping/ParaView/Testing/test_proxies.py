@@ -13,7 +13,7 @@ from paraview_program import run
 
 XML_PROGRAM = os.environ["STIPPLE_XML_PROGRAM"]
 TEMPLATE = os.environ["STIPPLE_XML_TEMPLATE"]
-NAMES = """GeometryRemesher ConformalAtlas GeometryMapRenderer ControlMap ErrorDiffusionSampler CDTRemesh RemeshOptimizer
+NAMES = """GeometryRemesher GeometryRemesherInBlocks ConformalAtlas GeometryMapRenderer ControlMap ErrorDiffusionSampler CDTRemesh RemeshOptimizer
     QuadRemesh SemiRegularSubdivision SurfaceQuality""".split()
 
 
@@ -64,7 +64,7 @@ class Proxies(unittest.TestCase):
                 option = "".join("_" + c.lower() if c.isupper() else c for c in prop)[1:]
                 row = options.get(prop) or table().get(option)
                 wanted = " ".join(f"{v:.15g}" if not isinstance(v, str) else v for v in value)
-                if row and name in ("GeometryRemesher", "ConformalAtlas"):
+                if row and name in ("GeometryRemesher", "GeometryRemesherInBlocks", "ConformalAtlas"):
                     if row["kind"] == "choice":
                         wanted = row["choices"].split("|")[value[0]]
                     line = f"{row['name']}: {wanted}"
@@ -93,6 +93,17 @@ class Table(unittest.TestCase):
             self.assertTrue(text.lower().startswith(row["help"].lower()), name)
             if row["unit"]:
                 self.assertIn(row["unit"], text, name)
+
+    def test_blocks_have_what_they_obey(self):
+        properties = self.properties(xml(), "GeometryRemesherInBlocks")
+        self.assertEqual(
+            set(properties),
+            {"Input", "TrianglesPerBlock", "HealingRings", "MinimumNumberOfGhostLevels", "points", "importance", "importance_array", "gamma",
+             "feature_angle", "minimum_feature_length", "region_array", "connectivity", "smoothing", "iterations"},
+        )
+        entries = [(e.get("text"), e.get("value")) for e in properties["importance"].iter("Entry")]
+        self.assertEqual(entries, [("uniform", "0"), ("array", "8")])
+        self.assertIn("half as many as the input has triangles", properties["points"].find("Documentation").text)
 
     def test_first_things_first(self):
         source = xml().find(".//SourceProxy[@name='GeometryRemesher']")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ServerManagerXml.h"
 
+#include "BlockOptions.h"
 #include "OptionTable.h"
 #include "TextNumbers.h"
 
@@ -87,6 +88,13 @@ std::string documentationOf(const Option& option)
   return text + ". (" + option.flag() + ")";
 }
 
+/// A choice's index in the table, which may have more of them than the proxy.
+std::string indexOf(const Option& option, const std::string& choice)
+{
+  const std::vector<std::string>& words = findOption(option.name)->choices;
+  return std::to_string(std::find(words.begin(), words.end(), choice) - words.begin());
+}
+
 void addDomain(const Option& option, vtkXMLDataElement* place, vtkXMLDataElement* property)
 {
   using Kind = Option::Kind;
@@ -99,8 +107,8 @@ void addDomain(const Option& option, vtkXMLDataElement* place, vtkXMLDataElement
     Element domain = element("EnumerationDomain", { { "name", "enum" } });
     for (std::size_t i = 0; i < option.choices.size(); ++i)
     {
-      domain->AddNestedElement(
-        element("Entry", { { "text", option.choices[i] }, { "value", std::to_string(i) } }));
+      domain->AddNestedElement(element("Entry",
+        { { "text", option.choices[i] }, { "value", indexOf(option, option.choices[i]) } }));
     }
     property->AddNestedElement(domain);
   }
@@ -208,10 +216,7 @@ Element propertyFor(const Option& option, vtkXMLDataElement* place, bool byName)
       }
       else if (option.kind == Kind::Choice)
       {
-        const auto& words = option.choices;
-        initial = std::to_string(
-          std::find(words.begin(), words.end(), std::get<std::string>(option.initial)) -
-          words.begin());
+        initial = indexOf(option, std::get<std::string>(option.initial));
       }
       property->SetAttribute("number_of_elements", option.oneRow ? columns.c_str() : "1");
       property->SetAttribute(
@@ -242,6 +247,7 @@ class ProxyMaker
 {
 public:
   bool ByName = true;
+  std::vector<Option> Table;       ///< what the proxy may have
   std::set<std::string> Mentioned; ///< options that the proxy has by name, or has not
 
   Status remember(vtkXMLDataElement* of)
@@ -253,7 +259,7 @@ public:
       const std::string name = attribute(child, kind == "Without" ? "option" : "name");
       if (kind == "Option" || kind == "Without")
       {
-        const Option* option = findOption(name);
+        const Option* option = this->find(name);
         if (!option || !isOffered(*option))
         {
           return Status::error("the template names an option '" + name + "' that there is not");
@@ -278,7 +284,7 @@ public:
       const std::string kind = child->GetName();
       if (kind == "Option")
       {
-        all.push_back(propertyFor(*findOption(attribute(child, "name")), child, this->ByName));
+        all.push_back(propertyFor(*this->find(attribute(child, "name")), child, this->ByName));
       }
       else if (kind == "Rest" || kind == "Stage")
       {
@@ -297,9 +303,16 @@ public:
   }
 
 private:
+  const Option* find(const std::string& name) const
+  {
+    const auto found = std::find_if(this->Table.begin(), this->Table.end(),
+      [&name](const Option& option) { return option.name == name; });
+    return found == this->Table.end() ? nullptr : &*found;
+  }
+
   void addRest(vtkXMLDataElement* place, std::vector<Element>& all)
   {
-    for (const Option& option : optionTable())
+    for (const Option& option : this->Table)
     {
       if (!isOffered(option) || this->Mentioned.count(option.name) > 0 ||
         (attribute(place, "group") != groupName(option.group) &&
@@ -347,7 +360,8 @@ Status makeServerManagerXml(vtkXMLDataElement* tree)
       continue;
     }
     ProxyMaker maker;
-    maker.ByName = options == "by name";
+    maker.ByName = options != "by setter";
+    maker.Table = options == "of blocks" ? blockOptions() : optionTable();
     if (Status status = maker.remember(child); !status.ok())
     {
       return status;

@@ -22,8 +22,9 @@ namespace stipple
 /// - <Group label="Features">: properties and their group. Its other attributes go to the group.
 ///
 /// A property is named as the class's property, or as the option where two would have one name. A
-/// proxy with options="by name" has them set by vtkPVSurfaceAlgorithm, one with options="by setter"
-/// by the class's own methods.
+/// proxy with options="by name" has them set by vtkPVSurfaceAlgorithm, so has one with
+/// options="of blocks", whose table is that of blocks; one with options="by setter" by the class's
+/// own methods.
 Status makeServerManagerXml(vtkXMLDataElement* tree);
 }
 

@@ -17,6 +17,11 @@ def count(proxy, port=0):
     return proxy.SMProxy.GetOutputPort(port).GetDataInformation().GetNumberOfPoints()
 
 
+def cells(proxy, port=0):
+    """The same of cells."""
+    return proxy.SMProxy.GetOutputPort(port).GetDataInformation().GetNumberOfCells()
+
+
 def figures(mesh, reference=None):
     """What Surface Quality says, by name."""
     quality = simple.SurfaceQuality(Input=mesh, **({"Reference": reference} if reference else {}))
@@ -25,9 +30,17 @@ def figures(mesh, reference=None):
     return {table.GetColumnName(i): table.GetValue(0, i).ToDouble() for i in range(table.GetNumberOfColumns())}
 
 
+def gathered(mesh):
+    """The mesh of all ranks on rank 0: points of one global id are one."""
+    quality = simple.SurfaceQuality(Input=mesh)
+    quality.UpdatePipeline()
+    return fetch(quality)
+
+
 SPREAD = """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_ID_TYPE
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -41,7 +54,8 @@ whole = reader.GetOutput()
 points = vtk_to_numpy(whole.GetPoints().GetData())
 faces = vtk_to_numpy(whole.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 middle = points[faces, 0].mean(axis=1)
-own = np.argsort(np.argsort(middle, kind="stable")) * ranks // len(middle) == rank
+order = np.arange(len(middle)) if IDS else np.argsort(np.argsort(middle, kind="stable"))
+own = order * ranks // len(middle) == rank
 used = np.zeros(len(points), dtype=bool)
 used[faces[own]] = True
 ghosts = (~own & used[faces].any(axis=1)) if GHOSTS else np.zeros(len(faces), dtype=bool)
@@ -60,17 +74,20 @@ def add(data, name, values):
     data.AddArray(array)
 add(output.GetPointData(), "Height", vtk_to_numpy(whole.GetPointData().GetArray("Height"))[ids])
 add(output.GetCellData(), "Label", vtk_to_numpy(whole.GetCellData().GetArray("Label"))[kept])
+if IDS:
+    output.GetPointData().SetGlobalIds(numpy_to_vtk(ids, deep=True, array_type=VTK_ID_TYPE))
 if GHOSTS:
     add(output.GetCellData(), "vtkGhostType", ghosts[kept].astype(np.uint8))
 """
 
 
-def spread(path, ghosts=False):
-    """A .vtp of triangles, in slabs of equal numbers on the ranks; ghost cells are those that touch another rank's.
+def spread(path, ghosts=False, ids=False):
+    """A .vtp of triangles, in slabs of equal numbers on the ranks; ghost cells are those that touch another rank's. With
+    ids, points have global ones, and the ranks' triangles, in a row, are those of the file.
     (ParaView's Redistribute DataSet loses data where its XML cannot be read, see Documentation/ParaView.md.)"""
     return simple.ProgrammableSource(
         OutputDataSetType="vtkPolyData",
-        Script=SPREAD.replace("PATH", repr(path)).replace("GHOSTS", str(ghosts)),
+        Script=SPREAD.replace("PATH", repr(path)).replace("GHOSTS", str(ghosts)).replace("IDS", str(ids)),
         ScriptRequestInformation="""
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 self.GetOutputInformation(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)

@@ -16,6 +16,9 @@ remeshers = [
     simple.GeometryRemesher(Input=sphere, NumberOfPoints=400, StrokePoints=simple.Line()),
     simple.GeometryRemesher(Input=balls, NumberOfPoints=2, MergeBlocks=0),
     simple.GeometryRemesher(Input=sphere, NumberOfPoints=400, Constraints=[0, 0, float("nan")]),
+    simple.GeometryRemesherInBlocks(Input=group, NumberOfPoints=400),
+    simple.GeometryRemesherInBlocks(Input=sphere, NumberOfPoints=5, TrianglesPerBlock=100),
+    simple.GeometryRemesherInBlocks(Input=sphere, NumberOfPoints=400, Importance="array", ImportanceArray="None"),
 ]
 said = []
 for remesher in remeshers:

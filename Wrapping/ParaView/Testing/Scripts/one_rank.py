@@ -26,7 +26,8 @@ script = blocks.Script
 said = []
 for bad in (True, False):
     blocks.Script = script.replace("BAD", str(bad))
-    remesher = simple.GeometryRemesher(Input=blocks, NumberOfPoints=300)
-    remesher.UpdatePipeline()
-    said.append(count(remesher))
+    for make in (simple.GeometryRemesher, simple.GeometryRemesherInBlocks):
+        remesher = make(Input=blocks, NumberOfPoints=300)
+        remesher.UpdatePipeline()
+        said.append(count(remesher))
 say(said)

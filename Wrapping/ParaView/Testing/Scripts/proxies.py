@@ -18,6 +18,7 @@ sampler = simple.ErrorDiffusionSampler(Input=control, **behind)
 mesher = simple.CDTRemesh(Input=sampler, **behind)
 made = [
     simple.GeometryRemesher(Input=model),
+    simple.GeometryRemesherInBlocks(Input=model),
     atlas,
     maps,
     control,
@@ -45,7 +46,8 @@ def numbers(prop, width):
     kinds = {prop.GetDomain(name).GetClassName(): prop.GetDomain(name) for name in ("enum", "bool", "range")
              if prop.GetDomain(name)}
     if "vtkSMEnumerationDomain" in kinds:
-        return [kinds["vtkSMEnumerationDomain"].GetNumberOfEntries() - 1 if now[0] == 0 else 0]
+        entries = kinds["vtkSMEnumerationDomain"]
+        return [entries.GetEntryValue(entries.GetNumberOfEntries() - 1) if now[0] == 0 else 0]
     if "vtkSMBooleanDomain" in kinds:
         return [1 - now[0]]
     if not now:  # a row of a table
