@@ -453,9 +453,21 @@ void noteError(vtkObject*, unsigned long, void* data, void* text)
   }
 }
 
-/// Updates the remesher; its error is the status.
-Status update(vtkGeometryRemesher* remesher)
+void passProgress(vtkObject* remesher, unsigned long, void* progress, void* fraction)
 {
+  if (!report(*static_cast<const Progress*>(progress), *static_cast<const double*>(fraction)))
+  {
+    vtkAlgorithm::SafeDownCast(remesher)->SetAbortExecute(1);
+  }
+}
+
+/// Updates the remesher; its error is the status.
+Status update(vtkGeometryRemesher* remesher, Progress progress)
+{
+  vtkNew<vtkCallbackCommand> teller;
+  teller->SetClientData(&progress);
+  teller->SetCallback(passProgress);
+  const unsigned long telling = remesher->AddObserver(vtkCommand::ProgressEvent, teller);
   std::string sentence;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&sentence);
@@ -463,6 +475,7 @@ Status update(vtkGeometryRemesher* remesher)
   const unsigned long tag = remesher->AddObserver(vtkCommand::ErrorEvent, observer);
   remesher->Update();
   remesher->RemoveObserver(tag);
+  remesher->RemoveObserver(telling);
   switch (remesher->GetErrorCode())
   {
     case 0:
@@ -647,7 +660,7 @@ Status takeMesh(const SurfaceBlock& block, const BorderedSurface& surface,
 
 Status remeshBlock(const SurfaceBlock& block, const BlockOutline& outline,
   const BlockBorders& borders, int points, bool isWhole, vtkGeometryRemesher* remesher,
-  BlockMesh& mesh)
+  const Progress& progress, BlockMesh& mesh)
 {
   mesh = {};
   BorderedSurface surface;
@@ -660,7 +673,7 @@ Status remeshBlock(const SurfaceBlock& block, const BlockOutline& outline,
   for (int round = 0; round < Rounds && others != points; ++round)
   {
     remesher->SetNumberOfPoints(remesher->GetNumberOfPoints() + (round > 0 ? points - others : 0));
-    if (Status status = update(remesher); !status.ok())
+    if (Status status = update(remesher, progress); !status.ok())
     {
       return status;
     }

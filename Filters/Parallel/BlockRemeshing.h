@@ -43,7 +43,7 @@ struct BlockMesh
 /// block needs.
 STIPPLEFILTERSPARALLEL_EXPORT Status remeshBlock(const SurfaceBlock& block,
   const BlockOutline& outline, const BlockBorders& borders, int points, bool isWhole,
-  vtkGeometryRemesher* remesher, BlockMesh& mesh);
+  vtkGeometryRemesher* remesher, const Progress& progress, BlockMesh& mesh);
 }
 
 #endif

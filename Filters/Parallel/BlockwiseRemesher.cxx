@@ -238,15 +238,21 @@ private:
         {
           continue;
         }
-        if (!report(this->Report,
-              (0.1 + 0.7 * static_cast<double>(b) / static_cast<double>(this->Blocks.own.size()))))
+        double told = 0; // a block may be remeshed more than once
+        const Progress ofBlock = [&](double fraction) {
+          told = std::max(told, fraction);
+          return report(this->Report,
+            0.1 +
+              0.7 * (static_cast<double>(b) + told) / static_cast<double>(this->Blocks.own.size()));
+        };
+        if (!ofBlock(0.))
         {
           status = Status::aborted();
           break;
         }
         status = guarded([&] {
           return remeshBlock(*BlockInMemory(this->Blocks.own[b]), this->Outlines[b], this->Borders,
-            share[block], this->Blocks.count == 1, this->Remesher, this->Meshes[b]);
+            share[block], this->Blocks.count == 1, this->Remesher, ofBlock, this->Meshes[b]);
         });
         if (status.code() == StatusCode::TooFewPoints)
         {

@@ -170,7 +170,7 @@ TEST(BlockRemeshing, theMeshHasTheBordersSamplesAndAnEdgeBetweenNeighbours)
     const SurfaceBlock& block = cube.blocks.own[b];
     BlockMesh mesh;
     const Status status =
-      remeshBlock(block, cube.outlines[b], cube.borders, 250, false, cube.remesher, mesh);
+      remeshBlock(block, cube.outlines[b], cube.borders, 250, false, cube.remesher, {}, mesh);
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(
       std::count_if(mesh.id.begin(), mesh.id.end(), [](long long id) { return id < 0; }), 250);
@@ -213,7 +213,7 @@ TEST(BorderHealing, movesWhatIsNearBordersAndKeepsCreases)
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
     ASSERT_TRUE(remeshBlock(
-      cube.blocks.own[b], cube.outlines[b], cube.borders, 250, false, cube.remesher, meshes[b])
+      cube.blocks.own[b], cube.outlines[b], cube.borders, 250, false, cube.remesher, {}, meshes[b])
                   .ok());
     for (long long& id : meshes[b].id)
     {

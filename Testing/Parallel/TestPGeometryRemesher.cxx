@@ -340,6 +340,33 @@ TEST(PGeometryRemesher, whatFailsIsOneSentence)
     << infinite.error;
 }
 
+TEST(PGeometryRemesher, oneBlockIsStoppedAmidItsRemeshing)
+{
+  const auto input = data(shapes::sphere(1., 5));
+  Remeshing run(input, 3000, 100000);
+  std::vector<double> told;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&told);
+  stop->SetCallback([](vtkObject* filter, unsigned long, void* fractions, void* fraction) {
+    auto& list = *static_cast<std::vector<double>*>(fractions);
+    list.push_back(*static_cast<double*>(fraction));
+    if (list.back() > 0.3)
+    {
+      vtkAlgorithm::SafeDownCast(filter)->SetAbortExecute(1);
+    }
+  });
+  const unsigned long tag = run.filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  run.filter->Update();
+  EXPECT_EQ(run.filter->GetErrorCode(), static_cast<unsigned long>(vtkGeometryRemesher::ABORTED));
+  EXPECT_EQ(run.output()->GetNumberOfPartitions(), 0U);
+  EXPECT_GT(told.size(), 2U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LT(told.back(), 0.8); // the remeshing was not done
+  run.filter->RemoveObserver(tag);
+  run.filter->Modified();
+  EXPECT_TRUE(run.update(input)); // and goes on as if nothing had been
+}
+
 TEST(PGeometryRemesher, anEmptyInputIsAnEmptyOutput)
 {
   vtkNew<vtkPolyData> empty;
