@@ -476,6 +476,11 @@ Status update(vtkGeometryRemesher* remesher, Progress progress)
   remesher->Update();
   remesher->RemoveObserver(tag);
   remesher->RemoveObserver(telling);
+  if (remesher->GetAbortExecute() != 0)
+  {
+    remesher->SetAbortExecute(0); // as executives did until VTK 9.2
+    remesher->Modified();         // what it left is not its result
+  }
   switch (remesher->GetErrorCode())
   {
     case 0:
