@@ -11,7 +11,9 @@
 
 namespace stipple
 {
-/// Called with a fraction in [0, 1]; returns false to stop the algorithm. May be empty.
+/// Called with a fraction in [0, 1]; returns false to stop the algorithm. May be empty. Kernels
+/// that work in parallel call it from several threads: runReporting() makes one that may be, of one
+/// that may not.
 using Progress = std::function<bool(double)>;
 
 /// Reports to a callback that may be empty.
