@@ -23,6 +23,7 @@ fuzz=ON
 # the end is not ours. An allocation that is too large fails as it does without sanitizers.
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
 export UBSAN_OPTIONS=print_stacktrace=1
+export STIPPLE_TEST_LIMIT=6000
 export TSAN_OPTIONS="suppressions=$PWD/Testing/Fuzz/thread.supp"
 # VTK's own threads, which ThreadSanitizer sees start and end; oneTBB's it does not.
 [ "$sanitizers" != thread ] || export VTK_SMP_BACKEND_IN_USE=STDThread

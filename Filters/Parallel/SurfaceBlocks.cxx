@@ -15,11 +15,11 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +174,7 @@ bool touches(const Box& a, const Box& b)
 
 void addIds(vtkDataSetAttributes* data, const char* name, const std::vector<long long>& ids)
 {
-  vtkNew<vtkTypeInt64Array> array;
+  vtkNew<vtkLongLongArray> array;
   array->SetName(name);
   array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
@@ -185,7 +185,7 @@ std::vector<long long> takeIds(vtkDataSetAttributes* data, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
   std::vector<long long> ids;
-  auto* typed = vtkTypeInt64Array::FastDownCast(array);
+  auto* typed = vtkLongLongArray::SafeDownCast(array); // more digits than a double has
   for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     ids.push_back(typed ? typed->GetValue(i) : static_cast<long long>(array->GetComponent(i, 0)));

@@ -36,10 +36,14 @@ CUBE = """OFF
 """
 
 
+# Seconds for one run; sanitizers make it ten times as slow (Testing/sanitize.sh).
+LIMIT = float(os.environ.get("STIPPLE_TEST_LIMIT", 300))
+
+
 def run(*arguments, program=STIPPLE, **keywords):
     """Runs a program and returns (exit status, stdout, stderr)."""
     done = subprocess.run(
-        [program, *map(str, arguments)], capture_output=True, text=True, timeout=300, check=False, **keywords
+        [program, *map(str, arguments)], capture_output=True, text=True, timeout=LIMIT, check=False, **keywords
     )
     return done.returncode, done.stdout, done.stderr
 

@@ -24,7 +24,7 @@ def run(ranks, *arguments):
         [MPIEXEC, "--oversubscribe", "-n", str(ranks), PROGRAM, *map(str, arguments)],
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=float(os.environ.get("STIPPLE_TEST_LIMIT", 300)),
         check=False,
         env=environment,
     )
