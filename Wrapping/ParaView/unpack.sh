@@ -3,8 +3,8 @@
 # Shell functions for Debian's ParaView, not installed: its Python package and that of VTK, which Stipple needs, exclude
 # each other. Sourced after Apps/setup.sh, in the root of the sources.
 
-# What of ParaView's needs does not come along with stipple_packages.
-stipple_paraview_packages="openmpi-bin python3-six"
+# What of ParaView's needs, and of its picture's, does not come along with stipple_packages.
+stipple_paraview_packages="openmpi-bin python3-six xvfb libxtst6 libgl1-mesa-dri python3-vtk9"
 
 # stipple_unpack_paraview FOLDER: ParaView there, once; and where programs and CMake look for it.
 stipple_unpack_paraview()

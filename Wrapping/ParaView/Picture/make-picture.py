@@ -19,7 +19,8 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 WIDTH, HEIGHT = 1440, 900
 SPLITTER, WIDER = (296, 500), (470, 500)  # between ParaView's panels and its view
-SECONDS = 60
+SECONDS = 240  # on a busy machine
+RESTLESS = 0.002  # of the pixels: the memory that ParaView tells of
 
 
 def screen(path):
@@ -31,6 +32,19 @@ def screen(path):
     begin = int(size + 12 * colors)
     rows = np.frombuffer(data[begin : begin + int(stride * height)], dtype=np.uint8).reshape(height, stride)
     return rows[:, : 4 * width].reshape(height, width, 4)[:, :, 2::-1]  # blue, green, red, nothing
+
+
+def settled(path):
+    """The pixels when they rest: a panel follows its script."""
+    end = time.monotonic() + SECONDS
+    before = screen(path).copy()
+    while time.monotonic() < end:
+        time.sleep(3)
+        now = screen(path).copy()
+        if (now != before).any(axis=2).mean() < RESTLESS:
+            return now
+        before = now
+    sys.exit("ParaView's window did not come to rest.")
 
 
 def drag(display, begin, end):
@@ -94,10 +108,10 @@ def main(paraview, model, picture):
         if not os.path.exists(ready):
             window.kill()
             sys.exit("ParaView did not get ready:\n" + window.communicate()[1][-4000:])
-        time.sleep(5)  # its panel follows the script
+        pixels = os.path.join(work, "Xvfb_screen0")
+        settled(pixels)
         drag(display, SPLITTER, WIDER)
-        time.sleep(5)
-        write(screen(os.path.join(work, "Xvfb_screen0")), picture)
+        write(settled(pixels), picture)
     finally:
         for process in reversed(ended):
             process.kill()

@@ -8,7 +8,8 @@ set -eu
 cd "$(dirname "$0")/../../.."
 . Apps/setup.sh
 . Wrapping/ParaView/unpack.sh
-stipple_install xvfb libxtst6 libgl1-mesa-dri python3-vtk9
+# shellcheck disable=SC2086 # words on purpose
+stipple_install $stipple_paraview_packages
 stipple_unpack_paraview "$PWD/build-paraview/root"
 model=$PWD/build-paraview/fandisk.ply
 build/bin/stipple build/models/fandisk.off -o "$model" --points 6000
