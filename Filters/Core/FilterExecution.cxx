@@ -36,4 +36,15 @@ int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCo
   vtkErrorWithObjectMacro(filter, << outcome.message());
   return 0;
 }
+
+bool takeStop(vtkAlgorithm* filter)
+{
+  if (filter->GetAbortExecute() == 0)
+  {
+    return false;
+  }
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  return true;
+}
 }

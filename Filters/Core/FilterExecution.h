@@ -19,6 +19,10 @@ Progress progressOf(vtkAlgorithm* filter);
 /// the filter's errorCode, 0 otherwise; an error is reported, an abort is none.
 int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCode);
 
+/// Whether a filter was stopped in its last Update(). If so, it is fit to be updated again: its flag
+/// is cleared, as executives did until VTK 9.2, and it is modified, as what it left is no result.
+bool takeStop(vtkAlgorithm* filter);
+
 /// All of RequestData(): calls work(progress), which returns a Status, on another thread while this
 /// one reports and hears whether to stop. What a library throws is an error: VTK's executives let
 /// no exception through.

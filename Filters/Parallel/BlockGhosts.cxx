@@ -47,7 +47,7 @@ std::vector<long long> globalIds(vtkPolyData* data)
 }
 
 /// Some of a partition's triangles, with their points and all arrays.
-vtkSmartPointer<vtkPolyData> extract(vtkPolyData* from, const std::vector<vtkIdType>& triangles)
+vtkSmartPointer<vtkPolyData> extract(vtkPolyData* from, const std::set<vtkIdType>& triangles)
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -159,7 +159,7 @@ public:
   }
   vtkSmartPointer<vtkPolyData> extracted(const std::set<vtkIdType>& triangles) const
   {
-    return extract(this->Data, { triangles.begin(), triangles.end() });
+    return extract(this->Data, triangles);
   }
 
   /// Puts another partition's triangles behind the others; answers which points are new.

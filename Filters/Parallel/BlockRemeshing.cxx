@@ -4,6 +4,7 @@
 
 #include "CutSurface.h"
 #include "FeatureDetection.h"
+#include "FilterExecution.h"
 #include "MessageText.h"
 #include "PolyDataConversion.h"
 #include "RegionArrays.h"
@@ -476,11 +477,7 @@ Status update(vtkGeometryRemesher* remesher, Progress progress)
   remesher->Update();
   remesher->RemoveObserver(tag);
   remesher->RemoveObserver(telling);
-  if (remesher->GetAbortExecute() != 0)
-  {
-    remesher->SetAbortExecute(0); // as executives did until VTK 9.2
-    remesher->Modified();         // what it left is not its result
-  }
+  takeStop(remesher);
   switch (remesher->GetErrorCode())
   {
     case 0:

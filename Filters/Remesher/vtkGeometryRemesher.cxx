@@ -419,12 +419,10 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   const double begin = vtkTimerLog::GetUniversalTime();
   const bool updated = filter->GetExecutive()->Update() != 0;
   s.Seconds[stage] += vtkTimerLog::GetUniversalTime() - begin;
-  if (filter->GetAbortExecute() || this->AbortExecute)
+  if (stipple::takeStop(filter) || this->AbortExecute)
   {
     this->AbortExecute = 1;
     this->ErrorCode = ABORTED;
-    filter->SetAbortExecute(0); // as executives did until VTK 9.2
-    filter->Modified();         // what it left is not its result
     return false;
   }
   if (!updated || !s.StageError.empty())

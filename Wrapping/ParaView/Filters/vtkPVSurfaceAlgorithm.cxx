@@ -3,6 +3,7 @@
 #include "vtkPVSurfaceAlgorithm.h"
 
 #include "BlockTree.h"
+#include "FilterExecution.h"
 #include "MessageText.h"
 #include "OptionTable.h"
 #include "RankExchange.h"
@@ -258,7 +259,6 @@ struct vtkPVSurfaceAlgorithm::Internals
     std::vector<vtkSmartPointer<vtkDataObject>>& results)
   {
     this->Sentence.clear();
-    this->Filter->SetAbortExecute(0);
     this->Filter->SetInputDataObject(0, surface);
     const vtkNew<vtkInformation> request;
     if (this->takesPieces())
@@ -270,7 +270,7 @@ struct vtkPVSurfaceAlgorithm::Internals
       }
     }
     const bool updated = this->Filter->Update(request) != 0;
-    if (this->Filter->GetAbortExecute() || this->Self->GetAbortExecute())
+    if (stipple::takeStop(this->Filter) || this->Self->GetAbortExecute())
     {
       this->Stopped = true;
       this->Self->SetAbortExecute(0); // newer versions of VTK leave that to us
