@@ -63,6 +63,13 @@ ViewerFiles filesOf(const OptionValues& o, const Session& session)
   files.picture = o.has("picture") ? o.text("picture") : stem + "-view.png";
   files.session = o.has("save_session") ? o.text("save_session") : stem + "-session.json";
   files.figures = stem + "-figure";
+  for (const char* named : { "output", "picture", "save_session", "session" })
+  {
+    if (o.has(named))
+    {
+      files.ours.push_back(o.text(named));
+    }
+  }
   return files;
 }
 }

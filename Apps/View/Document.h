@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkPolyData;
@@ -25,7 +26,8 @@ struct ViewerFiles
   std::string mesh;
   std::string picture;
   std::string session;
-  std::string figures; ///< a beginning, "-before.png" and "-after.png" are added
+  std::string figures;           ///< a beginning, "-before.png" and "-after.png" are added
+  std::vector<std::string> ours; ///< named by the user, or written from here: replaced unasked
 };
 
 struct Document

@@ -178,6 +178,17 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
     canvas.text(place.x + 8 * s, place.y + 0.5F * place.h,
       canvas.fitted(entry.text, inner - 16 * s, look), look);
   }
+  if (last > 0)
+  {
+    // How much of the list is seen, and which part.
+    const float whole = row * static_cast<float>(rows);
+    const float part = whole / static_cast<float>(this->Entries.size());
+    const Rect track{ box.x + pad + inner + 6 * s, top - whole, 5 * s, whole };
+    canvas.fill(track, shades::Hover);
+    const float length = part * static_cast<float>(rows);
+    canvas.fill({ track.x, top - part * static_cast<float>(this->First) - length, track.w, length },
+      shades::Faint);
+  }
   const std::string help = this->Wanted.saves
     ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk"
     : "Return opens, letters filter or are a path, ../ leads up, Esc gives up";

@@ -173,6 +173,10 @@ void Viewer::connect()
   this->Window.addPainter(
     ViewerWindow::Status, [this](Canvas& canvas) { this->paintStatus(canvas); });
   this->Window.addPainter(ViewerWindow::Overlay, [this](Canvas& canvas) {
+    if (this->Starts)
+    {
+      canvas.fill(this->Window.layout().window, shades::Ground); // the example is not chosen yet
+    }
     if (this->Asked)
     {
       this->Asked->paint(canvas, this->Window.layout().window);

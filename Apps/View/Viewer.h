@@ -141,8 +141,14 @@ private:
   [[nodiscard]] Activity activity();
   void showActivity();
 
+  void writeMesh(); ///< or has it written when it is done
+  void writePictureFile();
+  void writeFigureFiles();
   /// Says whether it could be written.
   bool writeSessionFile();
+  /// Writes, after a question if the file is there and neither named by the user nor written from
+  /// here.
+  void replaceFirst(const std::string& file, const std::function<void()>& write);
 
   // Pages over the window
   void show(std::shared_ptr<Page> page);

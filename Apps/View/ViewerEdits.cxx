@@ -127,6 +127,11 @@ void Viewer::redo()
 
 void Viewer::saveMesh()
 {
+  this->replaceFirst(this->Files.mesh, [this] { this->writeMesh(); });
+}
+
+void Viewer::writeMesh()
+{
   if (!this->meshIsCurrent())
   {
     this->SaveWhenDone = true;
@@ -156,6 +161,11 @@ void Viewer::saveMesh()
 
 void Viewer::savePicture()
 {
+  this->replaceFirst(this->Files.picture, [this] { this->writePictureFile(); });
+}
+
+void Viewer::writePictureFile()
+{
   if (this->Window.dirty() || this->Window.rough())
   {
     this->Window.draw(true);
@@ -166,6 +176,11 @@ void Viewer::savePicture()
 }
 
 void Viewer::saveFigures()
+{
+  this->replaceFirst(this->Files.figures + "-before.png", [this] { this->writeFigureFiles(); });
+}
+
+void Viewer::writeFigureFiles()
 {
   OutputFiles files;
   Status status = Status::success();
@@ -205,7 +220,7 @@ void Viewer::saveFigures()
 
 void Viewer::saveSession()
 {
-  (void)this->writeSessionFile();
+  this->replaceFirst(this->Files.session, [this] { (void)this->writeSessionFile(); });
 }
 
 bool Viewer::writeSessionFile()

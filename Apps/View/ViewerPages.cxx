@@ -59,10 +59,12 @@ void Viewer::askFirst(
   }
   const auto save = [this, action] {
     this->closePage();
-    if (this->writeSessionFile())
-    {
-      action();
-    }
+    this->replaceFirst(this->Files.session, [this, action] {
+      if (this->writeSessionFile())
+      {
+        action();
+      }
+    });
   };
   const auto leave = [this, action] {
     this->closePage();
@@ -72,6 +74,31 @@ void Viewer::askFirst(
     "Paint, picked points, edges or the transfer function are in no file yet.",
     std::vector<Question::Answer>{ { "Save, then " + answer, "Return", save },
       { "Do not save", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
+}
+
+void Viewer::replaceFirst(const std::string& file, const std::function<void()>& write)
+{
+  const std::vector<std::string>& ours = this->Files.ours;
+  const bool isOurs = std::any_of(ours.begin(), ours.end(), [&file](const std::string& other) {
+    std::error_code error;
+    return file == other || std::filesystem::equivalent(file, other, error);
+  });
+  const auto replace = [this, file, write] {
+    this->closePage();
+    this->Files.ours.push_back(file);
+    write();
+  };
+  std::error_code error;
+  if (isOurs || !std::filesystem::exists(file, error))
+  {
+    isOurs ? write() : replace();
+    return;
+  }
+  const std::filesystem::path path = std::filesystem::absolute(file, error).lexically_normal();
+  this->show(std::make_shared<Question>("Replace " + path.filename().string() + "?",
+    "It is in " + path.parent_path().string() + " already.",
+    std::vector<Question::Answer>{ { "Replace it", "Return", replace },
+      { "Leave it", "Escape", [this] { this->closePage(); } } }));
 }
 
 void Viewer::askToQuit()
@@ -160,6 +187,7 @@ void Viewer::saveMeshAs()
     [this](const std::string& file) {
       this->closePage();
       this->Files.mesh = file;
+      this->Files.ours.push_back(file); // the page has asked
       this->saveMesh();
     },
     [this] { this->closePage(); }));

@@ -192,6 +192,21 @@ class Files(ViewTest):
         self.play("Control+S", *names, *"a.doc", "Return", "Return", "Escape", model=part)
         self.assertFalse((self.work / "a.doc").exists())
 
+    def test_what_was_there_is_replaced_after_a_question(self):
+        part = ("part.off", "--points", 300)
+        for key, file in (("Control+s", "part-remeshed.ply"), ("Control+j", "part-session.json"), ("Control+p", "part-view.png"),
+                          ("Control+e", "part-figure-before.png")):
+            with self.subTest(file):
+                path = self.work / file
+                path.write_text("mine")
+                self.play(key, "Escape", model=part)
+                self.assertEqual(path.read_text(), "mine")
+                self.play(key, "Return", key, model=part)  # it is this window's then
+                self.assertNotEqual(path.read_bytes(), b"mine")
+        self.assertEqual(mesh_check(self.work / "part-remeshed.ply", FANDISK)["points"], 300)
+        self.play("Control+s", model=("part.off", "--points", 310, "-o", "./part-remeshed.ply"))
+        self.assertEqual(mesh_check(self.work / "part-remeshed.ply", FANDISK)["points"], 310, "it was named")
+
     def test_a_path_is_taken_as_it_is_typed(self):
         """From the folder, from home, from the root; a missing folder is refused, and nothing is written."""
         self.environment["HOME"] = str(self.work)
