@@ -90,31 +90,6 @@ void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
   property->SetLineWidth(static_cast<float>(scale * std::clamp((pixels - 4.) / 14., 0.15, 1.)));
 }
 
-vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkDataArray* types = lines ? lines->GetCellData()->GetArray("BackboneType") : nullptr;
-  if (!types)
-  {
-    return data;
-  }
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType first = lines->GetNumberOfVerts();
-  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
-  {
-    if (static_cast<int>(types->GetComponent(first + i, 0)) == type)
-    {
-      vtkIdType size;
-      const vtkIdType* ids;
-      lines->GetLines()->GetCellAtId(i, size, ids);
-      cells->InsertNextCell(size, ids);
-    }
-  }
-  data->SetPoints(lines->GetPoints());
-  data->SetLines(cells);
-  return data;
-}
-
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines, const Color& color, double width)
 {
   vtkNew<vtkPolyDataMapper> mapper;

@@ -49,9 +49,6 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale);
 /// edges stays light.
 void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale);
 
-/// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
-
 /// Unlit lines in one colour.
 [[nodiscard]] vtkSmartPointer<vtkActor> lineActor(
   vtkPolyData* lines, const Color& color, double width);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureScene.h"
 
+#include "Backbones.h"
 #include "ChartsInOnePiece.h"
 #include "MapContactSheet.h"
 #include "MeshQuality.h"

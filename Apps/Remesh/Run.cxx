@@ -4,6 +4,7 @@
 
 #include "CommandLine.h"
 #include "DrawingLibrary.h"
+#include "LostFeatures.h"
 #include "MeshFile.h"
 #include "Messages.h"
 #include "OptionText.h"
@@ -205,7 +206,7 @@ Report makeReport(
   report.charts =
     static_cast<int>(vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(2))
                        ->GetNumberOfPartitionedDataSets());
-  if (o.has("max_deviation") || o.has("max_deviation_length"))
+  if (o.number("max_deviation") > 0 || o.number("max_deviation_length") > 0)
   {
     report.deviation = remesher->GetDeviation();
   }
@@ -272,6 +273,18 @@ void tell(const Report& report)
       std::fprintf(stderr, "stipple: warning: %s\n", warning.c_str());
     }
   }
+}
+
+/// Of the input, that have no line in the mesh; none is far from one where nothing was simplified.
+vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
+{
+  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
+    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
+  return !simplified
+    ? 0
+    : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
+        vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)))
+        ->GetNumberOfLines();
 }
 
 Status writeText(const std::string& text, const std::string& now, const std::string& target)
@@ -421,6 +434,14 @@ Status run(const OptionValues& given)
   if (status.ok())
   {
     status = files.commit();
+  }
+  if (const vtkIdType lost = countLostFeatures(remesher);
+      status.ok() && !given.flag("quiet") && lost > 0)
+  {
+    std::fprintf(stderr,
+      "stipple: warning: %lld feature edges of the input have no edge of the mesh near them: more "
+      "points keep them, as does --feature-tolerance 0\n",
+      static_cast<long long>(lost));
   }
   if (status.ok() && picture.ok())
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AfterScene.h"
 
+#include "Backbones.h"
 #include "SceneActors.h"
 #include "SurfaceShading.h"
 

@@ -3,6 +3,7 @@
 #include "BeforeScene.h"
 
 #include "AtlasSurface.h"
+#include "Backbones.h"
 #include "ColorBar.h"
 #include "SceneActors.h"
 #include "SurfaceShading.h"

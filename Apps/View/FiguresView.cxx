@@ -76,7 +76,8 @@ void FiguresView::paint(Canvas& canvas)
   const Shade words = this->Stale ? shades::Faint : shades::Word;
   const MeshQuality& q = this->Figures.quality;
   std::vector<std::pair<const char*, std::string>> rows = { { "points", grouped(q.numberOfPoints) },
-    { "triangles", grouped(q.numberOfTriangles) }, { "quality, mean", printed("%.3f", q.averageQ) },
+    { this->Figures.halves ? "halves of quads" : "triangles", grouped(q.numberOfTriangles) },
+    { "quality, mean", printed("%.3f", q.averageQ) },
     { "angle, least", printed("%.1f\u00b0", q.minimumAngle) },
     { "angle, mean least", printed("%.1f\u00b0", q.averageMinimumAngle) },
     { "valence 6", share(q.percentValence6) }, { "valence 5 to 7", share(q.percentValence567) } };

@@ -190,7 +190,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
       shades::Faint);
   }
   const std::string help = this->Wanted.saves
-    ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk"
+    ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk, a session .json"
     : "Return opens, letters filter or are a path, ../ leads up, Esc gives up";
   const TextLook foot{ 11.5F, this->Sentence.empty() ? shades::Quiet : shades::Alarm };
   canvas.text(box.x + pad, box.y + 20 * s,

@@ -18,6 +18,7 @@ struct MeshFigures
   std::array<double, 7> valences = {}; ///< vertices of valence 3 or less, 4, ..., 8, 9 or more
   std::array<double, 18> angles = {};  ///< the triangles' angles, 10 degrees a bar
   int lostFeatureEdges = 0;            ///< of the input, that the mesh has no room for
+  bool halves = false;                 ///< the triangles are halves of quads
 };
 
 [[nodiscard]] MeshFigures measureFigures(vtkPolyData* mesh);

@@ -271,7 +271,7 @@ void Panel::addCommands(Commands& commands)
                 : (word == 1 ? commands.saveMeshAs() : commands.saveFigures());
     });
   files->setHints({ "Ctrl+O: another surface, or a session; or drop one.",
-    "Ctrl+Shift+S: the mesh, under a name.",
+    "Ctrl+Shift+S: the mesh, or the session (.json), under a name.",
     "Ctrl+E: both views alone, 2000 pixels high, transparent." });
   this->row({ this->Coloring }, 25);
   this->row({ files }, 25, 14);
@@ -334,7 +334,7 @@ void Panel::place()
 
 void Panel::show(const Session& s, const ViewState& v, int points, double edge)
 {
-  const bool follows = pointsFollow(s);
+  const bool follows = pointsFollow(s) || s.number("max_deviation") > 0;
   this->Points = follows && points > 0 ? points : s.integer("points");
   this->Number->setLabel(follows ? "Points that follow" : "Number of points");
   this->Number->setValue(this->Points);

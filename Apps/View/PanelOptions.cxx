@@ -92,7 +92,20 @@ void Panel::addMesh(Commands& commands)
   this->row({ preset }, 27);
   this->row({ pattern }, 27);
   this->row({ smoothing }, 27);
-  this->row({ this->optionField(commands, "iterations", "Rounds") }, FieldHeight, 14);
+  this->row({ this->optionField(commands, "iterations", "Rounds") }, FieldHeight);
+  auto* placement =
+    this->optionChoice(commands, "placement", { "on the surface", "nearest to it" });
+  placement->setHints({ "Points lie on the surface.",
+    "Points leave the surface where triangles fit it best so (least squares)." });
+  auto* connectivity =
+    this->optionChoice(commands, "connectivity", { "no swaps", "regularity", "aspect" });
+  connectivity->setHints({ "Edges stay as the triangulation has them.",
+    "Edges are swapped until most points have six neighbours.",
+    "Edges are swapped until triangles are fat." });
+  this->row({ placement }, FieldHeight);
+  this->row({ connectivity }, FieldHeight);
+  this->row(
+    { this->optionField(commands, "subdivisions", "Levels, semi-regular") }, FieldHeight, 14);
 }
 
 void Panel::addSizes(Commands& commands)
@@ -153,6 +166,13 @@ void Panel::showOptions(const Session& s)
   for (const auto& [option, choice] : this->OptionChoices)
   {
     choice->choose(indexOf(findOption(option)->choices, s.text(option)));
+    // Quads are not optimised.
+    const bool counts =
+      findOption(option)->stage != "vtkRemeshOptimizer" || s.text("pattern") != "quads";
+    for (std::size_t word = 0; word < findOption(option)->choices.size(); ++word)
+    {
+      choice->setEnabled(static_cast<int>(word), counts);
+    }
   }
   for (const auto& [option, field] : this->OptionFields)
   {

@@ -44,8 +44,20 @@ std::vector<Option> viewOptions()
 
 Arguments parseViewOptions(const std::vector<std::string>& arguments)
 {
+  std::vector<std::string> endings = meshFileExtensions();
+  endings.emplace_back(".json");
   Arguments line =
-    parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", { true, {} });
+    parseArguments(arguments, viewOptions(), "stipple-view [FILE] [options]", { true, endings });
+  if (fileExtension(line.options.text("model")) == ".json")
+  {
+    if (line.problem.empty() && line.options.has("session"))
+    {
+      line.problem = "two sessions, '" + line.options.text("session") + "' and '" +
+        line.options.text("model") + "'";
+    }
+    line.options.set("session", line.options.text("model"));
+    line.options.reset("model");
+  }
   if (!line.options.has("size"))
   {
     return line;

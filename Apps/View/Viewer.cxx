@@ -328,16 +328,17 @@ void Viewer::settle()
 
 void Viewer::takeResults()
 {
-  if (const auto atlas = this->Worker.takeAtlas())
+  if (auto atlas = this->Worker.takeAtlas())
   {
     this->Sampler.setAtlas(atlas->sampling);
     this->HasAtlas = true;
     this->AtlasIsNewer = true;
-    this->Shown.reset();
-    this->BeforeSide.setAtlas(atlas->charts, atlas->graph);
-    this->Sheet.setCharts(atlas->charts);
+    this->NewAtlas = std::move(atlas);
     this->PreviewIsOld = true;
-    this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip);
+    if (!this->Shown)
+    {
+      this->showAtlas();
+    }
   }
   if (auto mesh = this->Worker.takeMesh())
   {
@@ -363,6 +364,18 @@ void Viewer::takeResults()
   }
 }
 
+void Viewer::showAtlas()
+{
+  if (this->NewAtlas)
+  {
+    this->Shown.reset();
+    this->BeforeSide.setAtlas(this->NewAtlas->charts, this->NewAtlas->graph);
+    this->Sheet.setCharts(this->NewAtlas->charts);
+    this->NewAtlas.reset();
+    this->Window.touch(ViewerWindow::Before | ViewerWindow::Strip);
+  }
+}
+
 bool Viewer::takePreview()
 {
   auto preview = this->Sampler.take();
@@ -370,9 +383,8 @@ bool Viewer::takePreview()
   {
     return false;
   }
-  // Maps of another number of points say nothing about this one, for which there are none yet.
-  const bool mapsAreDue = this->MeshWanted || this->Worker.makesCharts();
-  this->PreviewProblem = mapsAreDue ? "" : preview->problem;
+  this->showAtlas(); // it is this one's
+  this->PreviewProblem = preview->problem;
   if (preview->problem.empty())
   {
     this->BeforeSide.setPreview(
@@ -402,7 +414,8 @@ void Viewer::showVertices()
 
 bool Viewer::showsVertices() const
 {
-  return this->Shown && this->meshIsCurrent() && !this->AtlasIsNewer && this->Mesh->dots;
+  return this->Shown && !this->NewAtlas && this->meshIsCurrent() && !this->AtlasIsNewer &&
+    this->Mesh->dots;
 }
 
 void Viewer::setReading(const std::string& file)
@@ -438,9 +451,10 @@ Activity Viewer::activity()
   now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;
   now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
-  now.sampleProblem = this->PreviewProblem;
   now.meshProblem = this->Problem;
   const bool works = !this->Stopped && this->Worker.busy();
+  // Maps of another number of points say nothing about this one, and there may be others soon.
+  now.sampleProblem = works || this->MeshWanted ? "" : this->PreviewProblem;
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
     : this->MeshWanted                     ? Mesh::Waiting
@@ -475,7 +489,6 @@ void Viewer::startMeshing()
   {
     this->Problem.clear();
     this->Stopped = false;
-    this->say("");
     this->Worker.start(this->Now);
   }
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);

@@ -131,6 +131,8 @@ private:
   void takeResults();
   /// Whether there was a new one.
   bool takePreview();
+  /// The new charts take the place of those before, whose samples are shown until there are others.
+  void showAtlas();
   void startMeshing();
   /// The dots are the mesh's own vertices where that is the session's.
   void showVertices();
@@ -172,6 +174,8 @@ private:
   void showStale();
   void paintStrip(Canvas& canvas);
   void paintStatus(Canvas& canvas);
+  /// What the mesh lacks that somebody may expect.
+  [[nodiscard]] std::string remark() const;
 
   // The pointer
   [[nodiscard]] bool pick(const Pointer& pointer, PickedPlace& place);
@@ -238,7 +242,8 @@ private:
   std::size_t NextWorst = 0; ///< of the mesh's worst triangles
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
-  bool HasAtlas = false;     ///< charts are shown
+  bool HasAtlas = false;                 ///< there are charts
+  std::unique_ptr<AtlasResult> NewAtlas; ///< that is not shown yet
   bool AtlasIsNewer = false; ///< than the mesh: of a session whose mesh was stopped, or failed
   bool PreviewIsOld = false; ///< the session is to be sampled
   std::unique_ptr<PreviewResult> Shown;

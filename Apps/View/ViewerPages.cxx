@@ -178,17 +178,19 @@ void Viewer::openFile()
 void Viewer::saveMeshAs()
 {
   FileChooser::Wish wish;
-  wish.title = "Save the mesh as";
+  wish.title = "Save the mesh, or the session (.json), as";
   wish.endings = meshFileExtensions();
+  wish.endings.emplace_back(".json");
   wish.saves = true;
   wish.begin = this->Files.mesh;
   this->show(std::make_shared<FileChooser>(
     std::move(wish),
     [this](const std::string& file) {
       this->closePage();
-      this->Files.mesh = file;
       this->Files.ours.push_back(file); // the page has asked
-      this->saveMesh();
+      const bool isSession = fileExtension(file) == ".json";
+      (isSession ? this->Files.session : this->Files.mesh) = file;
+      isSession ? this->saveSession() : this->saveMesh();
     },
     [this] { this->closePage(); }));
 }

@@ -181,6 +181,23 @@ void Viewer::paintStrip(Canvas& canvas)
   }
 }
 
+std::string Viewer::remark() const
+{
+  if (!this->meshIsCurrent())
+  {
+    return "";
+  }
+  if (this->Now.text("pattern") != "quads" && this->Now.text("preset") == "uniform" &&
+    (this->Now.text("importance") != "uniform" || !this->Now.list("strokes").empty()))
+  {
+    return " Importance and paint do not count: the preset is uniform.";
+  }
+  const int lost = this->Mesh->figures.lostFeatureEdges;
+  return lost > 0
+    ? " " + grouped(lost) + " feature edges of the input are lost (violet): more points keep them."
+    : "";
+}
+
 void Viewer::paintStatus(Canvas& canvas)
 {
   const float s = canvas.scale();
@@ -202,6 +219,7 @@ void Viewer::paintStatus(Canvas& canvas)
     std::snprintf(text, sizeof(text), "Mesh in %.2f s, preview in %.0f ms.",
       this->Mesh ? this->Mesh->seconds : 0., 1e3 * this->previewSeconds());
     words = this->TimesHidden ? "Ready." : (this->Mesh ? text : "");
+    words += this->remark();
   }
   const float right = bar.right() - Pad * s;
   const std::string hint = "h: keys";

@@ -5,7 +5,9 @@
 #include "SceneActors.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPNGWriter.h"
 #include "vtkPropCollection.h"
@@ -172,9 +174,9 @@ void ViewerWindow::draw(bool calm)
     if (drawn && (part & Views) != 0)
     {
       this->Renderers[i]->SetUseFXAA((smoothed & part) != 0);
-      this->Renderers[i]->ResetCameraClippingRange();
     }
   }
+  this->fitClippingRange();
   // These paint what has changed in them, over the rest.
   for (const Part part : { PanelPart, Strip })
   {
@@ -183,6 +185,26 @@ void ViewerWindow::draw(bool calm)
   this->Kept = this->OverlayOn ? 0 : this->Kept | (parts & (PanelPart | Strip));
   this->Dirty = 0;
   this->Window->Render();
+}
+
+void ViewerWindow::fitClippingRange()
+{
+  vtkBoundingBox all; // one camera looks at both models
+  for (const Part part : { Before, After })
+  {
+    double bounds[6];
+    this->renderer(part)->ComputeVisiblePropBounds(bounds);
+    if (vtkMath::AreBoundsInitialized(bounds))
+    {
+      all.AddBounds(bounds);
+    }
+  }
+  if (all.IsValid())
+  {
+    double bounds[6];
+    all.GetBounds(bounds);
+    this->renderer(Before)->ResetCameraClippingRange(bounds);
+  }
 }
 
 stipple::Status ViewerWindow::writeFigure(

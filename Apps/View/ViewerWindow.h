@@ -78,6 +78,7 @@ private:
   static constexpr int NumberOfParts = 6;
   static Rect rectOf(const Layout& layout, int index);
   void place();
+  void fitClippingRange();
 
   vtkNew<vtkRenderWindow> Window;
   std::array<vtkNew<vtkRenderer>, NumberOfParts> Renderers;

@@ -242,7 +242,7 @@ class Sliders(ViewTest):
     def test_preset_and_pattern(self):
         """Below what an 800 pixels high window shows; the wheel leads there."""
         down = [("MouseWheelBackwardEvent", 1150, 300)] * 20
-        for place, entry, value in (((1144, 539), "pattern", "quads"), ((1144, 569), "preset", "adaptive"), ((1226, 569), "preset", "rib")):
+        for place, entry, value in (((1144, 626), "pattern", "quads"), ((1144, 656), "preset", "adaptive"), ((1226, 656), "preset", "rib")):
             with self.subTest(value):
                 self.assertEqual(self.session(*down, *self.click(place))[entry], value)
         # And back up, where everything is as before.

@@ -19,7 +19,7 @@ DOWN = [("MouseWheelBackwardEvent", 1150, 300)] * 20  # to the panel's end, in a
 EDGE_LENGTH, DISTANCE, TURN, SHORTEST, LONGEST, GROWTH = ((1200, y) for y in (418, 389, 360, 331, 302, 273))
 LENGTHS_FROM, IMPORTANCE_FROM, PICTURE = ((1150, y) for y in (245, 157, 127))
 REGIONS, UV_SEAMS = ((x, 185) for x in (1075, 1205))
-ALONG_Z, LLOYD, AREA, ROUNDS = (1237, 98), (1236, 508), (1111, 508), (1200, 476)
+ALONG_Z, LLOYD, AREA, ROUNDS = (1237, 98), (1236, 595), (1111, 595), (1200, 563)
 FINEST, COARSEST = ((x, 51) for x in (1075, 1205))
 
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LostFeatures.h"
 
+#include "Backbones.h"
 #include "Geometry.h"
-#include "SceneActors.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef stipple_Backbones_h
+#define stipple_Backbones_h
+
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+
+namespace stipple
+{
+/// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
+}
+
+#endif
