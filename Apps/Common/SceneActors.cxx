@@ -77,13 +77,15 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale)
 
 void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
 {
-  constexpr double Shortest = 2.;
+  // A pixel wide they cover 2 sqrt(3) / length of equilateral triangles: three quarters of these,
+  // where no shading is left to see.
+  constexpr double Shortest = 4.6;
   if (pixels < Shortest)
   {
     property->EdgeVisibilityOff();
     return;
   }
-  const double strength = std::clamp((pixels - Shortest) / 6., 0.1, 0.85);
+  const double strength = std::clamp((pixels - 2.) / 6., 0.1, 0.85);
   property->EdgeVisibilityOn();
   property->SetEdgeColor(Clay[0] + strength * (Edge[0] - Clay[0]),
     Clay[1] + strength * (Edge[1] - Clay[1]), Clay[2] + strength * (Edge[2] - Clay[2]));

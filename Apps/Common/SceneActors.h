@@ -46,7 +46,7 @@ void setSurfaceLook(vtkProperty* property);
 void setEdgeLook(vtkProperty* property, double pixels, double scale);
 
 /// The same for a window that is looked at closely: dark, and so thin that what lies between short
-/// edges stays light.
+/// edges stays light; none where they would hide the shading.
 void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale);
 
 /// Unlit lines in one colour.
