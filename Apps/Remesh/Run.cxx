@@ -439,7 +439,8 @@ Status run(const OptionValues& given)
       status.ok() && !given.flag("quiet") && lost > 0)
   {
     std::fprintf(stderr,
-      "stipple: warning: %lld feature edges of the input have no edge of the mesh near them: more "
+      "stipple: warning: feature edges of the input that no edge of the mesh is near to: %lld; "
+      "more "
       "points keep them, as does --feature-tolerance 0\n",
       static_cast<long long>(lost));
   }

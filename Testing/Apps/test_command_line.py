@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from stipple_program import MODELS, STIPPLE, ProgramTest
+from stipple_program import MODELS, STIPPLE, ProgramTest, run
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
 --band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
@@ -155,6 +155,16 @@ class CommandLine(ProgramTest):
         self.assertGreaterEqual(told[0][0], 2, "it is no guess")
         for at, left in told:
             self.assertLess(abs(at + left - end), end, f"after {at} s, {left} s left; it took {end} s")
+
+    def test_features_without_room_are_told(self):
+        """Not where they are kept, or silence is asked for."""
+        anchor = MODELS / "anchor_dense.off"
+        warning = r"\Astipple: warning: feature edges of the input that no edge of the mesh is near to: [1-9]\d*; .*\n\Z"
+        for options, expected in (([], warning), (["--quiet"], r"\A\Z"), (["--feature-tolerance", 0], r"\A\Z")):
+            with self.subTest(options=options):
+                status, out, err = run(anchor, "-o", self.folder / "a.ply", "--points", 300, *options)
+                self.assertEqual((status, out), (0, ""))
+                self.assertRegex(err, expected)
 
     def test_verbose_tells_seconds(self):
         cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))

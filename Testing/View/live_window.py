@@ -145,9 +145,10 @@ class LiveWindow:
         X11.XDestroyImage(ctypes.c_void_p(image))
         return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[..., :3].astype(int)
 
-    def settle(self, after=None, rest=None, limit=120.0):
+    def settle(self, after=None, rest=None, limit=120.0, seen=None):
         """Waits until the picture is not all of one color, differs from that of before, if given, shows no progress of
-        a mesh, and has not changed for so many seconds (as long as this machine needs); the picture."""
+        a mesh, and has not changed for so many seconds (as long as this machine needs); the picture. What is seen on
+        the way is added to a list, if one is given."""
         rest = self.rest if rest is None else rest
         end = time.monotonic() + limit
         picture, since = self.picture(), time.monotonic()
@@ -163,4 +164,6 @@ class LiveWindow:
             new = self.picture()
             if (new != picture).any():
                 picture, since = new, time.monotonic()
+                if seen is not None:
+                    seen.append(picture)
         return picture

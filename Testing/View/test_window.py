@@ -107,6 +107,36 @@ class Views(ViewTest):
         self.assertGreater((one[view][:, 320:490] != dragged[view][:, 320:490]).any(axis=2).mean(), 0.1)
         np.testing.assert_array_equal(again[30:], both[30:])
 
+    def test_samples_stay_until_there_are_others(self):
+        """Those of the charts of before are seen until those of the new charts are there."""
+        with LiveWindow(VIEW, FANDISK, "--points", 4000) as window:
+            window.move(250, 790)
+            before = window.settle()
+            window.move(1120, 402)  # the slider of the charts
+            window.button(1, True)
+            window.button(1, False)
+            seen = []
+            after = window.settle(after=before, seen=seen)
+            dots = [(picture[40:500, 20:480].max(axis=2) < 120).sum() for picture in (before, after, *seen)]
+            self.assertTrue((before[570:770, :480] != after[570:770, :480]).any(), "other charts")
+            self.assertGreater(min(dots), 0.4 * dots[0], dots)
+
+    def test_points_do_not_cut_off_the_model(self):
+        """Where the mesh is not there yet, the right view has nothing but them."""
+        left = self.folder / "points.json"
+        self.view(FANDISK, "--points", 300, "--save-session", left, *self.recorded("Control+j"))
+        session = json.loads(left.read_text())
+        session["constraints"] = points_of(FANDISK)[:1]
+        left.write_text(json.dumps(session))
+        seen = []
+        with LiveWindow(VIEW, "--session", left, "--points", 20000) as window:
+            window.move(250, 300)
+            window.key("h")
+            window.key("h")
+            picture = window.settle(seen=seen)
+        covered = [(p[40:500, 5:490] < 250).any(axis=2).mean() for p in (picture, *seen)]
+        self.assertGreater(min(share for share in covered if share > 0), 0.9 * covered[0], covered)
+
     def test_the_line_follows_a_live_pointer_and_the_camera_turns(self):
         with LiveWindow(VIEW, *self.model) as window:
             window.move(250, 790)

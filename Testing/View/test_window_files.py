@@ -192,6 +192,14 @@ class Files(ViewTest):
         self.play("Control+S", *names, *"a.doc", "Return", "Return", "Escape", model=part)
         self.assertFalse((self.work / "a.doc").exists())
 
+    def test_a_session_is_saved_under_a_name_and_opened_as_a_file(self):
+        names = ["BackSpace"] * len("part-remeshed.ply")
+        paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)
+        self.play(*paint, "Control+S", *names, *"mine.json", "Return", model=("part.off", "--points", 300))
+        self.assertEqual(len(json.loads((self.work / "mine.json").read_text())["strokes"]), 1)
+        self.play("Control+j", model=("mine.json", "--save-session", "again.json"))
+        self.assertEqual((self.work / "again.json").read_bytes(), (self.work / "mine.json").read_bytes())
+
     def test_what_was_there_is_replaced_after_a_question(self):
         part = ("part.off", "--points", 300)
         for key, file in (("Control+s", "part-remeshed.ply"), ("Control+j", "part-session.json"), ("Control+p", "part-view.png"),
