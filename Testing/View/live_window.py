@@ -7,6 +7,8 @@ import time
 
 import numpy as np
 
+from stipple_program import LIMIT
+
 X11 = ctypes.CDLL("libX11.so.6")
 XTEST = ctypes.CDLL("libXtst.so.6")
 ALL_PLANES = ctypes.c_ulong(~0)
@@ -132,7 +134,7 @@ class LiveWindow:
         X11.XFetchName(self.display, ctypes.c_ulong(self.window()), ctypes.byref(name))
         return name.value.decode()
 
-    def ended(self, limit=120.0):
+    def ended(self, limit=LIMIT):
         """Waits for the program's end; its exit status."""
         return self.program.wait(limit)
 
@@ -145,7 +147,7 @@ class LiveWindow:
         X11.XDestroyImage(ctypes.c_void_p(image))
         return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[..., :3].astype(int)
 
-    def settle(self, after=None, rest=None, limit=120.0, seen=None):
+    def settle(self, after=None, rest=None, limit=LIMIT, seen=None):
         """Waits until the picture is not all of one color, differs from that of before, if given, shows no progress of
         a mesh, and has not changed for so many seconds (as long as this machine needs); the picture. What is seen on
         the way is added to a list, if one is given."""
