@@ -194,6 +194,18 @@ Status remesh(vtkPolyData* input, const Session& o, vtkGeometryRemesher* remeshe
   return Status::success();
 }
 
+/// Of the input, that have no line in the mesh; none is far from one where nothing was simplified.
+vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
+{
+  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
+    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
+  return !simplified
+    ? 0
+    : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
+        vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)))
+        ->GetNumberOfLines();
+}
+
 Report makeReport(
   const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load, double write)
 {
@@ -226,7 +238,8 @@ Report makeReport(
     { "reoriented_triangles", atlas->GetNumberOfReorientedTriangles() },
     { "split_edges", atlas->GetNumberOfSplitEdges() },
     { "split_vertices", atlas->GetNumberOfSplitVertices() },
-    { "simplified_features", remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() } };
+    { "simplified_features", remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() },
+    { "lost_feature_edges", countLostFeatures(remesher) } };
   return report;
 }
 
@@ -273,18 +286,6 @@ void tell(const Report& report)
       std::fprintf(stderr, "stipple: warning: %s\n", warning.c_str());
     }
   }
-}
-
-/// Of the input, that have no line in the mesh; none is far from one where nothing was simplified.
-vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
-{
-  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
-    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
-  return !simplified
-    ? 0
-    : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
-        vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)))
-        ->GetNumberOfLines();
 }
 
 Status writeText(const std::string& text, const std::string& now, const std::string& target)
@@ -435,8 +436,7 @@ Status run(const OptionValues& given)
   {
     status = files.commit();
   }
-  if (const vtkIdType lost = countLostFeatures(remesher);
-      status.ok() && !given.flag("quiet") && lost > 0)
+  if (const vtkIdType lost = status.ok() && bar.isOn() ? countLostFeatures(remesher) : 0; lost > 0)
   {
     std::fprintf(stderr,
       "stipple: warning: feature edges of the input that no edge of the mesh is near to: %lld; "

@@ -29,6 +29,8 @@ public:
   ~ProgressBar() { this->clear(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
+  /// Whether somebody sees it.
+  bool isOn() const { return this->On; }
   void show(double fraction, const std::string& what);
   void clear();
 

@@ -19,7 +19,7 @@ Progress progressOf(vtkAlgorithm* filter);
 /// the filter's errorCode, 0 otherwise; an error is reported, an abort is none.
 int endAfter(const Status& outcome, vtkAlgorithm* filter, unsigned long& errorCode);
 
-/// Whether a filter was stopped in its last Update(). If so, it is fit to be updated again: its flag
+/// Whether a filter was stopped in its last Update(). If so, it is made fit for another: its flag
 /// is cleared, as executives did until VTK 9.2, and it is modified, as what it left is no result.
 bool takeStop(vtkAlgorithm* filter);
 

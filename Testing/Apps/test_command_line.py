@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from stipple_program import MODELS, STIPPLE, ProgramTest, run
+from stipple_program import MODELS, STIPPLE, ProgramTest
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
 --band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
@@ -157,14 +157,21 @@ class CommandLine(ProgramTest):
             self.assertLess(abs(at + left - end), end, f"after {at} s, {left} s left; it took {end} s")
 
     def test_features_without_room_are_told(self):
-        """Not where they are kept, or silence is asked for."""
-        anchor = MODELS / "anchor_dense.off"
-        warning = r"\Astipple: warning: feature edges of the input that no edge of the mesh is near to: [1-9]\d*; .*\n\Z"
-        for options, expected in (([], warning), (["--quiet"], r"\A\Z"), (["--feature-tolerance", 0], r"\A\Z")):
-            with self.subTest(options=options):
-                status, out, err = run(anchor, "-o", self.folder / "a.ply", "--points", 300, *options)
-                self.assertEqual((status, out), (0, ""))
-                self.assertRegex(err, expected)
+        """On a terminal, by --verbose, and in the report; not where they are kept."""
+        for tolerance, least, most in ((1, 1, 1000), (0, 0, 0)):
+            leader, follower = pty.openpty()
+            report = self.folder / "report.json"
+            options = "--points", "300", "--feature-tolerance", str(tolerance), "--report", report
+            arguments = STIPPLE, MODELS / "anchor_dense.off", "-o", self.folder / "a.ply", *options
+            subprocess.run(arguments, stderr=follower, env={**os.environ, "TERM": "xterm"}, check=True)
+            os.close(follower)
+            shown = os.read(leader, 100000).decode()
+            os.close(leader)
+            lost = json.loads(report.read_text())["repairs"]["lost_feature_edges"]
+            self.assertTrue(least <= lost <= most, lost)
+            told = re.findall(r"warning: feature edges of the input that no edge of the mesh is near to: (\d+);", shown)
+            self.assertEqual(told, [str(lost)] if lost else [])
+            self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments[1:], "--verbose")[2], lost > 0)
 
     def test_verbose_tells_seconds(self):
         cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))
