@@ -6,10 +6,13 @@
 #include "Geometry.h"
 
 #include "vtkCellArray.h"
+#include "vtkConformalAtlas.h"
 #include "vtkGenericCell.h"
+#include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <functional>
@@ -89,5 +92,15 @@ vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* afte
   lost->SetPoints(sharp->GetPoints());
   lost->SetLines(lines);
   return lost;
+}
+
+vtkSmartPointer<vtkPolyData> lostFeatures(vtkGeometryRemesher* remesher)
+{
+  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
+    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
+  return !simplified
+    ? nullptr
+    : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
+        vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)));
 }
 }

@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkGeometryRemesher;
 class vtkPolyData;
 
 namespace stipple
@@ -13,6 +14,9 @@ namespace stipple
 /// The segments of the sharp lines of `before` that are far from all sharp lines and boundaries of
 /// `after`, over the length of the segment there. Both have the cell array BackboneType.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after);
+
+/// Those of a remesher's last run; null where it has simplified nothing.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkGeometryRemesher* remesher);
 }
 
 #endif

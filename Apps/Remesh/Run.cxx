@@ -194,16 +194,10 @@ Status remesh(vtkPolyData* input, const Session& o, vtkGeometryRemesher* remeshe
   return Status::success();
 }
 
-/// Of the input, that have no line in the mesh; none is far from one where nothing was simplified.
 vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
 {
-  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
-    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
-  return !simplified
-    ? 0
-    : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
-        vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)))
-        ->GetNumberOfLines();
+  const vtkSmartPointer<vtkPolyData> lost = lostFeatures(remesher);
+  return lost ? lost->GetNumberOfLines() : 0;
 }
 
 Report makeReport(

@@ -16,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
-#include "vtkRemeshOptimizer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -158,13 +157,9 @@ void MeshWorker::perform(const Session& session)
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
   result->figures = measureFigures(result->mesh);
-  const int simplified = session.text("pattern") == "quads"
-    ? 0
-    : this->Remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
-  if (simplified > 0)
+  result->lost = lostFeatures(this->Remesher);
+  if (result->lost)
   {
-    result->lost = lostFeatures(
-      vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)), result->lines);
     // Most simplifications move points along a line that is kept: what is counted is what is seen.
     result->figures.lostFeatureEdges = static_cast<int>(result->lost->GetNumberOfLines());
   }
