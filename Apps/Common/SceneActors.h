@@ -31,6 +31,8 @@ constexpr double ViewAngle = 24; ///< degrees
 
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string grouped(long long number);
+/// A number of 1 or more rounded to a whole number with two digits that are not 0.
+[[nodiscard]] double twoDigits(double number);
 
 /// A light colour for each chart; neighbours in number are far apart in hue.
 [[nodiscard]] std::array<unsigned char, 3> chartColor(int chart);

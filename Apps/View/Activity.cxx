@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Activity.h"
 
+#include "SceneActors.h"
+
+#include <cmath>
 #include <tuple>
 
 namespace stipple
@@ -51,6 +54,9 @@ std::string Activity::sentence() const
       return "Cutting into charts; Esc stops it.";
     case Mesh::Making:
       return "Meshing; Esc stops it.";
+    case Mesh::Asks:
+      return "Edges so short take some " + grouped(std::llround(twoDigits(this->points))) +
+        " points. Return makes the mesh.";
     case Mesh::Stopped:
       return "Stopped. Return makes the mesh.";
     default:
@@ -61,8 +67,8 @@ std::string Activity::sentence() const
 bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
-    return std::tie(a.reading, a.mesh, a.progress, a.savesMesh, a.sampling, a.samples, a.meshFile,
-      a.sampleProblem, a.meshProblem);
+    return std::tie(a.reading, a.mesh, a.points, a.progress, a.savesMesh, a.sampling, a.samples,
+      a.meshFile, a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);
 }

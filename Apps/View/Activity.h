@@ -18,11 +18,13 @@ struct Activity
     Waiting, ///< made once the session rests
     Charts,  ///< the surface is being cut into charts
     Making,
+    Asks,    ///< whether it is to have so many points, which nobody has typed
     Stopped, ///< by Esc
     Failed
   };
 
   Mesh mesh = Mesh::Waiting;
+  double points = 0;         ///< of the mesh that is asked about
   double progress = 0;       ///< 0 to 1 of what showsBar()
   bool savesMesh = false;    ///< the mesh is written when it is done
   bool sampling = false;     ///< the samples on the left are not those of the session

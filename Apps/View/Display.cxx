@@ -7,7 +7,9 @@
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #if defined(__linux__)
 #include <GL/glx.h>
@@ -96,5 +98,56 @@ void setLeastSize(vtkRenderWindow* window, int width, int height)
   (void)width;
   (void)height;
 #endif
+}
+
+std::string clipboardText()
+{
+  std::string text;
+#if defined(__linux__)
+  Display* display = openDisplay();
+  if (!display)
+  {
+    return text;
+  }
+  // Who has it writes it to a property of a window of ours, and tells.
+  constexpr std::chrono::milliseconds MostWait(2000);
+  constexpr long MostWords = 1024; // of four bytes
+  const Atom utf8 = XInternAtom(display, "UTF8_STRING", False);
+  const Atom property = XInternAtom(display, "STIPPLE_CLIPBOARD", False);
+  const Window window =
+    XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
+  XConvertSelection(
+    display, XInternAtom(display, "CLIPBOARD", False), utf8, property, window, CurrentTime);
+  XFlush(display);
+  const auto end = std::chrono::steady_clock::now() + MostWait;
+  XEvent event;
+  bool answered = false;
+  while (!answered && std::chrono::steady_clock::now() < end)
+  {
+    answered = XCheckTypedWindowEvent(display, window, SelectionNotify, &event) != 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(answered ? 0 : 2));
+  }
+  if (answered && event.xselection.property != None)
+  {
+    Atom type = None;
+    int format = 0;
+    unsigned long size = 0;
+    unsigned long left = 0;
+    unsigned char* data = nullptr;
+    XGetWindowProperty(
+      display, window, property, 0, MostWords, True, utf8, &type, &format, &size, &left, &data);
+    if (type == utf8 && format == 8)
+    {
+      text.assign(reinterpret_cast<const char*>(data), size);
+    }
+    if (data)
+    {
+      XFree(data);
+    }
+  }
+  XDestroyWindow(display, window);
+  XFlush(display);
+#endif
+  return text;
 }
 }

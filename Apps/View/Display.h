@@ -6,6 +6,7 @@
 #include "Progress.h"
 
 #include <array>
+#include <string>
 
 class vtkRenderWindow;
 
@@ -20,6 +21,10 @@ namespace stipple
 
 /// Window managers let the user make an open window no smaller than this, in pixels.
 void setLeastSize(vtkRenderWindow* window, int width, int height);
+
+/// What was copied last in this or another program, UTF-8; empty if it is no text, or who has it
+/// does not answer within two seconds.
+[[nodiscard]] std::string clipboardText();
 }
 
 #endif

@@ -16,17 +16,6 @@ namespace
 namespace fs = std::filesystem;
 constexpr std::size_t MostEntries = 5000;
 constexpr float RowHeight = 24; // pixels at scale 1
-
-/// As much of the end of the words as fits: there they are typed.
-std::string endOf(Canvas& canvas, const std::string& words, float width, const TextLook& look)
-{
-  std::string text = words;
-  while (!text.empty() && canvas.textWidth("..." + text, look) > width)
-  {
-    text.erase(0, 1);
-  }
-  return canvas.textWidth(words, look) <= width ? words : "..." + text;
-}
 }
 
 FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp)
@@ -38,7 +27,7 @@ FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp
   fs::path begin = fs::absolute(this->Wanted.begin, error);
   if (this->Wanted.saves)
   {
-    this->Typed = begin.filename().string();
+    this->propose(begin.filename().string());
     begin = begin.parent_path();
   }
   this->enter(begin);
@@ -59,22 +48,32 @@ void FileChooser::enter(const fs::path& folder)
     this->Folder = this->Folder.parent_path();
   }
   this->Sentence.clear();
-  this->Typed = this->Wanted.saves ? this->Typed : "";
+  if (!this->Wanted.saves)
+  {
+    this->Typed.set("");
+  }
   this->list();
+}
+
+void FileChooser::propose(const std::string& name)
+{
+  this->Typed.set(name);
+  this->Typed.select(0, name.size() - fileExtension(name).size());
 }
 
 bool FileChooser::typesPath() const
 {
-  return this->Typed.find('/') != std::string::npos || this->Typed == "~";
+  return this->Typed.text().find('/') != std::string::npos || this->Typed.text() == "~";
 }
 
 fs::path FileChooser::typedPath() const
 {
   const char* home = std::getenv("HOME");
-  const bool fromHome = this->Typed == "~" || this->Typed.compare(0, 2, "~/") == 0;
+  const std::string& typed = this->Typed.text();
+  const bool fromHome = typed == "~" || typed.compare(0, 2, "~/") == 0;
   const fs::path path = home && fromHome
-    ? fs::path(home) / fs::path(this->Typed.substr(std::min<std::size_t>(2, this->Typed.size())))
-    : this->Folder / this->Typed;
+    ? fs::path(home) / fs::path(typed.substr(std::min<std::size_t>(2, typed.size())))
+    : this->Folder / typed;
   return path.lexically_normal();
 }
 
@@ -88,7 +87,7 @@ void FileChooser::list()
   const fs::path typed = this->typedPath();
   const fs::path folder = path ? typed.parent_path() : this->Folder;
   const std::string filter =
-    this->Wanted.saves ? "" : upperCase(path ? typed.filename().string() : this->Typed);
+    this->Wanted.saves ? "" : upperCase(path ? typed.filename().string() : this->Typed.text());
   const auto passes = [&filter](const std::string& name) {
     return filter.empty() ? name.compare(0, 1, ".") != 0
                           : upperCase(name).find(filter) != std::string::npos;
@@ -149,13 +148,9 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
     box.x + pad, box.top() - 50 * s, canvas.fitted(this->Folder.string(), inner, quiet), quiet);
   const Rect field{ box.x + pad, box.top() - 92 * s, inner, 28 * s };
   canvas.box(field, shades::Card, shades::Accent, 4, 1.5F);
-  const std::string lead = this->Wanted.saves ? "name: " : "filter: ";
-  const TextLook plain{ 12.5F, shades::Word };
-  const std::string words = endOf(canvas, lead + this->Typed, inner - 24 * s, plain);
-  const float middle = field.y + 0.5F * field.h;
-  canvas.text(field.x + 8 * s, middle, words, plain);
-  const float caret = field.x + 10 * s + canvas.textWidth(words, plain);
-  canvas.rule(caret, field.y + 6 * s, caret, field.top() - 6 * s, shades::Accent);
+  this->Field = field;
+  this->Typed.paint(canvas, field.x + 8 * s, field.y + 0.5F * field.h, inner - 24 * s,
+    { 12.5F, shades::Word }, this->Wanted.saves ? "name: " : "filter: ");
   const float row = RowHeight * s;
   const float top = field.y - 10 * s;
   const int rows = std::max(1, static_cast<int>((top - box.y - 40 * s) / row));
@@ -213,7 +208,7 @@ void FileChooser::open(const fs::path& path, bool folder)
   }
   else if (this->Wanted.saves)
   {
-    this->Typed = path.filename().string();
+    this->propose(path.filename().string());
     this->Confirmed = false;
   }
   else
@@ -227,10 +222,10 @@ void FileChooser::accept()
 {
   std::error_code error;
   const fs::path typed = this->typedPath();
-  const bool path = this->typesPath() || this->Typed == "..";
+  const bool path = this->typesPath() || this->Typed.text() == "..";
   if (path && fs::is_directory(typed, error))
   {
-    this->Typed.clear();
+    this->Typed.set("");
     this->enter(typed);
   }
   else if (path && !fs::is_directory(typed.parent_path(), error))
@@ -253,7 +248,7 @@ void FileChooser::accept()
   else
   {
     this->Sentence = path ? "There is no file " + typed.string() + "."
-                          : "No name here has \"" + this->Typed + "\" in it.";
+                          : "No name here has \"" + this->Typed.text() + "\" in it.";
   }
 }
 
@@ -261,7 +256,7 @@ void FileChooser::acceptName()
 {
   const fs::path file = this->typedPath();
   const auto& endings = this->Wanted.endings;
-  if (std::find(endings.begin(), endings.end(), fileExtension(this->Typed)) == endings.end())
+  if (std::find(endings.begin(), endings.end(), fileExtension(this->Typed.text())) == endings.end())
   {
     this->Sentence = "The name must end in one of";
     for (const std::string& ending : endings)
@@ -274,7 +269,7 @@ void FileChooser::acceptName()
   if (fs::exists(file, error) && !this->Confirmed)
   {
     this->Confirmed = true;
-    this->Sentence = this->Typed + " exists: Return once more replaces it.";
+    this->Sentence = this->Typed.text() + " exists: Return once more replaces it.";
     return;
   }
   const Chosen chosen = this->OnChosen;
@@ -288,6 +283,10 @@ void FileChooser::press(const Pointer& pointer)
   {
     const Entry entry = this->Entries[static_cast<std::size_t>(index)];
     this->open(entry.path, entry.folder);
+  }
+  else if (this->Field.has(pointer.x, pointer.y))
+  {
+    this->Typed.place(pointer, pointer.shift);
   }
 }
 
@@ -325,18 +324,9 @@ void FileChooser::key(const KeyStroke& stroke)
     const int seen = std::max(1, static_cast<int>(this->Boxes.size()));
     this->First = std::clamp(this->First, this->Current - seen + 1, this->Current);
   }
-  else if (key == "BackSpace" || (stroke.letter != 0 && !stroke.control))
+  else if (const std::string before = this->Typed.text(); this->Typed.key(stroke))
   {
-    // A key that is held goes on when the name is empty, and nobody sees how far.
-    if (key != "BackSpace")
-    {
-      this->Typed.push_back(stroke.letter);
-    }
-    else if (!this->Typed.empty())
-    {
-      this->Typed.pop_back();
-    }
-    if (!this->Wanted.saves)
+    if (!this->Wanted.saves && this->Typed.text() != before)
     {
       this->list();
     }

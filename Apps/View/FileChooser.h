@@ -4,6 +4,7 @@
 #define stipple_FileChooser_h
 
 #include "Page.h"
+#include "TypedText.h"
 
 #include <filesystem>
 #include <functional>
@@ -14,8 +15,8 @@ namespace stipple
 {
 /// A folder's files to choose from, or a name to save by. Arrows choose, Return opens, Esc gives
 /// up; letters filter the list or, where it is saved, are the name. What has a slash, or begins
-/// with ~, is a path: the list is that of its folder. BackSpace takes letters and nothing else. A
-/// file that exists is replaced by a second Return only.
+/// with ~, is a path: the list is that of its folder. The name that is proposed is selected up to
+/// its ending. A file that exists is replaced by a second Return only.
 class FileChooser : public Page
 {
 public:
@@ -53,19 +54,22 @@ private:
   /// Where what is typed leads: from the folder, from home, or from the root.
   std::filesystem::path typedPath() const;
   bool typesPath() const;
+  /// Proposes a name.
+  void propose(const std::string& name);
   int entryAt(const Pointer& pointer) const; ///< -1: none
 
   Wish Wanted;
   Chosen OnChosen;
   std::function<void()> OnGivenUp;
   std::filesystem::path Folder;
-  std::string Typed;
+  TypedText Typed;
   std::string Sentence; ///< what is wrong, or asked
   std::vector<Entry> Entries;
   int Current = 0;
   int First = 0; ///< entry that is seen first
   int Under = -1;
   bool Confirmed = false;  ///< the name exists, and Return was pressed once
+  Rect Field;              ///< of what is typed, as painted last
   std::vector<Rect> Boxes; ///< of the entries from First on, as painted last
 };
 }

@@ -21,7 +21,8 @@ void NumberField::paint(Canvas& canvas)
 {
   const float s = canvas.scale();
   const float middle = this->Box.y + 0.5F * this->Box.h;
-  canvas.text(this->Box.x, middle, this->Label);
+  const Shade word = this->Enabled ? shades::Word : shades::Faint;
+  canvas.text(this->Box.x, middle, this->Label, { 12, word });
   const float width = 0.46F * this->Box.w;
   const Rect field{ this->Box.right() - width, this->Box.y, width, this->Box.h };
   const bool typed = this->Typed.on();
@@ -33,21 +34,15 @@ void NumberField::paint(Canvas& canvas)
     canvas.text(right, middle, canvas.fitted(this->Automatic, width - 12 * s, quiet), quiet);
     return;
   }
-  const std::string text = typed ? this->Typed.text()
-    : this->Limits.whole         ? grouped(static_cast<long long>(this->Value))
-                                 : shortestText(this->Value);
-  const TextLook look{ 13, shades::Word, Align::Right, true };
-  if (typed && this->Typed.fresh())
-  {
-    const float w = canvas.textWidth(text, look);
-    canvas.fill(
-      { right - w - 2 * s, field.y + 5 * s, w + 4 * s, field.h - 10 * s }, shades::AccentSoft);
-  }
-  canvas.text(right, middle, text, look);
+  const TextLook look{ 13, word, Align::Right, true };
   if (typed)
   {
-    canvas.rule(right + 2 * s, field.y + 6 * s, right + 2 * s, field.top() - 6 * s, shades::Accent);
+    this->Typed.line().paint(canvas, right, middle, width - 12 * s, look);
+    return;
   }
+  canvas.text(right, middle,
+    this->Limits.whole ? grouped(static_cast<long long>(this->Value)) : shortestText(this->Value),
+    look);
 }
 
 void NumberField::focus()
@@ -58,6 +53,10 @@ void NumberField::focus()
 
 bool NumberField::press(const Pointer& pointer)
 {
+  if (!this->Enabled)
+  {
+    return false;
+  }
   if (pointer.secondary)
   {
     if (this->Limits.automatic)
@@ -66,7 +65,7 @@ bool NumberField::press(const Pointer& pointer)
     }
     return false;
   }
-  this->focus();
+  this->Typed.on() ? this->Typed.line().place(pointer, false) : this->focus();
   return true;
 }
 
@@ -104,11 +103,12 @@ void NumberField::finish(bool accept)
 
 bool NumberField::key(const KeyStroke& stroke)
 {
-  if (!this->Typed.on() || stroke.control)
+  TypedNumber::End end;
+  if (!this->Typed.on() || !this->Typed.key(stroke, end))
   {
     return false;
   }
-  if (const TypedNumber::End end = this->Typed.key(stroke); end != TypedNumber::End::None)
+  if (end != TypedNumber::End::None)
   {
     this->finish(end == TypedNumber::End::Accepted);
   }

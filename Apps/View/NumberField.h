@@ -27,6 +27,7 @@ public:
   NumberField(std::string label, const Range& range, Commit commit);
 
   void setValue(double value) { this->Value = value; }
+  void setEnabled(bool enabled) { this->Enabled = enabled; }
   void setLabel(const std::string& label) { this->Label = label; }
   /// What is shown for 0 where that is automatic.
   void setAutomatic(const std::string& word) { this->Automatic = word; }
@@ -48,6 +49,7 @@ private:
   double Value = 0;
   std::string Automatic;
   TypedNumber Typed;
+  bool Enabled = true;
 };
 }
 

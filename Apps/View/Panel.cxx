@@ -3,6 +3,7 @@
 #include "Panel.h"
 
 #include "Document.h"
+#include "SceneActors.h"
 #include "SessionEdits.h"
 #include "ViewOptions.h"
 
@@ -19,9 +20,20 @@ constexpr const char* SliderHint = "Click its number to type; right button: defa
 constexpr float HeaderHeight = 54; ///< above the first row
 constexpr float HeadRule = 38;     ///< of the line below the name
 constexpr float BottomPad = 8;
-constexpr float ScrollStep = 60;     ///< a notch of the wheel
-constexpr int ArrayWord = 7;         // of the importances
-constexpr double SliderPoints = 5e4; // most that the slider gives; more can be typed
+constexpr float ScrollStep = 60; ///< a notch of the wheel
+constexpr int ArrayWord = 7;     // of the importances
+
+/// Of the buttons of the importance.
+std::vector<std::string> importanceHints()
+{
+  return { "The same density everywhere.", "More samples where the mean curvature is large.",
+    "More samples where the Gaussian curvature is large.",
+    "More samples where the smaller principal curvature is large.",
+    "More samples where the larger principal curvature is large.",
+    "More samples where the surface bends: both principal curvatures, squared and added.",
+    "The density that approximates the surface best (L2): fewest points for an error.",
+    "The density is that of a picture, or of an array of the file that is chosen." };
+}
 
 Slider::Format format(const char* pattern)
 {
@@ -30,13 +42,6 @@ Slider::Format format(const char* pattern)
     std::snprintf(text, sizeof(text), pattern, value);
     return std::string(text);
   };
-}
-
-/// Two digits that count, as a whole number.
-double rounded(double value)
-{
-  const double unit = std::pow(10., std::max(0., std::floor(std::log10(value)) - 1));
-  return std::round(value / unit) * unit;
 }
 }
 
@@ -74,12 +79,12 @@ void Panel::addSampling(Commands& commands)
     this->make<NumberField>("", NumberField::Range{ 1, MostPoints }, [&commands](double points) {
       commands.edit([points](Session& s) { setPoints(s, points); }, true);
     });
-  Slider::Range range{ 100, SliderPoints };
+  Slider::Range range{ 100, MostSliderPoints };
   range.logarithmic = true;
   this->PointsSlider = this->make<Slider>(
     "", range, [](double) { return std::string(); },
     [this, &commands](double value, bool rests) {
-      const int points = static_cast<int>(rounded(value));
+      const int points = static_cast<int>(twoDigits(value));
       // A press that moves nothing keeps a number that was typed.
       commands.edit(
         [this, points, value](Session& s) {
@@ -126,14 +131,6 @@ void Panel::addSampling(Commands& commands)
   this->Floor->setDefault(defaults.number("minimum_density"));
   this->Number->setHint("Exactly so many points has the mesh. Click or n, digits, Return.");
   this->PointsSlider->setHint("Exactly so many points has the mesh.");
-  this->Importance->setHints(
-    { "The same density everywhere.", "More samples where the mean curvature is large.",
-      "More samples where the Gaussian curvature is large.",
-      "More samples where the smaller principal curvature is large.",
-      "More samples where the larger principal curvature is large.",
-      "More samples where the surface bends: both principal curvatures, squared and added.",
-      "The density that approximates the surface best (L2): fewest points for an error.",
-      "The density is that of a picture, or of an array of the file that is chosen." });
   this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
     std::string(SliderHint));
   this->Gradation->setHint(
@@ -338,7 +335,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Points = follows && points > 0 ? points : s.integer("points");
   this->Number->setLabel(follows ? "Points that follow" : "Number of points");
   this->Number->setValue(this->Points);
-  Slider::Range range{ 100, std::max<double>(SliderPoints, this->Points) };
+  Slider::Range range{ 100, std::max<double>(MostSliderPoints, this->Points) };
   range.logarithmic = true;
   this->PointsSlider->setRange(range);
   this->PointsSlider->setValue(this->Points);
@@ -352,11 +349,19 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Importance->choose(std::min(kind, ArrayWord));
   this->Importance->setWord(ArrayWord,
     importance == "array" ? s.text("importance_array") : (this->HasPicture ? "image" : "array"));
-  this->Importance->setEnabled(ArrayWord, this->HasPicture || this->Input.arrays);
-  const bool uniform = importance == "uniform";
+  const bool counts = importanceCounts(s);
+  for (int word = 0; word < ArrayWord; ++word)
+  {
+    this->Importance->setEnabled(word, counts);
+  }
+  this->Importance->setEnabled(ArrayWord, counts && (this->HasPicture || this->Input.arrays));
+  this->Importance->setHints(counts
+      ? importanceHints()
+      : std::vector<std::string>(
+          ArrayWord + 1, "The preset uniform leaves the importance out: see Mesh below."));
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {
-    slider->setEnabled(!uniform);
+    slider->setEnabled(counts && importance != "uniform");
   }
   this->Gamma->setValue(s.number("gamma"));
   this->Gradation->setValue(s.number("gradation"));

@@ -24,6 +24,14 @@ std::string hintOf(const Option& option)
   return hint + (option.unit.empty() ? "" : " (" + option.unit + ")") + ".";
 }
 
+/// Whether the mesh that the session asks for depends on the option.
+bool counts(const Option& option, const Session& session)
+{
+  const std::string& pattern = session.text("pattern");
+  return option.name == "subdivisions" ? pattern == "semiregular"
+                                       : option.stage != "vtkRemeshOptimizer" || pattern != "quads";
+}
+
 int indexOf(const std::vector<std::string>& words, const std::string& word)
 {
   return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
@@ -166,17 +174,15 @@ void Panel::showOptions(const Session& s)
   for (const auto& [option, choice] : this->OptionChoices)
   {
     choice->choose(indexOf(findOption(option)->choices, s.text(option)));
-    // Quads are not optimised.
-    const bool counts =
-      findOption(option)->stage != "vtkRemeshOptimizer" || s.text("pattern") != "quads";
     for (std::size_t word = 0; word < findOption(option)->choices.size(); ++word)
     {
-      choice->setEnabled(static_cast<int>(word), counts);
+      choice->setEnabled(static_cast<int>(word), counts(*findOption(option), s));
     }
   }
   for (const auto& [option, field] : this->OptionFields)
   {
     field->setValue(s.number(option));
+    field->setEnabled(counts(*findOption(option), s));
   }
   for (const auto& [option, label, choice] : this->ArrayChoices)
   {

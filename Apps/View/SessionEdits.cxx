@@ -3,6 +3,7 @@
 #include "SessionEdits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -11,6 +12,18 @@ bool pointsFollow(const Session& session)
   return session.number("edge_length") > 0 ||
     (session.integer("points") == 0 &&
       (!session.text("size_array").empty() || session.number("curvature_points") > 0));
+}
+
+double pointsOfLength(const Session& session, double area)
+{
+  // Twice as many triangles as points, each of sqrt(3) / 4 of its edge squared.
+  const double length = session.number("edge_length");
+  return length > 0 ? 2 / std::sqrt(3.) * area / (length * length) : 0;
+}
+
+bool importanceCounts(const Session& session)
+{
+  return session.text("preset") != "uniform" || session.text("pattern") == "quads";
 }
 
 void setPoints(Session& session, double points)

@@ -12,6 +12,13 @@ namespace stipple
 /// Whether the number of points follows from lengths of edges, as vtkGeometryRemesher has it.
 [[nodiscard]] bool pointsFollow(const Session& session);
 
+/// About how many points edges of the session's length lead to on so much surface, as equilateral
+/// triangles; 0 if their number follows from anything else, or from nothing.
+[[nodiscard]] double pointsOfLength(const Session& session, double area);
+
+/// Whether the mesh follows importance and paint: the preset uniform leaves them out.
+[[nodiscard]] bool importanceCounts(const Session& session);
+
 /// A number of points that does not follow from anything.
 void setPoints(Session& session, double points);
 

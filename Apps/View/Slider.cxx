@@ -62,9 +62,7 @@ void Slider::paint(Canvas& canvas)
     // Within its box: beyond, nobody would paint over it.
     canvas.box(
       { this->Box.right() - width, upper - 9 * s, width, 18 * s }, shades::Card, shades::Accent, 3);
-    canvas.text(this->Box.right() - 5 * s, upper, this->Typed.text(), look);
-    const float caret = this->Box.right() - 3 * s;
-    canvas.rule(caret, upper - 6 * s, caret, upper + 6 * s, shades::Accent);
+    this->Typed.line().paint(canvas, this->Box.right() - 5 * s, upper, width - 8 * s, look);
   }
   else
   {
@@ -97,7 +95,7 @@ bool Slider::press(const Pointer& pointer)
   }
   if (this->isOverValue(pointer))
   {
-    this->Typed.begin();
+    this->Typed.on() ? this->Typed.line().place(pointer, false) : this->Typed.begin();
     return false;
   }
   this->Held = true;
@@ -149,11 +147,12 @@ void Slider::finish(bool accept)
 
 bool Slider::key(const KeyStroke& stroke)
 {
-  if (!this->Typed.on() || stroke.control)
+  TypedNumber::End end;
+  if (!this->Typed.on() || !this->Typed.key(stroke, end))
   {
     return false;
   }
-  if (const TypedNumber::End end = this->Typed.key(stroke); end != TypedNumber::End::None)
+  if (end != TypedNumber::End::None)
   {
     this->finish(end == TypedNumber::End::Accepted);
   }

@@ -14,11 +14,21 @@ namespace
 constexpr std::size_t MostLetters = 8;
 }
 
+TypedNumber::TypedNumber(bool whole)
+  : Line([whole](const std::string& rest, char letter) {
+    const bool isExponent = letter == 'e' && !rest.empty() && rest.find('e') == std::string::npos;
+    const bool isPart = (letter >= '0' && letter <= '9') || isExponent ||
+      (!whole && (letter == '.' || letter == '-'));
+    return isPart && rest.size() < MostLetters;
+  })
+{
+}
+
 void TypedNumber::begin(const std::string& text)
 {
   this->On = true;
-  this->Fresh = true;
-  this->Text = text;
+  this->Line.set(text);
+  this->Line.select(0, text.size());
 }
 
 std::string TypedNumber::whyNot(double typed, double low, double high)
@@ -33,34 +43,21 @@ std::string TypedNumber::whyNot(double typed, double low, double high)
                      : "";
 }
 
-bool TypedNumber::takes(char letter) const
+bool TypedNumber::key(const KeyStroke& stroke, End& end)
 {
-  const bool isExponent = letter == 'e' && !this->Fresh && !this->Text.empty() &&
-    this->Text.find('e') == std::string::npos;
-  return (letter >= '0' && letter <= '9') || isExponent ||
-    (!this->Whole && (letter == '.' || letter == '-'));
-}
-
-TypedNumber::End TypedNumber::key(const KeyStroke& stroke)
-{
+  end = End::None;
   if (stroke.symbol == "Return" || stroke.symbol == "KP_Enter" || stroke.symbol == "Tab")
   {
-    return End::Accepted;
+    end = End::Accepted;
   }
-  if (stroke.symbol == "Escape")
+  else if (stroke.symbol == "Escape")
   {
-    return End::GivenUp;
+    end = End::GivenUp;
   }
-  if (stroke.symbol == "BackSpace" || stroke.symbol == "Delete")
+  else if (!this->Line.key(stroke) && stroke.control)
   {
-    this->Text = this->Fresh ? "" : this->Text.substr(0, this->Text.size() - !this->Text.empty());
-    this->Fresh = false;
+    return false;
   }
-  else if (this->takes(stroke.letter) && (this->Fresh || this->Text.size() < MostLetters))
-  {
-    this->Text = (this->Fresh ? "" : this->Text) + stroke.letter;
-    this->Fresh = false;
-  }
-  return End::None;
+  return true;
 }
 }

@@ -3,7 +3,7 @@
 #ifndef stipple_TypedNumber_h
 #define stipple_TypedNumber_h
 
-#include "Control.h"
+#include "TypedText.h"
 
 #include <string>
 
@@ -21,30 +21,23 @@ public:
   };
 
   /// Whole numbers have no point and no sign; 1e4 is one.
-  explicit TypedNumber(bool whole)
-    : Whole(whole)
-  {
-  }
+  explicit TypedNumber(bool whole);
 
-  /// Begins with a number that the first key replaces, or with none.
+  /// Begins with a number that the first letter replaces, or with none.
   void begin(const std::string& text = "");
   void finish() { this->On = false; }
   bool on() const { return this->On; }
-  /// Nothing was typed yet.
-  bool fresh() const { return this->Fresh; }
-  const std::string& text() const { return this->Text; }
-  /// Takes all keys, so that none does anything else meanwhile.
-  End key(const KeyStroke& stroke);
+  const std::string& text() const { return this->Line.text(); }
+  TypedText& line() { return this->Line; }
+  /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a
+  /// text field's: false for these.
+  bool key(const KeyStroke& stroke, End& end);
   /// Why a number that was typed is not what is taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
 
 private:
-  bool takes(char letter) const;
-
-  bool Whole;
   bool On = false;
-  bool Fresh = false;
-  std::string Text;
+  TypedText Line;
 };
 }
 

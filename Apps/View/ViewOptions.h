@@ -14,6 +14,8 @@ namespace stipple
 {
 /// The number of points that the window takes: with more, a preview takes seconds.
 constexpr int MostPoints = 1'000'000;
+/// Most that the slider gives; more can be typed.
+constexpr int MostSliderPoints = 50'000;
 
 /// "play" and "shot", which may come many times, are in order; "size", if given, is a row of two
 /// numbers.

@@ -9,6 +9,7 @@
 #include "OutputFiles.h"
 #include "SceneActors.h"
 #include "SessionEdits.h"
+#include "ViewOptions.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -98,6 +99,7 @@ Viewer::Viewer(
       },
       rests);
   })
+  , AgreedPoints(std::max<double>(MostSliderPoints, pointsOfLength(Now, Area)))
   , MeshAt(Clock::now())
   , Sampler(CurveBars)
   , Worker(document.input)
@@ -274,7 +276,10 @@ void Viewer::tick()
   if (this->PreviewIsOld && this->HasAtlas)
   {
     this->PreviewIsOld = false;
-    this->Sampler.start(this->sampledSession());
+    if (this->pointsToAgree() == 0)
+    {
+      this->Sampler.start(this->sampledSession());
+    }
   }
   if (this->MeshWanted && !this->Starts && Clock::now() >= this->MeshAt)
   {
@@ -455,10 +460,12 @@ Activity Viewer::activity()
   const bool works = !this->Stopped && this->Worker.busy();
   // Maps of another number of points say nothing about this one, and there may be others soon.
   now.sampleProblem = works || this->MeshWanted ? "" : this->PreviewProblem;
+  now.points = this->pointsToAgree();
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
     : this->MeshWanted                     ? Mesh::Waiting
     : !this->Problem.empty()               ? Mesh::Failed
+    : now.points > 0                       ? Mesh::Asks
     : this->Stopped || this->Worker.idle() ? Mesh::Stopped
                                            : Mesh::Making;
   return now;
@@ -485,13 +492,19 @@ void Viewer::showActivity()
 void Viewer::startMeshing()
 {
   this->MeshWanted = false;
-  if (!this->meshIsCurrent() || this->AtlasIsNewer)
+  if (this->pointsToAgree() == 0 && (!this->meshIsCurrent() || this->AtlasIsNewer))
   {
     this->Problem.clear();
     this->Stopped = false;
     this->Worker.start(this->Now);
   }
   this->Window.touch(ViewerWindow::After | ViewerWindow::Strip | ViewerWindow::Status);
+}
+
+double Viewer::pointsToAgree() const
+{
+  const double points = pointsOfLength(this->Now, this->Area);
+  return points > this->AgreedPoints ? points : 0;
 }
 
 Session Viewer::sampledSession() const

@@ -134,6 +134,9 @@ private:
   /// The new charts take the place of those before, whose samples are shown until there are others.
   void showAtlas();
   void startMeshing();
+  /// How many points the session's length of edges leads to, if that is many and not agreed to; 0
+  /// mostly.
+  [[nodiscard]] double pointsToAgree() const;
   /// The dots are the mesh's own vertices where that is the session's.
   void showVertices();
   [[nodiscard]] bool showsVertices() const;
@@ -250,6 +253,7 @@ private:
   std::string PreviewProblem;
   std::unique_ptr<MeshResult> Mesh;
   std::string Problem; ///< what failed for the session of now
+  double AgreedPoints; ///< most that follow from a length without a question
   bool MeshWanted = true;
   bool Stopped = false;     ///< by the user
   Clock::time_point MeshAt; ///< when, at the earliest

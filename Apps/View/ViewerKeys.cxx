@@ -129,6 +129,8 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "Return" || key == "KP_Enter")
   {
+    this->PreviewIsOld = this->PreviewIsOld || this->pointsToAgree() > 0;
+    this->AgreedPoints = std::max(this->AgreedPoints, this->pointsToAgree());
     this->MeshWanted = !this->meshIsCurrent();
     this->MeshAt = Clock::now();
     this->Stopped = false;

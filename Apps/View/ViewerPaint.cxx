@@ -5,6 +5,7 @@
 
 #include "ColorBar.h"
 #include "SceneActors.h"
+#include "SessionEdits.h"
 
 #include "vtkPolyData.h"
 
@@ -147,7 +148,10 @@ void Viewer::paintStrip(Canvas& canvas)
   const Cell cells[] = { { l.sheet, "control map", "dark: many samples; paint here too",
                            this->Sheet },
     { l.curve, "transfer function",
-      this->Now.text("importance") == "uniform" ? "not for uniform" : "", this->Curve },
+      !importanceCounts(this->Now)                  ? "not for the preset uniform"
+        : this->Now.text("importance") == "uniform" ? "not for uniform"
+                                                    : "",
+      this->Curve },
     { l.figures, "mesh quality", "", this->Figures } };
   // One of the cells that have changed, where it does not have to be all: the next frame, and the
   // frame of a preview, come the sooner.
@@ -187,7 +191,7 @@ std::string Viewer::remark() const
   {
     return "";
   }
-  if (this->Now.text("pattern") != "quads" && this->Now.text("preset") == "uniform" &&
+  if (!importanceCounts(this->Now) &&
     (this->Now.text("importance") != "uniform" || !this->Now.list("strokes").empty()))
   {
     return " Importance and paint do not count: the preset is uniform.";

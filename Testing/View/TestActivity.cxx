@@ -28,8 +28,8 @@ bool says(const Activity& activity, const std::string& words)
 
 TEST(Activity, HeaderBarAndSentenceAgree)
 {
-  for (const Mesh mesh :
-    { Mesh::Current, Mesh::Waiting, Mesh::Charts, Mesh::Making, Mesh::Stopped, Mesh::Failed })
+  for (const Mesh mesh : { Mesh::Current, Mesh::Waiting, Mesh::Charts, Mesh::Making, Mesh::Asks,
+         Mesh::Stopped, Mesh::Failed })
   {
     const Activity a = of(mesh);
     EXPECT_EQ(a.note().empty(), mesh == Mesh::Current);
@@ -39,6 +39,15 @@ TEST(Activity, HeaderBarAndSentenceAgree)
     EXPECT_EQ(a.alarms(), mesh == Mesh::Failed);
     EXPECT_FALSE(a.showsBar() && !a.works());
   }
+}
+
+TEST(Activity, ManyPointsAreAskedAbout)
+{
+  Activity a = of(Mesh::Asks);
+  a.points = 837462;
+  EXPECT_EQ(a.sentence(), "Edges so short take some 840,000 points. Return makes the mesh.");
+  EXPECT_FALSE(a.alarms());
+  EXPECT_EQ(a.note(), "not up to date");
 }
 
 TEST(Activity, TellsWhatWillBeWritten)

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that are typed into the panel.
+// Numbers and names that are typed.
 #include "NumberField.h"
 #include "Slider.h"
+#include "TypedText.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,70 @@ void type(Control& control, const std::string& letters)
   }
   control.key({ "Return" });
 }
+}
+
+TEST(TypedText, HasTheKeysOfTextFields)
+{
+  TypedText line;
+  const auto press = [&line](const char* symbol, bool shift = false, bool control = false) {
+    return line.key({ symbol, symbol[1] == 0 ? symbol[0] : '\0', shift, control });
+  };
+  line.set("mesh.ply");
+  line.select(0, 4); // what is typed replaces the name, and keeps its ending
+  press("a");
+  press("b");
+  EXPECT_EQ(line.text(), "ab.ply");
+  EXPECT_EQ(line.caret(), 2U);
+  press("Left");
+  press("BackSpace");
+  EXPECT_EQ(line.text(), "b.ply");
+  press("BackSpace");
+  EXPECT_EQ(line.text(), "b.ply") << "there is nothing before";
+  press("Delete");
+  EXPECT_EQ(line.text(), ".ply");
+  press("End");
+  press("Delete");
+  EXPECT_EQ(line.text(), ".ply");
+  press("Left", true);
+  press("Left", true);
+  EXPECT_EQ(line.selection(), std::make_pair(std::size_t(2), std::size_t(4)));
+  press("x");
+  EXPECT_EQ(line.text(), ".px");
+  press("Home", true);
+  press("Right"); // to the end of what was selected
+  EXPECT_EQ(line.caret(), 3U);
+  EXPECT_FALSE(press("s", false, true)) << "a command, not a letter";
+  EXPECT_FALSE(press("F5"));
+  press("a", false, true);
+  press("z");
+  EXPECT_EQ(line.text(), "z");
+}
+
+TEST(TypedText, LettersOfSeveralBytesAreOne)
+{
+  TypedText line;
+  line.set("a\u00e9\u6f22");
+  line.key({ "Left" });
+  EXPECT_EQ(line.caret(), 3U);
+  line.key({ "BackSpace" });
+  EXPECT_EQ(line.text(), "a\u6f22");
+  line.key({ "Delete" });
+  EXPECT_EQ(line.text(), "a");
+}
+
+TEST(TypedNumber, IsEditedInItsMiddle)
+{
+  std::vector<double> taken;
+  NumberField field(
+    "points", NumberField::Range{ 1, 1000000 }, [&taken](double value) { taken.push_back(value); });
+  field.setValue(5300);
+  field.focus();
+  for (const char* symbol : { "Home", "Right", "Delete" })
+  {
+    field.key({ symbol });
+  }
+  type(field, "12x-."); // letters are none of a number's
+  EXPECT_EQ(taken, std::vector<double>{ 51200 });
 }
 
 TEST(TypedNumber, OutsideItsRangeIsSaid)

@@ -17,7 +17,7 @@ STATUS_ROWS = 26  # at the bottom of a window of 1280x800
 PROGRESS = (184, 98, 38)  # blue, green, red of the bar there while a mesh is made
 for function, result in (("XOpenDisplay", ctypes.c_void_p), ("XDefaultRootWindow", ctypes.c_ulong)):
     getattr(X11, function).restype = result
-for name in ("XStringToKeysym", "XInternAtom"):
+for name in ("XStringToKeysym", "XInternAtom", "XCreateSimpleWindow"):
     getattr(X11, name).restype = ctypes.c_ulong
 X11.XKeysymToKeycode.restype = ctypes.c_ubyte
 X11.XGetImage.restype = ctypes.c_void_p
@@ -43,6 +43,25 @@ class ClientMessage(ctypes.Structure):
         ("data", ctypes.c_long * 5),
         ("padding", ctypes.c_long * 24),
     ]
+
+
+class SelectionRequest(ctypes.Structure):
+    """Xlib's XSelectionRequestEvent, as long as an XEvent. Its answer has no owner, and begins with the requestor."""
+
+    _fields_ = [
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+    ] + [(name, ctypes.c_ulong) for name in ("owner", "requestor", "selection", "target", "property", "time")] + [
+        ("padding", ctypes.c_long * 24)
+    ]
+
+
+class SelectionAnswer(ctypes.Structure):
+    """Xlib's XSelectionEvent, as long as an XEvent."""
+
+    _fields_ = SelectionRequest._fields_[:4] + SelectionRequest._fields_[5:]
 
 
 class SizeHints(ctypes.Structure):
@@ -98,6 +117,26 @@ class LiveWindow:
                 XTEST.XTestFakeKeyEvent(self.display, ctypes.c_uint(code), down, ctypes.c_ulong(0))
                 X11.XSync(self.display, 0)
         time.sleep(0.1)
+
+    def paste(self, text, limit=LIMIT):
+        """Has the text in the clipboard, as another program does, presses Ctrl+V, and hands it over."""
+        owner = ctypes.c_ulong(X11.XCreateSimpleWindow(self.display, self.root, 0, 0, 1, 1, 0, 0, 0))
+        clipboard = ctypes.c_ulong(X11.XInternAtom(self.display, b"CLIPBOARD", 0))
+        X11.XSetSelectionOwner(self.display, clipboard, owner, ctypes.c_ulong(0))
+        self.key("Control_L+v")
+        request, end = SelectionRequest(), time.monotonic() + limit
+        while not X11.XCheckTypedEvent(self.display, 30, ctypes.byref(request)):
+            if time.monotonic() > end:
+                raise TimeoutError("nobody asks for what is in the clipboard")
+            time.sleep(0.01)
+        data = text.encode()
+        X11.XChangeProperty(self.display, ctypes.c_ulong(request.requestor), ctypes.c_ulong(request.property),
+            ctypes.c_ulong(request.target), 8, 0, data, len(data))
+        answer = SelectionAnswer(type=31)
+        for name in ("requestor", "selection", "target", "property", "time"):
+            setattr(answer, name, getattr(request, name))
+        X11.XSendEvent(self.display, ctypes.c_ulong(request.requestor), 0, ctypes.c_long(0), ctypes.byref(answer))
+        X11.XSync(self.display, 0)
 
     def close(self):
         """Asks the window to close, as a window manager does where its close button is pressed."""

@@ -280,6 +280,12 @@ class Sliders(ViewTest):
         before, after = self.shots((FANDISK, "--points", 300), self.recorded(("MouseMoveEvent", 1150, 300)), self.recorded(*down, *up))
         np.testing.assert_array_equal(after, before)
 
+    def test_the_preset_uniform_has_no_importance(self):
+        down, up = ([(f"MouseWheel{way}wardEvent", 1150, 300)] * 20 for way in ("Back", "For"))
+        for place, gamma in (((1062, 656), 0.5), ((1144, 656), 1)):
+            session = self.session(*down, *self.click(place), *up, *self.click(self.value), "1", "Return")
+            self.assertEqual((session["preset"], session["gamma"]), ("uniform" if gamma == 0.5 else "adaptive", gamma))
+
     def test_values_are_typed(self):
         for keys, expected in (
             (("1", ".", "2", "3", "Return"), 1.23),

@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import CUBE, VIEW, mesh_check, run
+from stipple_program import CUBE, LIMIT, VIEW, mesh_check, run
 from view_program import FANDISK, ViewTest
 
 
@@ -178,7 +178,7 @@ class Files(ViewTest):
         self.assertEqual(self.session_of("second")["strokes"], [])
 
     def test_a_mesh_is_saved_under_a_name(self):
-        names = ["BackSpace"] * len("part-remeshed.ply")
+        names = ["Control+a"]
         save = "Control+S", *names, *"a.off"
         part = ("part.off", "--points", 300)
         self.play(*save, "Return", model=part)
@@ -192,8 +192,28 @@ class Files(ViewTest):
         self.play("Control+S", *names, *"a.doc", "Return", "Return", "Escape", model=part)
         self.assertFalse((self.work / "a.doc").exists())
 
+    def test_the_proposed_name_keeps_its_ending(self):
+        self.play("Control+S", *"mine", "Return", model=("part.off", "--points", 300))
+        self.assertTrue((self.work / "mine.ply").exists())
+
+    def test_a_path_is_pasted(self):
+        """As people copy it from a terminal, the line's end with it."""
+        mesh = self.work / "below" / "pasted.off"
+        with LiveWindow(VIEW, self.work / "part.off", "--points", 300) as window:
+            window.move(5, 5)
+            before = window.settle()
+            window.key("Control_L+Shift_L+s")
+            window.key("Control_L+a")
+            window.settle(after=before)
+            window.paste(f"{mesh}\n")
+            window.key("Return")
+            end = time.monotonic() + LIMIT
+            while not mesh.exists() and time.monotonic() < end:
+                time.sleep(0.05)
+        self.assertEqual(mesh_check(mesh, FANDISK)["points"], 300)
+
     def test_a_session_is_saved_under_a_name_and_opened_as_a_file(self):
-        names = ["BackSpace"] * len("part-remeshed.ply")
+        names = ["Control+a"]
         paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)
         self.play(*paint, "Control+S", *names, *"mine.json", "Return", model=("part.off", "--points", 300))
         self.assertEqual(len(json.loads((self.work / "mine.json").read_text())["strokes"]), 1)
@@ -220,7 +240,7 @@ class Files(ViewTest):
         """From the folder, from home, from the root; a missing folder is refused, and nothing is written."""
         self.environment["HOME"] = str(self.work)
         part = ("part.off", "--points", 300)
-        empty = ["BackSpace"] * len("part-remeshed.ply")
+        empty = ["Control+a"]
         for typed, file in (("below/a.off", "below/a.off"), ("~/b.off", "b.off"), (f"{self.work}/below/c.off", "below/c.off"),
                             ("below/../d.off", "d.off")):
             with self.subTest(typed):
@@ -236,7 +256,7 @@ class Files(ViewTest):
                 (self.work / "part-session.json").unlink()
 
     def test_a_held_backspace_stays_in_the_folder(self):
-        self.play("Control+S", *["BackSpace"] * 60, *"a.off", "Return", model=("part.off", "--points", 300))
+        self.play("Control+S", "End", *["BackSpace"] * 60, *"a.off", "Return", model=("part.off", "--points", 300))
         self.assertTrue((self.work / "a.off").exists())
         self.play("o", *["BackSpace"] * 9, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))

@@ -95,6 +95,18 @@ class Options(ViewTest):
         self.assertEqual((session["edge_length"], session["points"]), (0, 700))
         self.assertEqual(self.play(*typed, *click(EDGE_LENGTH, "Right"))["edge_length"], 0)
 
+    def test_many_points_that_follow_are_asked_about(self):
+        """Nobody has typed their number: a digit too many would take minutes and gigabytes."""
+        typed = *DOWN, *click(EDGE_LENGTH), *".008", "Return"
+        command = self.ball, "--points", 700, "-o", self.mesh
+        asked, mistaken = self.recorded(*typed, "Control+s"), self.recorded(*typed, "Control+z", "Control+s")
+        self.assertEqual(run(*command, *asked, program=VIEW), (0, "", ""))
+        self.assertFalse(self.mesh.exists())
+        self.assertEqual(run(*command, *mistaken, program=VIEW), (0, "", ""))
+        self.assertEqual(len(edges_of(self.mesh)[0]), 3 * (2 * 700 - 4), "of 700 points")
+        self.assertEqual(run(*command, *asked, *self.recorded("Return"), program=VIEW), (0, "", ""))
+        self.assertAlmostEqual(edges_of(self.mesh)[0].mean(), 0.008, delta=0.0008)
+
     def test_the_edge_length_is_that_of_the_mesh(self):
         """Of the one that is there, not of the one before; whatever there was before."""
         field = np.s_[408:428, 1145:1265]
