@@ -22,6 +22,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,7 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(bareSurface(input));
+  mapper->ScalarVisibilityOff();
   this->Surface = vtkSmartPointer<vtkActor>::New();
   this->Surface->SetMapper(mapper);
   setSurfaceLook(this->Surface->GetProperty());
@@ -236,14 +238,48 @@ void BeforeScene::paintTextures()
   }
 }
 
+void BeforeScene::setMissed(const MeshColors& colors)
+{
+  this->Missed = &colors;
+  this->paintMissed();
+}
+
+void BeforeScene::paintMissed()
+{
+  auto* mapper = static_cast<vtkPolyDataMapper*>(this->Surface->GetMapper());
+  const bool shown = showsMissed(this->View) && this->Missed && !this->Missed->missed.empty();
+  mapper->SetScalarVisibility(shown);
+  if (!shown)
+  {
+    return;
+  }
+  const ColorScale scale = missedScale(*this->Missed);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(this->Missed->missed.size()));
+  for (std::size_t i = 0; i < this->Missed->missed.size(); ++i)
+  {
+    colors->SetTypedTuple(static_cast<vtkIdType>(i), scale.pixelOf(this->Missed->missed[i]).data());
+  }
+  mapper->GetInput()->GetPointData()->SetScalars(colors);
+  mapper->SetScalarModeToUsePointData();
+  mapper->SetColorModeToDirectScalars();
+}
+
 void BeforeScene::setView(const ViewState& view, float lineWidth)
 {
   const bool repaint = view.display != this->View.display;
+  const bool recolor = showsMissed(view) != showsMissed(this->View);
   this->View = view;
   this->LineWidth = lineWidth;
   if (repaint)
   {
     this->paintTextures();
+  }
+  if (recolor)
+  {
+    this->paintMissed();
   }
   this->showRightActors();
 }

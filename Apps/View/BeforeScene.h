@@ -4,6 +4,7 @@
 #ifndef stipple_BeforeScene_h
 #define stipple_BeforeScene_h
 
+#include "MeshColors.h"
 #include "SampleTextures.h"
 #include "Session.h"
 #include "ViewState.h"
@@ -38,6 +39,8 @@ public:
     vtkPartitionedDataSetCollection* controls, std::shared_ptr<const MeshDots> dots);
   /// The dots of a mesh that is there, instead of samples; until the next preview.
   void setVertices(std::shared_ptr<const MeshDots> vertices);
+  /// `colors` has how far the input's points are from the mesh; it is not kept alive.
+  void setMissed(const MeshColors& colors);
   void setView(const ViewState& view, float lineWidth);
   /// Constraints, tagged edges. Whether they are others than before.
   bool setMarks(const Session& session);
@@ -58,6 +61,7 @@ private:
     vtkSmartPointer<vtkImageData> texture;
   };
   void paintTextures();
+  void paintMissed();
   void showRightActors();
 
   vtkRenderer* Renderer;
@@ -67,6 +71,7 @@ private:
   ViewState View;
   float LineWidth = 1;
   double Zoom = 0;
+  const MeshColors* Missed = nullptr;
   std::vector<Chart> Charts;
   SampleTextures Samples;
   vtkSmartPointer<vtkPolyData> Sampling;

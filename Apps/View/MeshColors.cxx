@@ -5,6 +5,7 @@
 #include "MeshQuality.h"
 #include "NearestTriangle.h"
 #include "PolyDataConversion.h"
+#include "SceneActors.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace stipple
 {
@@ -25,36 +27,83 @@ std::string printed(double value)
   std::snprintf(text, sizeof(text), "%.2g", value);
   return text;
 }
-}
 
-MeshColors measureColors(vtkPolyData* mesh, const NearestTriangle& input, double diagonal,
-  const std::function<bool()>& stopped)
+/// How far `n` places are from a surface, in percent of a diagonal; none if it was stopped.
+std::vector<float> distancesOf(std::size_t n, const std::function<Vec3(int)>& place,
+  const NearestTriangle& surface, double diagonal, const std::function<bool()>& stopped)
 {
-  std::vector<int> cell;
-  const TriangleSurface surface = fromPolyData(mesh, &cell);
-  const auto n = static_cast<std::size_t>(surface.numberOfFaces());
-  std::vector<TriangleShape> shapes(n);
-  std::vector<double> distances(n);
+  std::vector<float> distances(n);
   std::atomic<bool> stop{ false };
   vtkSMPTools::For(0, static_cast<vtkIdType>(n), 1024, [&](vtkIdType begin, vtkIdType end) {
     int hint = -1;
     stop = stop || stopped();
     for (vtkIdType i = begin; i < end && !stop; ++i)
     {
-      const auto f = static_cast<std::size_t>(i);
-      const Face face(static_cast<int>(i));
-      const NearestTriangle::Hit hit =
-        input.find(surface.position(face, Vec3::Constant(1. / 3)), hint);
+      const NearestTriangle::Hit hit = surface.find(place(static_cast<int>(i)), hint);
       hint = hit.face;
-      shapes[f] = measureTriangle(surface, face);
-      distances[f] = diagonal > 0 ? 100 * std::sqrt(hit.squaredDistance) / diagonal : 0;
+      distances[static_cast<std::size_t>(i)] =
+        diagonal > 0 ? static_cast<float>(100 * std::sqrt(hit.squaredDistance) / diagonal) : 0;
     }
   });
-  if (stop)
+  return stop ? std::vector<float>() : distances;
+}
+
+ColorScale distanceScale(const MeshColors& colors, const char* title)
+{
+  const double most = std::max(largestOf(colors.deviation), largestOf(colors.missed));
+  return { 0, most,
+    { divergingColor, { { 0, "0" }, { 0.5, printed(0.5 * most) }, { 1, printed(most) } }, title } };
+}
+}
+
+MeshColors measureColors(
+  vtkPolyData* mesh, const NearestTriangle& input, const std::function<bool()>& stopped)
+{
+  const TriangleSurface& whole = input.surface();
+  const double diagonal = whole.boundingBoxDiagonal();
+  std::vector<int> cell;
+  const TriangleSurface surface = fromPolyData(mesh, &cell);
+  const auto n = static_cast<std::size_t>(surface.numberOfFaces());
+  const std::vector<float> distances = distancesOf(
+    n, [&surface](int f) { return surface.position(Face(f), Vec3::Constant(1. / 3)); }, input,
+    diagonal, stopped);
+  // A file may have points that no triangle uses.
+  std::vector<bool> isUsed(whole.points.size(), false);
+  for (const Triangle& triangle : whole.triangles)
+  {
+    for (const int p : triangle)
+    {
+      isUsed[static_cast<std::size_t>(p)] = true;
+    }
+  }
+  std::vector<int> used;
+  for (std::size_t p = 0; p < isUsed.size(); ++p)
+  {
+    if (isUsed[p])
+    {
+      used.push_back(static_cast<int>(p));
+    }
+  }
+  std::vector<float> missed;
+  if (!distances.empty())
+  {
+    const NearestTriangle made(surface);
+    const auto place = [&](int i) {
+      return whole.points[static_cast<std::size_t>(used[static_cast<std::size_t>(i)])];
+    };
+    missed = distancesOf(used.size(), place, made, diagonal, stopped);
+  }
+  if (missed.empty())
   {
     return {};
   }
   MeshColors colors;
+  colors.edge = diagonal > 0 ? 100 * meanEdge(mesh) / diagonal : 0;
+  colors.missed.assign(whole.points.size(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    colors.missed[static_cast<std::size_t>(used[i])] = missed[i];
+  }
   const auto cells = static_cast<std::size_t>(mesh->GetNumberOfCells());
   colors.quality.assign(cells, 1);
   colors.angle.assign(cells, 60);
@@ -62,9 +111,10 @@ MeshColors measureColors(vtkPolyData* mesh, const NearestTriangle& input, double
   for (std::size_t f = 0; f < n; ++f)
   {
     const auto c = static_cast<std::size_t>(cell[f]);
-    colors.quality[c] = std::min(colors.quality[c], static_cast<float>(shapes[f].quality));
-    colors.angle[c] = std::min(colors.angle[c], static_cast<float>(shapes[f].smallestAngle));
-    colors.deviation[c] = std::max(colors.deviation[c], static_cast<float>(distances[f]));
+    const TriangleShape shape = measureTriangle(surface, Face(static_cast<int>(f)));
+    colors.quality[c] = std::min(colors.quality[c], static_cast<float>(shape.quality));
+    colors.angle[c] = std::min(colors.angle[c], static_cast<float>(shape.smallestAngle));
+    colors.deviation[c] = std::max(colors.deviation[c], distances[f]);
   }
   std::vector<int> order(cells);
   std::iota(order.begin(), order.end(), 0);
@@ -99,12 +149,7 @@ ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring)
   const auto turned = [](double share) { return divergingColor(1 - share); };
   if (coloring == MeshColoring::Deviation)
   {
-    const double most = colors.deviation.empty()
-      ? 0
-      : *std::max_element(colors.deviation.begin(), colors.deviation.end());
-    return { 0, most,
-      { divergingColor, { { 0, "0" }, { 0.5, printed(0.5 * most) }, { 1, printed(most) } },
-        "distance from the input, % of its diagonal" } };
+    return distanceScale(colors, "distance from the input, % of its diagonal");
   }
   if (coloring == MeshColoring::Angle)
   {
@@ -114,5 +159,15 @@ ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring)
   }
   return { 0, 1,
     { turned, { { 0, "0" }, { 0.5, "0.5" }, { 1, "1" } }, "quality; 1: equilateral" } };
+}
+
+ColorScale missedScale(const MeshColors& colors)
+{
+  return distanceScale(colors, "distance from the mesh, % of the diagonal");
+}
+
+double largestOf(const std::vector<float>& distances)
+{
+  return distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
 }
 }

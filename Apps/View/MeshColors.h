@@ -16,21 +16,27 @@ namespace stipple
 {
 class NearestTriangle;
 
-/// A number a cell; of polygons, that of the worst of their triangles.
 struct MeshColors
 {
+  // A number a cell; of polygons, that of the worst of their triangles.
   std::vector<float> quality;   ///< 0 to 1 (equilateral)
   std::vector<float> angle;     ///< the smallest, in degrees
   std::vector<float> deviation; ///< of its middle from the input, in percent of the diagonal
+  /// Of the input's points from the mesh, in percent of the diagonal.
+  std::vector<float> missed;
+  double edge = 0;        ///< the mesh's mean one, likewise
   std::vector<int> worst; ///< those of the smallest angles, the worst first, at most WorstOfAll
 };
 
 constexpr std::size_t WorstOfAll = 100;
 
-/// `input` is the surface that the mesh was made of; `diagonal` that of its bounding box. Ends
-/// early, with nothing, once `stopped` says so.
-[[nodiscard]] MeshColors measureColors(vtkPolyData* mesh, const NearestTriangle& input,
-  double diagonal, const std::function<bool()>& stopped);
+/// `input` has the surface that the mesh was made of. Ends early, with nothing, once `stopped` says
+/// so.
+[[nodiscard]] MeshColors measureColors(
+  vtkPolyData* mesh, const NearestTriangle& input, const std::function<bool()>& stopped);
+
+/// The largest of some distances; 0 if there are none.
+[[nodiscard]] double largestOf(const std::vector<float>& distances);
 
 /// What of `colors` is shown; empty if triangles are not coloured.
 [[nodiscard]] const std::vector<float>& valuesOf(const MeshColors& colors, MeshColoring coloring);
@@ -45,6 +51,9 @@ struct ColorScale
 };
 
 [[nodiscard]] ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring);
+
+/// Of `missed`: the colours of the mesh's distances.
+[[nodiscard]] ColorScale missedScale(const MeshColors& colors);
 }
 
 #endif

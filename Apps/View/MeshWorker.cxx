@@ -183,8 +183,8 @@ bool MeshWorker::inspect(MeshResult& result)
     this->Input = fromPolyData(vtkPolyData::SafeDownCast(this->Remesher->GetInput()));
     this->NearestInput = std::make_unique<NearestTriangle>(this->Input);
   }
-  result.colors = measureColors(result.mesh, *this->NearestInput, this->Input.boundingBoxDiagonal(),
-    [this] { return this->StopAsked != GoOn; });
+  result.colors =
+    measureColors(result.mesh, *this->NearestInput, [this] { return this->StopAsked != GoOn; });
   Atlas::Pointer atlas;
   auto* charts = vtkPartitionedDataSetCollection::SafeDownCast(
     this->Remesher->GetAtlas()->GetOutputDataObject(0));

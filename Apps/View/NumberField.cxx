@@ -59,22 +59,14 @@ bool NumberField::press(const Pointer& pointer)
   }
   if (pointer.secondary)
   {
-    if (this->Limits.automatic)
+    if (this->Limits.automatic && this->Value != 0)
     {
-      this->commit(0);
+      this->OnCommit(0);
     }
     return false;
   }
   this->Typed.on() ? this->Typed.line().place(pointer, false) : this->focus();
   return true;
-}
-
-void NumberField::commit(double value)
-{
-  if (value != this->Value)
-  {
-    this->OnCommit(value);
-  }
 }
 
 void NumberField::finish(bool accept)
@@ -87,14 +79,15 @@ void NumberField::finish(bool accept)
   const std::string& text = this->Typed.text();
   double value = 0;
   const bool number = parseNumber(text, value);
-  if (!accept || (!number && (!text.empty() || !this->Limits.automatic)))
+  // What is shown and typed again is meant, too: a number that followed may be fixed by it.
+  if (!accept || !this->Typed.touched() || (!number && (!text.empty() || !this->Limits.automatic)))
   {
     return;
   }
   const double within = this->Limits.automatic && value == 0
     ? 0
     : std::clamp(value, this->Limits.low, this->Limits.high);
-  this->commit(within);
+  this->OnCommit(within);
   if (within != value)
   {
     this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));

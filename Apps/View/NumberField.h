@@ -41,7 +41,6 @@ public:
 
 private:
   void finish(bool accept);
-  void commit(double value);
 
   std::string Label;
   Range Limits;

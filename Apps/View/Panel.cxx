@@ -261,7 +261,8 @@ void Panel::addCommands(Commands& commands)
   this->Coloring->setHints(
     { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
       "c: triangles by quality, 1 where they are equilateral.",
-      "c: triangles by their distance from the input." });
+      "c: triangles by their distance from the input; with \"input\" above, that from the mesh, "
+      "too." });
   auto* files = this->make<Choice>(Choice::Kind::Commands,
     std::vector<std::string>{ "open", "save as", "figures" }, 3, [&commands](int word) {
       word == 0 ? commands.openFile()

@@ -27,6 +27,7 @@ TypedNumber::TypedNumber(bool whole)
 void TypedNumber::begin(const std::string& text)
 {
   this->On = true;
+  this->Touched = false;
   this->Line.set(text);
   this->Line.select(0, text.size());
 }
@@ -46,6 +47,7 @@ std::string TypedNumber::whyNot(double typed, double low, double high)
 bool TypedNumber::key(const KeyStroke& stroke, End& end)
 {
   end = End::None;
+  const std::string before = this->text();
   if (stroke.symbol == "Return" || stroke.symbol == "KP_Enter" || stroke.symbol == "Tab")
   {
     end = End::Accepted;
@@ -58,6 +60,7 @@ bool TypedNumber::key(const KeyStroke& stroke, End& end)
   {
     return false;
   }
+  this->Touched = this->Touched || this->text() != before;
   return true;
 }
 }

@@ -27,6 +27,8 @@ public:
   void begin(const std::string& text = "");
   void finish() { this->On = false; }
   bool on() const { return this->On; }
+  /// Something was typed, be it what was there.
+  bool touched() const { return this->Touched; }
   const std::string& text() const { return this->Line.text(); }
   TypedText& line() { return this->Line; }
   /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a
@@ -37,6 +39,7 @@ public:
 
 private:
   bool On = false;
+  bool Touched = false;
   TypedText Line;
 };
 }

@@ -56,6 +56,12 @@ struct ViewState
   bool zUp = false;          ///< not y; of the views along axes
   bool help = false;
 };
+
+/// Whether the left view's input is coloured by its distance from the mesh.
+inline bool showsMissed(const ViewState& view)
+{
+  return view.display == Display::Input && view.coloring == MeshColoring::Deviation;
+}
 }
 
 #endif

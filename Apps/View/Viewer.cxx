@@ -351,6 +351,7 @@ void Viewer::takeResults()
     this->AtlasIsNewer = false;
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
     this->AfterSide.setLost(this->Mesh->lost);
+    this->BeforeSide.setMissed(this->Mesh->colors);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showSession();

@@ -122,6 +122,10 @@ std::optional<ColorBar> Viewer::barOf(bool before) const
   {
     return densityBar();
   }
+  if (before && this->Mesh && showsMissed(this->View))
+  {
+    return missedScale(this->Mesh->colors).bar;
+  }
   if (!before && this->Mesh && this->View.coloring != MeshColoring::Plain)
   {
     return scaleOf(this->Mesh->colors, this->View.coloring).bar;
@@ -197,9 +201,20 @@ std::string Viewer::remark() const
     return " Importance and paint do not count: the preset is uniform.";
   }
   const int lost = this->Mesh->figures.lostFeatureEdges;
-  return lost > 0
-    ? " " + grouped(lost) + " feature edges of the input are lost (violet): more points keep them."
-    : "";
+  if (lost > 0)
+  {
+    return " " + grouped(lost) +
+      " feature edges of the input are lost (violet): more points keep them.";
+  }
+  const double missed = largestOf(this->Mesh->colors.missed);
+  if (missed > this->Mesh->colors.edge)
+  {
+    char text[96];
+    std::snprintf(text, sizeof(text),
+      " Parts of the input are lost, %.1f %% of its diagonal off: more points keep them.", missed);
+    return text;
+  }
+  return "";
 }
 
 void Viewer::paintStatus(Canvas& canvas)

@@ -126,10 +126,31 @@ TEST(MeshColors, TheInputItselfDoesNotDeviate)
 {
   const TriangleSurface surface = fromPolyData(made().input);
   const NearestTriangle nearest(surface);
-  const MeshColors colors = measureColors(made().input, nearest, 1, [] { return false; });
+  const MeshColors colors = measureColors(made().input, nearest, [] { return false; });
   EXPECT_LT(*std::max_element(colors.deviation.begin(), colors.deviation.end()), 1e-5F);
-  EXPECT_TRUE(measureColors(made().input, nearest, 1, [] { return true; }).angle.empty())
-    << "stopped";
+  ASSERT_EQ(colors.missed.size(), surface.points.size());
+  EXPECT_LT(largestOf(colors.missed), 1e-5);
+  EXPECT_TRUE(measureColors(made().input, nearest, [] { return true; }).angle.empty()) << "stopped";
+}
+
+TEST(MeshColors, WhatTheMeshLacksIsAtTheInput)
+{
+  // An ear of the input that the mesh has not, and a point that no triangle uses.
+  vtkNew<vtkPolyData> input;
+  input->DeepCopy(made().input);
+  const vtkIdType tip = 40;
+  Vec3 p(input->GetPoint(tip));
+  p *= 1.5;
+  input->GetPoints()->SetPoint(tip, p.data());
+  input->GetPoints()->InsertNextPoint(9, 9, 9);
+  const TriangleSurface surface = fromPolyData(input);
+  const NearestTriangle nearest(surface);
+  const MeshColors colors = measureColors(made().input, nearest, [] { return false; });
+  EXPECT_NEAR(largestOf(colors.missed), colors.missed[tip], 1e-6);
+  EXPECT_NEAR(colors.missed[tip], 100 * p.norm() / 3 / surface.boundingBoxDiagonal(), 0.1);
+  EXPECT_EQ(colors.missed.back(), 0);
+  EXPECT_GT(colors.missed[tip], colors.edge);
+  EXPECT_EQ(scaleOf(colors, MeshColoring::Deviation).high, missedScale(colors).high);
 }
 
 TEST(MeshColors, GoodIsBlueAndBadIsRed)

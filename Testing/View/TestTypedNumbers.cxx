@@ -88,6 +88,19 @@ TEST(TypedNumber, IsEditedInItsMiddle)
   EXPECT_EQ(taken, std::vector<double>{ 51200 });
 }
 
+TEST(TypedNumber, WhatIsShownCountsIfItIsTyped)
+{
+  int taken = 0;
+  NumberField field("points", NumberField::Range{ 1, 1000 }, [&taken](double) { ++taken; });
+  field.setValue(700);
+  field.focus();
+  type(field, "");
+  EXPECT_EQ(taken, 0);
+  field.focus();
+  type(field, "700");
+  EXPECT_EQ(taken, 1);
+}
+
 TEST(TypedNumber, OutsideItsRangeIsSaid)
 {
   std::vector<double> taken;
