@@ -5,7 +5,6 @@
 #include "MeshQuality.h"
 #include "NearestTriangle.h"
 #include "PolyDataConversion.h"
-#include "SceneActors.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -98,7 +97,6 @@ MeshColors measureColors(
     return {};
   }
   MeshColors colors;
-  colors.edge = diagonal > 0 ? 100 * meanEdge(mesh) / diagonal : 0;
   colors.missed.assign(whole.points.size(), 0);
   for (std::size_t i = 0; i < used.size(); ++i)
   {

@@ -24,7 +24,6 @@ struct MeshColors
   std::vector<float> deviation; ///< of its middle from the input, in percent of the diagonal
   /// Of the input's points from the mesh, in percent of the diagonal.
   std::vector<float> missed;
-  double edge = 0;        ///< the mesh's mean one, likewise
   std::vector<int> worst; ///< those of the smallest angles, the worst first, at most WorstOfAll
 };
 

@@ -201,20 +201,9 @@ std::string Viewer::remark() const
     return " Importance and paint do not count: the preset is uniform.";
   }
   const int lost = this->Mesh->figures.lostFeatureEdges;
-  if (lost > 0)
-  {
-    return " " + grouped(lost) +
-      " feature edges of the input are lost (violet): more points keep them.";
-  }
-  const double missed = largestOf(this->Mesh->colors.missed);
-  if (missed > this->Mesh->colors.edge)
-  {
-    char text[96];
-    std::snprintf(text, sizeof(text),
-      " Parts of the input are lost, %.1f %% of its diagonal off: more points keep them.", missed);
-    return text;
-  }
-  return "";
+  return lost > 0
+    ? " " + grouped(lost) + " feature edges of the input are lost (violet): more points keep them."
+    : "";
 }
 
 void Viewer::paintStatus(Canvas& canvas)

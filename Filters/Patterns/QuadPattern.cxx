@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QuadPattern.h"
 
+#include "GradedLattice.h"
 #include "MeshCreation.h"
 #include "SurfaceViews.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <unordered_map>
 
@@ -15,79 +15,49 @@ namespace stipple
 {
 namespace
 {
-/// Nodes at origin + spacing * (i, j), 0 <= i < width, 0 <= j < height.
-struct Lattice
-{
-  Vec2 origin = Vec2::Zero();
-  Vec2 spacing = Vec2::Zero();
-  int width = 0;
-  int height = 0;
-  int size() const { return this->width * this->height; }
-  Vec2 node(int i, int j) const
-  {
-    return this->origin + Vec2(i * this->spacing.x(), j * this->spacing.y());
-  }
-  /// Calls visit(i, j) for the nodes in a box.
-  template <typename Visit>
-  void forEachIn(const Vec2& low, const Vec2& high, const Visit& visit) const
-  {
-    const auto clampedTo = [](double x, int n) {
-      return static_cast<int>(std::clamp(x, -1., static_cast<double>(n)));
-    };
-    const Vec2 a = (low - this->origin).cwiseQuotient(this->spacing);
-    const Vec2 b = (high - this->origin).cwiseQuotient(this->spacing);
-    const int i0 = std::max(0, clampedTo(std::ceil(a.x()), this->width));
-    const int j0 = std::max(0, clampedTo(std::ceil(a.y()), this->height));
-    for (int j = j0; j < this->height && j <= b.y(); ++j)
-    {
-      for (int i = i0; i < this->width && i <= b.x(); ++i)
-      {
-        visit(i, j);
-      }
-    }
-  }
-};
-
-/// The square lattice of a spacing, centred in a rectangle.
-Lattice centredLattice(const Vec2& extent, double spacing)
-{
-  Lattice lattice;
-  lattice.spacing = Vec2(spacing, spacing);
-  lattice.width = static_cast<int>(extent.x() / spacing) + 1;
-  lattice.height = static_cast<int>(extent.y() / spacing) + 1;
-  lattice.origin = 0.5 * (extent - spacing * Vec2(lattice.width - 1, lattice.height - 1));
-  return lattice;
-}
-
 using Segment = std::array<Vec2, 2>;
 
-/// By node, whether it is farther than `clearance` from the rectangle's sides and all segments.
-std::vector<char> clearNodes(const Lattice& lattice, const Vec2& extent,
-  const std::vector<Segment>& segments, double clearance)
+/// By node, whether it is half its spacing and more from the rectangle's sides and all segments.
+std::vector<char> clearNodes(
+  const GradedLattice& lattice, const Vec2& extent, const std::vector<Segment>& segments)
 {
-  std::vector<char> clear(lattice.size(), 0);
-  const Vec2 margin(clearance, clearance);
-  lattice.forEachIn(
-    margin, extent - margin, [&](int i, int j) { clear[j * lattice.width + i] = 1; });
+  constexpr double Clearance = 0.5; // in spacings
+  const std::size_t n = lattice.nodes.size();
+  std::vector<char> clear(n, 0);
+  double most = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Vec2& p = lattice.nodes[i];
+    const double margin = Clearance * lattice.spacing[i];
+    clear[i] = p.minCoeff() >= margin && (extent - p).minCoeff() >= margin;
+    most = std::max(most, margin);
+  }
+  if (segments.empty())
+  {
+    return clear;
+  }
+  const PointBins bins(lattice.nodes);
+  const Vec2 reach(most, most);
   for (const Segment& s : segments)
   {
-    lattice.forEachIn(
-      s[0].cwiseMin(s[1]) - margin, s[0].cwiseMax(s[1]) + margin, [&](int i, int j) {
-        if (distanceToSegment(lattice.node(i, j), s[0], s[1]) < clearance)
-        {
-          clear[j * lattice.width + i] = 0;
-        }
-      });
+    bins.forEachIn(s[0].cwiseMin(s[1]) - reach, s[0].cwiseMax(s[1]) + reach, [&](int i) {
+      if (distanceToSegment(lattice.nodes[i], s[0], s[1]) < Clearance * lattice.spacing[i])
+      {
+        clear[i] = 0;
+      }
+    });
   }
   return clear;
 }
 
-/// The place on the surface of every node of a chart's lattice; face -1 where there is none.
-std::vector<SurfacePlace> placesOf(const AtlasSurface& surface, int chart, const Lattice& lattice)
+/// The place on the surface of every node in a chart's plane; face -1 where there is none.
+std::vector<SurfacePlace> placesOf(
+  const AtlasSurface& surface, int chart, const std::vector<Vec2>& nodes)
 {
   constexpr double Tolerance = 1e-9;
-  std::vector<SurfacePlace> places(lattice.size());
-  std::vector<double> inside(lattice.size(), -Tolerance);
+  const PointBins bins(nodes);
+  std::vector<SurfacePlace> places(nodes.size());
+  std::vector<double> inside(nodes.size(), -Tolerance);
   for (int f = surface.chartBegin[chart]; f < surface.chartBegin[chart + 1]; ++f)
   {
     const Vec2& a = surface.cornerUV(f, 0);
@@ -98,10 +68,9 @@ std::vector<SurfacePlace> placesOf(const AtlasSurface& surface, int chart, const
       continue;
     }
     const Vec2 margin(Tolerance, Tolerance);
-    lattice.forEachIn(
-      a.cwiseMin(b).cwiseMin(c) - margin, a.cwiseMax(b).cwiseMax(c) + margin, [&](int i, int j) {
-        const Vec3 bary = barycentric(lattice.node(i, j), a, b, c);
-        const int n = j * lattice.width + i;
+    bins.forEachIn(
+      a.cwiseMin(b).cwiseMin(c) - margin, a.cwiseMax(b).cwiseMax(c) + margin, [&](int n) {
+        const Vec3 bary = barycentric(nodes[n], a, b, c);
         if (bary.minCoeff() > inside[n]) // the deepest wins: on edges, whatever the order of faces
         {
           inside[n] = bary.minCoeff();
@@ -213,44 +182,52 @@ Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, QuadMesh
   const AtlasSurface& surface = atlas.surface();
   const Vec2& extent = surface.extent[0];
   // Cells as square as possible, and as many nodes as possible.
-  Lattice lattice;
+  int width = 0;
+  int height = 0;
   double best = 1e300;
-  for (int width = 2; 2 * width <= numberOfSamples; ++width)
+  for (int w = 2; 2 * w <= numberOfSamples; ++w)
   {
-    const int height = numberOfSamples / width;
-    const double aspect =
-      std::abs(std::log(extent.x() / (width - 1) / (extent.y() / (height - 1))));
-    const double missing = static_cast<double>(numberOfSamples - width * height) / numberOfSamples;
+    const int h = numberOfSamples / w;
+    const double aspect = std::abs(std::log(extent.x() / (w - 1) / (extent.y() / (h - 1))));
+    const double missing = static_cast<double>(numberOfSamples - w * h) / numberOfSamples;
     if (aspect + 4. * missing < best)
     {
       best = aspect + 4. * missing;
-      lattice.width = width;
-      lattice.height = height;
+      width = w;
+      height = h;
     }
   }
-  if (lattice.size() == 0)
+  if (width == 0)
   {
     return Status::tooFewPoints("A grid of quads needs at least 4 points.", 4);
   }
-  lattice.spacing = extent.cwiseQuotient(Vec2(lattice.width - 1, lattice.height - 1));
-  const OutlineSamples outline(atlas);
-  const std::vector<SurfacePlace> places = placesOf(surface, 0, lattice);
-  for (int j = 0; j < lattice.height; ++j)
+  const Vec2 spacing = extent.cwiseQuotient(Vec2(width - 1, height - 1));
+  std::vector<Vec2> nodes;
+  for (int j = 0; j < height; ++j)
   {
-    for (int i = 0; i < lattice.width; ++i)
+    for (int i = 0; i < width; ++i)
     {
-      const SurfacePlace& place = places[j * lattice.width + i];
+      nodes.emplace_back(spacing.cwiseProduct(Vec2(i, j)));
+    }
+  }
+  const OutlineSamples outline(atlas);
+  const std::vector<SurfacePlace> places = placesOf(surface, 0, nodes);
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      const SurfacePlace& place = places[j * width + i];
       if (place.face < 0)
       {
         return Status::error("The parameters of chart 0 do not cover its rectangle: pass the "
                              "output of vtkConformalAtlas.");
       }
-      const bool onOutline = i == 0 || j == 0 || i == lattice.width - 1 || j == lattice.height - 1;
+      const bool onOutline = i == 0 || j == 0 || i == width - 1 || j == height - 1;
       mesh.samples.push_back(onOutline ? outline.at(place) : interiorSample(place));
       if (i > 0 && j > 0)
       {
-        const int n = j * lattice.width + i;
-        mesh.polygons.push_back({ n - lattice.width - 1, n - lattice.width, n, n - 1 });
+        const int n = j * width + i;
+        mesh.polygons.push_back({ n - width - 1, n - width, n, n - 1 });
       }
     }
   }
@@ -279,31 +256,43 @@ std::vector<std::vector<Segment>> innerSegments(const stipple::Atlas& atlas)
   return segments;
 }
 
-/// The densest square lattice with at most `count` nodes that are half a spacing clear of backbones
-/// and of `fixed` points.
-Lattice latticeOfChart(const Vec2& extent, std::vector<Segment> segments,
+/// The lattice of a chart with the smallest cells at most `count` nodes of which are half a spacing
+/// clear of backbones and of `fixed` points, give or take what farthest samples make up for.
+GradedLattice latticeOfChart(const AtlasSurface& surface, int chart, std::vector<Segment> segments,
   const std::vector<Vec2>& fixed, int count, std::vector<char>& clear)
 {
-  constexpr double Clearance = 0.5; // in spacings
+  constexpr int MostSteps = 20;
+  constexpr int Grains = 16; // of area a cell
+  const int enough = count - count / 500;
+  const AreaPoints area = spreadArea(surface, chart, Grains * (count + 1.));
   for (const Vec2& p : fixed)
   {
     segments.push_back({ { p, p } });
   }
-  const auto nodes = [&](double spacing, Lattice& lattice) {
-    lattice = centredLattice(extent, spacing);
-    clear = clearNodes(lattice, extent, segments, Clearance * spacing);
-    return std::count(clear.begin(), clear.end(), 1);
+  GradedLattice lattice;
+  const auto nodesOf = [&](double wanted) {
+    lattice = gradedLattice(area, wanted);
+    clear = clearNodes(lattice, area.extent, segments);
+    return static_cast<int>(std::count(clear.begin(), clear.end(), 1));
   };
-  Lattice lattice;
-  double coarse = extent.maxCoeff();
-  double fine = std::sqrt(extent.x() * extent.y() / (4. * (count + 4.)));
-  for (int step = 0; step < 30; ++step)
+  // There are as many nodes as cells, about: the next try is by that, or else between those before.
+  double coarse = 1e300; // fits
+  double fine = 0;       // does not
+  double wanted = area.total / (count + 1.);
+  for (int step = 0; step < MostSteps; ++step)
   {
-    const double middle = std::sqrt(coarse * fine);
-    (nodes(middle, lattice) <= count ? coarse : fine) = middle;
+    const int n = nodesOf(wanted);
+    (n <= count ? coarse : fine) = wanted;
+    if (n >= enough && n <= count)
+    {
+      return lattice;
+    }
+    const double guess = wanted * (n + 1.) / (0.5 * (count + enough) + 1.);
+    wanted = guess > fine && guess < coarse ? guess : std::sqrt(fine * coarse);
   }
-  if (nodes(coarse, lattice) > count) // nothing fits
+  if (coarse > area.total || nodesOf(coarse) > count) // nothing fits
   {
+    nodesOf(area.total);
     std::fill(clear.begin(), clear.end(), 0);
   }
   return lattice;
@@ -314,11 +303,17 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
   const std::vector<int>& candidates, const std::vector<Vec2>& present, int missing,
   std::vector<Sample>& result)
 {
+  if (missing <= 0)
+  {
+    return;
+  }
+  const PointBins there(present);
   std::vector<Vec2> place;
-  std::vector<double> distance(candidates.size(), 1e300);
+  std::vector<double> distance;
   for (int s : candidates)
   {
     place.push_back(surface.parameter(samples[s].face, samples[s].bary));
+    distance.push_back(there.squaredDistance(place.back()));
   }
   const auto account = [&](const Vec2& p) {
     for (std::size_t i = 0; i < place.size(); ++i)
@@ -326,10 +321,6 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
       distance[i] = std::min(distance[i], (place[i] - p).squaredNorm());
     }
   };
-  for (const Vec2& p : present)
-  {
-    account(p);
-  }
   for (int k = 0; k < missing; ++k)
   {
     const auto i = static_cast<std::size_t>(
@@ -382,28 +373,25 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
       continue;
     }
     std::vector<char> clear;
-    const Lattice lattice = latticeOfChart(surface.extent[c], segments[c], fixed[c], count, clear);
-    const std::vector<SurfacePlace> places = placesOf(surface, c, lattice);
-    std::vector<int> sampleOf(lattice.size(), -1);
+    const GradedLattice lattice = latticeOfChart(surface, c, segments[c], fixed[c], count, clear);
+    const std::vector<SurfacePlace> places = placesOf(surface, c, lattice.nodes);
+    std::vector<int> sampleOf(lattice.nodes.size(), -1);
     std::vector<Vec2> present = fixed[c];
     int added = 0;
-    for (int n = 0; n < lattice.size(); ++n)
+    for (std::size_t n = 0; n < lattice.nodes.size(); ++n)
     {
       if (clear[n] && places[n].face >= 0)
       {
         sampleOf[n] = static_cast<int>(mesh.samples.size());
         mesh.samples.push_back(interiorSample(places[n]));
-        present.push_back(lattice.node(n % lattice.width, n / lattice.width));
+        present.push_back(lattice.nodes[n]);
         ++added;
       }
     }
-    for (int n = 0; n < lattice.size(); ++n)
+    for (const auto& cell : lattice.cells)
     {
-      if (n % lattice.width > 0 && n >= lattice.width)
-      {
-        cells.push_back({ { sampleOf[n - lattice.width - 1], sampleOf[n - lattice.width],
-          sampleOf[n], sampleOf[n - 1] } });
-      }
+      cells.push_back(
+        { { sampleOf[cell[0]], sampleOf[cell[1]], sampleOf[cell[2]], sampleOf[cell[3]] } });
     }
     addFarthest(surface, samples, interior[c], present, count - added, mesh.samples);
   }

@@ -19,8 +19,10 @@ struct QuadMesh
 /// A surface that is one chart, bounded by its outline alone, becomes quads only: a grid over the
 /// rectangle with at most as many nodes as there are samples. Elsewhere the samples inside every
 /// chart give way to the nodes of a square lattice that keep clear of the backbones, as many as fit
-/// and the samples farthest from them for the rest; samples on backbones and constraints stay, so
-/// that charts meet along seams in triangles and the number of samples is kept.
+/// and the samples farthest from them for the rest; the lattice is halved where the chart's map
+/// stretches the surface (GradedLattice.h), and sizes differ by triangles between them. Samples on
+/// backbones and constraints stay, so that charts meet along seams in triangles and the number of
+/// samples is kept.
 STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(
   const Atlas& atlas, const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress);
 }

@@ -7,9 +7,11 @@
  * vtkQuadRemesh stands where vtkCDTRemesh stands, and lays regular quads into the parameter planes
  * of the charts (paper, Figure 1). A surface that is one open chart, without features inside and
  * constraints, becomes a grid of quads only, with at most as many points as there are samples.
- * Otherwise the samples inside the charts give way to the nodes of square lattices; those on
- * backbones and the constraints stay, triangles join the quads to them, and charts meet along their
- * seams without cracks. The number of points is then that of the samples.
+ * Otherwise the samples inside the charts give way to the nodes of square lattices, whose
+ * cells are split or joined where a chart's map stretches the surface, so that quads are alike
+ * there; those on backbones and the constraints stay, triangles join the quads to them and to those
+ * of other sizes, and charts meet along their seams without cracks. The number of points is then
+ * that of the samples.
  *
  * Input ports:
  * - 0: samples, a vtkPolyData (vtkErrorDiffusionSampler, port 0);
@@ -21,8 +23,9 @@
  * writes;
  * - 1: the mesh's edges along backbones (see vtkCDTRemesh).
  *
- * @warning The sizes of quads follow the charts' area distortion. Corners of a one-chart surface's
- * outline that are no corners of the chart are not kept.
+ * @warning The quads of a grid follow the chart's area distortion; others have as much area as each
+ * other within a factor of two. Corners of a one-chart surface's outline that are no corners of the
+ * chart are not kept.
  *
  * @sa vtkCDTRemesh vtkSemiRegularSubdivision
  */
