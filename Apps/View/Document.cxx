@@ -6,6 +6,7 @@
 #include "PolyDataConversion.h"
 #include "SessionEdits.h"
 #include "SurfacePicker.h"
+#include "ViewOptions.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -17,7 +18,6 @@ namespace stipple
 {
 namespace
 {
-constexpr int DefaultPoints = 5000;
 
 Status makeSession(const OptionValues& o, Session& session)
 {
@@ -61,7 +61,9 @@ ViewerFiles filesOf(const OptionValues& o, const Session& session)
   ViewerFiles files;
   files.mesh = o.has("output") ? o.text("output") : stem + "-remeshed.ply";
   files.picture = o.has("picture") ? o.text("picture") : stem + "-view.png";
-  files.session = o.has("save_session") ? o.text("save_session") : stem + "-session.json";
+  files.session = o.has("save_session") ? o.text("save_session")
+    : o.has("session")                  ? o.text("session")
+                                        : stem + "-session.json";
   files.figures = stem + "-figure";
   for (const char* named : { "output", "picture", "save_session", "session" })
   {
@@ -129,6 +131,8 @@ Status readDocument(const std::string& file, Document& document)
     // Beside the file, not where the program was started.
     const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
     ViewerFiles& files = document.files;
+    files.session =
+      options.has("session") ? std::filesystem::absolute(file).string() : files.session;
     for (std::string* name : { &files.mesh, &files.picture, &files.session, &files.figures })
     {
       *name = (folder / *name).string();

@@ -146,6 +146,9 @@ void MeshWorker::perform(const Session& session)
   }
   if (!errors.first().empty())
   {
+    // VTK takes a filter that has failed for up to date: the next try would have no error, and no
+    // mesh.
+    this->Remesher->Modified();
     // The charts may be fine, and a preview of fewer points possible.
     this->publishAtlas();
     const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -104,7 +104,7 @@ void Panel::addSampling(Commands& commands)
       }
       else if (word == ArrayWord)
       {
-        commands.chooseArray("importance_array", this->Points);
+        commands.chooseArray("importance_array", this->Fixed);
       }
       else
       {
@@ -130,6 +130,7 @@ void Panel::addSampling(Commands& commands)
   this->Gradation->setDefault(defaults.number("gradation"));
   this->Floor->setDefault(defaults.number("minimum_density"));
   this->Number->setHint("Exactly so many points has the mesh. Click or n, digits, Return.");
+  this->PointsSlider->setDefault(DefaultPoints);
   this->PointsSlider->setHint("Exactly so many points has the mesh.");
   this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
     std::string(SliderHint));
@@ -334,6 +335,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
 {
   const bool follows = pointsFollow(s) || s.number("max_deviation") > 0;
   this->Points = follows && points > 0 ? points : s.integer("points");
+  this->Fixed = s.integer("points") > 0 ? s.integer("points") : this->Fixed;
   this->Number->setLabel(follows ? "Points that follow" : "Number of points");
   this->Number->setValue(this->Points);
   Slider::Range range{ 100, std::max<double>(MostSliderPoints, this->Points) };

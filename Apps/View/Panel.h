@@ -8,6 +8,7 @@
 #include "Commands.h"
 #include "NumberField.h"
 #include "Slider.h"
+#include "ViewOptions.h"
 
 #include <memory>
 #include <string>
@@ -84,7 +85,8 @@ private:
   std::vector<Row> Rows;
   std::vector<std::pair<Rect, std::string>> Headings;
 
-  int Points = 0; ///< that are shown
+  int Points = 0;            ///< that are shown
+  int Fixed = DefaultPoints; ///< the last that did not follow from anything
   bool HasPicture = false;
   NumberField* Number = nullptr;
   Slider* PointsSlider = nullptr;

@@ -58,10 +58,11 @@ NumberField* Panel::optionField(Commands& commands, const char* option, const ch
     NumberField::Range{ o.low, o.high, o.kind == Option::Kind::Integer, !o.automatic.empty() },
     [this, &commands, name](double value) {
       commands.edit(
-        [this, name, value](Session& s) { setNumber(s, name, value, this->Points); }, true);
+        [this, name, value](Session& s) { setNumber(s, name, value, this->Fixed); }, true);
     });
   field->setAutomatic(o.automatic);
-  field->setHint(hintOf(o));
+  field->setHint(
+    hintOf(o) + (o.automatic.empty() ? "" : " Right button, or empty: " + o.automatic + "."));
   this->OptionFields.emplace_back(option, field);
   return field;
 }
@@ -69,7 +70,7 @@ NumberField* Panel::optionField(Commands& commands, const char* option, const ch
 Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* label)
 {
   auto* choice = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ label }, 1,
-    [this, &commands, option](int) { commands.chooseArray(option, this->Points); });
+    [this, &commands, option](int) { commands.chooseArray(option, this->Fixed); });
   const bool regions = option == std::string("region_array");
   const bool isThere = regions ? this->Input.regions : this->Input.arrays;
   choice->setHints({ isThere ? hintOf(*findOption(option))

@@ -95,6 +95,12 @@ Status Preview::update(const Session& session)
   this->Sampler->Update();
   const std::string& sentence =
     controlErrors.first().empty() ? samplerErrors.first() : controlErrors.first();
+  if (!sentence.empty())
+  {
+    // Or they were up to date next time, without samples and without an error.
+    this->Control->Modified();
+    this->Sampler->Modified();
+  }
   return sentence.empty() ? Status::success() : Status::error(sentence);
 }
 

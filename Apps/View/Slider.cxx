@@ -95,7 +95,8 @@ bool Slider::press(const Pointer& pointer)
   }
   if (this->isOverValue(pointer))
   {
-    this->Typed.on() ? this->Typed.line().place(pointer, false) : this->Typed.begin();
+    this->Typed.on() ? this->Typed.line().place(pointer, false)
+                     : this->Typed.begin(shortestText(this->Value));
     return false;
   }
   this->Held = true;
@@ -131,7 +132,8 @@ bool Slider::isOverValue(const Pointer& pointer) const
 void Slider::finish(bool accept)
 {
   double value = 0;
-  const bool typed = this->Typed.on() && accept && parseNumber(this->Typed.text(), value);
+  const bool typed =
+    this->Typed.on() && accept && this->Typed.touched() && parseNumber(this->Typed.text(), value);
   this->Typed.finish();
   const double within = std::clamp(value, this->Limits.low, this->Limits.high);
   if (typed && within != this->Value)

@@ -16,10 +16,12 @@ constexpr std::size_t MostLetters = 8;
 
 TypedNumber::TypedNumber(bool whole)
   : Line([whole](const std::string& rest, char letter) {
-    const bool isExponent = letter == 'e' && !rest.empty() && rest.find('e') == std::string::npos;
-    const bool isPart = (letter >= '0' && letter <= '9') || isExponent ||
-      (!whole && (letter == '.' || letter == '-'));
-    return isPart && rest.size() < MostLetters;
+    // As many people write it; in a whole number it would be between thousands.
+    const char sign = letter == ',' && !whole ? '.' : letter;
+    const bool isExponent = sign == 'e' && !rest.empty() && rest.find('e') == std::string::npos;
+    const bool isPart =
+      (sign >= '0' && sign <= '9') || isExponent || (!whole && (sign == '.' || sign == '-'));
+    return isPart && rest.size() < MostLetters ? sign : '\0';
   })
 {
 }

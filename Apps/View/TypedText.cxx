@@ -66,6 +66,11 @@ void TypedText::move(std::size_t place, bool selects)
   this->Anchor = selects ? this->Anchor : place;
 }
 
+char TypedText::taken(const std::string& rest, char letter) const
+{
+  return this->Allowed ? this->Allowed(rest, letter) : letter;
+}
+
 void TypedText::insert(const std::string& text)
 {
   const auto [begin, end] = this->selection();
@@ -73,9 +78,9 @@ void TypedText::insert(const std::string& text)
   this->move(begin, false);
   for (const char letter : text)
   {
-    if (!this->Allowed || this->Allowed(this->Text, letter))
+    if (const char taken = this->taken(this->Text, letter); taken != 0)
     {
-      this->Text.insert(this->Caret, 1, letter);
+      this->Text.insert(this->Caret, 1, taken);
       this->move(this->Caret + 1, false);
     }
   }
@@ -125,8 +130,8 @@ bool TypedText::key(const KeyStroke& stroke)
   }
   else if (stroke.letter != 0 && !stroke.control)
   {
-    if (!this->Allowed ||
-      this->Allowed(this->Text.substr(0, begin) + this->Text.substr(end), stroke.letter))
+    // One that is not taken does not take away the selection.
+    if (this->taken(this->Text.substr(0, begin) + this->Text.substr(end), stroke.letter) != 0)
     {
       this->insert(std::string(1, stroke.letter));
     }

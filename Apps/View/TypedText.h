@@ -19,8 +19,9 @@ namespace stipple
 class TypedText
 {
 public:
-  /// Whether a letter may follow; `rest` is what the line has besides the selection.
-  using Takes = std::function<bool(const std::string& rest, char letter)>;
+  /// What a letter becomes, mostly itself; 0: it is not taken. `rest` is what the line has besides
+  /// the selection.
+  using Takes = std::function<char(const std::string& rest, char letter)>;
 
   TypedText() = default;
   explicit TypedText(Takes takes)
@@ -51,6 +52,7 @@ public:
   void place(const Pointer& pointer, bool selects);
 
 private:
+  char taken(const std::string& rest, char letter) const;
   void move(std::size_t place, bool selects);
   std::size_t before(std::size_t place) const;
   std::size_t after(std::size_t place) const;

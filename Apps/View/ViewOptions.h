@@ -12,6 +12,8 @@
 
 namespace stipple
 {
+/// The number of points that a surface opens with.
+constexpr int DefaultPoints = 5000;
 /// The number of points that the window takes: with more, a preview takes seconds.
 constexpr int MostPoints = 1'000'000;
 /// Most that the slider gives; more can be typed.

@@ -365,7 +365,7 @@ void Viewer::takeResults()
   if (const std::string error = this->Worker.takeError(); !error.empty())
   {
     this->Problem = error;
-    this->SaveWhenDone = false;
+    this->forgetToSave();
     this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
   }
 }
@@ -460,7 +460,7 @@ Activity Viewer::activity()
   now.meshProblem = this->Problem;
   const bool works = !this->Stopped && this->Worker.busy();
   // Maps of another number of points say nothing about this one, and there may be others soon.
-  now.sampleProblem = works || this->MeshWanted ? "" : this->PreviewProblem;
+  now.sampleProblem = works || this->MeshWanted || this->Stopped ? "" : this->PreviewProblem;
   now.points = this->pointsToAgree();
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
@@ -488,6 +488,15 @@ void Viewer::showActivity()
   this->Doing = now;
   this->StaleIsOld = this->StaleIsOld || note;
   this->Window.touch(ViewerWindow::Status);
+}
+
+void Viewer::makeMesh()
+{
+  this->PreviewIsOld = this->PreviewIsOld || this->pointsToAgree() > 0;
+  this->AgreedPoints = std::max(this->AgreedPoints, this->pointsToAgree());
+  this->MeshWanted = !this->meshIsCurrent();
+  this->MeshAt = Clock::now();
+  this->Stopped = false;
 }
 
 void Viewer::startMeshing()

@@ -133,6 +133,8 @@ private:
   bool takePreview();
   /// The new charts take the place of those before, whose samples are shown until there are others.
   void showAtlas();
+  /// Makes it, now, if it is not there, of however many points.
+  void makeMesh();
   void startMeshing();
   /// How many points the session's length of edges leads to, if that is many and not agreed to; 0
   /// mostly.
@@ -162,6 +164,10 @@ private:
   /// Does it, after a question if there is unsaved work. `title` is the question.
   void askFirst(
     const std::string& title, const std::string& answer, const std::function<void()>& action);
+  /// The same if a mesh is still to be written. True: it was asked.
+  bool askToWait(
+    const std::string& title, const std::string& answer, const std::function<void()>& action);
+  void forgetToSave();
   void quit();
 
   // The window
@@ -263,6 +269,7 @@ private:
   int NextCell = 0;        ///< of the strip, to be painted first
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
+  std::function<void()> AfterSaving; ///< what waits for that
   std::string Message;
   std::string Hint; ///< of what is under the pointer
   bool MessageAlarm = false;

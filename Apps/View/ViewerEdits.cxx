@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 
 #include <filesystem>
+#include <utility>
 
 namespace stipple
 {
@@ -134,7 +135,7 @@ void Viewer::writeMesh()
 {
   if (!this->meshIsCurrent())
   {
-    this->SaveWhenDone = true;
+    this->SaveWhenDone = this->Problem.empty(); // or there is nothing to wait for
     this->say(this->activity().works()
         ? ""
         : fileName(this->Files.mesh) + " will be written when the mesh is done; Return makes it.");
@@ -152,11 +153,16 @@ void Viewer::writeMesh()
   {
     status = files.commit();
   }
+  const std::function<void()> next = std::exchange(this->AfterSaving, nullptr);
   this->say(status.ok() ? "Wrote " + wholePath(this->Files.mesh) + ": " +
         grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points, " +
         grouped(this->Mesh->mesh->GetNumberOfPolys()) + " triangles."
                         : status.message(),
     !status.ok());
+  if (next && status.ok())
+  {
+    next();
+  }
 }
 
 void Viewer::savePicture()

@@ -129,11 +129,7 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "Return" || key == "KP_Enter")
   {
-    this->PreviewIsOld = this->PreviewIsOld || this->pointsToAgree() > 0;
-    this->AgreedPoints = std::max(this->AgreedPoints, this->pointsToAgree());
-    this->MeshWanted = !this->meshIsCurrent();
-    this->MeshAt = Clock::now();
-    this->Stopped = false;
+    this->makeMesh();
   }
   else if (key == "Escape")
   {
@@ -149,7 +145,7 @@ bool Viewer::key(const KeyStroke& stroke)
     {
       this->Worker.cancel();
       this->MeshWanted = false;
-      this->SaveWhenDone = false;
+      this->forgetToSave();
       this->Stopped = true;
       this->say("");
     }

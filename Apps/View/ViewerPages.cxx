@@ -52,6 +52,10 @@ bool Viewer::hasUnsavedWork() const
 void Viewer::askFirst(
   const std::string& title, const std::string& answer, const std::function<void()>& action)
 {
+  if (this->askToWait(title, answer, action))
+  {
+    return;
+  }
   if (!this->hasUnsavedWork())
   {
     action();
@@ -74,6 +78,41 @@ void Viewer::askFirst(
     "Paint, picked points, edges or the transfer function are in no file yet.",
     std::vector<Question::Answer>{ { "Save, then " + answer, "Return", save },
       { "Do not save", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
+}
+
+bool Viewer::askToWait(
+  const std::string& title, const std::string& answer, const std::function<void()>& action)
+{
+  if (!this->SaveWhenDone || this->meshIsCurrent())
+  {
+    return false;
+  }
+  const auto goOn = [this, title, answer, action] { this->askFirst(title, answer, action); };
+  const auto wait = [this, goOn] {
+    this->closePage();
+    this->AfterSaving = goOn;
+    if (!this->activity().works())
+    {
+      this->makeMesh();
+    }
+  };
+  const auto leave = [this, goOn] {
+    this->closePage();
+    this->forgetToSave();
+    goOn();
+  };
+  const std::string file = std::filesystem::path(this->Files.mesh).filename().string();
+  this->show(
+    std::make_shared<Question>(file + " is not written yet", "It will be when the mesh is done.",
+      std::vector<Question::Answer>{ { "Wait, then " + answer, "Return", wait },
+        { "Do not write it", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
+  return true;
+}
+
+void Viewer::forgetToSave()
+{
+  this->SaveWhenDone = false;
+  this->AfterSaving = nullptr;
 }
 
 void Viewer::replaceFirst(const std::string& file, const std::function<void()>& write)

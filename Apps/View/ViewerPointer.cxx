@@ -159,6 +159,7 @@ void Viewer::wheel(const Pointer& pointer, int notches)
   if (!this->View.help && layout.panel.has(pointer.x, pointer.y) && this->Controls.scroll(notches))
   {
     this->Window.renew();
+    this->hover(pointer); // another control is there
   }
   const bool before = layout.before.has(pointer.x, pointer.y);
   if (this->View.help || (!before && !layout.after.has(pointer.x, pointer.y)))
@@ -215,7 +216,8 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   switch (this->View.tool)
   {
     case Tool::Brush:
-      return std::string("Brush: drag paints, Ctrl erases, Shift smooths; square brackets change "
+      return std::string("Brush: drag paints, Ctrl takes all importance away, Shift smooths; "
+                         "square brackets change "
                          "its size; y mirrors: ") +
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:

@@ -88,6 +88,19 @@ TEST(TypedNumber, IsEditedInItsMiddle)
   EXPECT_EQ(taken, std::vector<double>{ 51200 });
 }
 
+TEST(TypedNumber, ACommaIsAPoint)
+{
+  std::vector<double> taken;
+  const auto take = [&taken](double value) { taken.push_back(value); };
+  NumberField length("length", NumberField::Range{ 0, 10, false }, take);
+  length.focus();
+  type(length, "1,5");
+  NumberField points("points", NumberField::Range{ 1, 1000000 }, take);
+  points.focus();
+  type(points, "5,000");
+  EXPECT_EQ(taken, (std::vector<double>{ 1.5, 5000 }));
+}
+
 TEST(TypedNumber, WhatIsShownCountsIfItIsTyped)
 {
   int taken = 0;

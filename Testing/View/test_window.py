@@ -331,6 +331,7 @@ class Sliders(ViewTest):
         """To what a model opens with."""
         typed = *self.click(self.value), "2", "Return"
         self.assertEqual(self.session(*typed, *self.click(self.line, "Right"))["gamma"], 0.5)
+        self.assertEqual(self.session(*self.click((1100, 706), "Right"))["points"], 5000)
         undone = self.session(*typed, *self.click(self.line, "Right"), "Control+z")
         self.assertEqual(undone["gamma"], 2)
 

@@ -74,12 +74,39 @@ class Files(ViewTest):
         self.view(self.work / "second.off", *self.recorded("v"), "--shot", shots[2])
         np.testing.assert_array_equal(second[250:], pictures.read(shots[2])[250:])
 
-    def test_a_session_is_opened(self):
+    def test_a_session_is_opened_and_saved_where_it_was(self):
         self.play("n", *"321", "Return", "Control+j", model=("part.off",))
-        (self.work / "part-session.json").rename(self.work / "kept.json")
-        self.play("o", *"kept", "Return", "Control+j")
-        self.assertEqual((self.work / "part-session.json").read_text(), (self.work / "kept.json").read_text())
-        self.assertEqual(self.session_of("part")["points"], 321)
+        kept = self.work / "kept.json"
+        (self.work / "part-session.json").rename(kept)
+        before = kept.read_text()
+        for model, keys in (((), ("o", *"kept", "Return")), (("kept.json",), ())):
+            self.play(*keys, "Control+j", model=model)
+            self.assertEqual(kept.read_text(), before)
+            self.play(*keys, "n", *"345", "Return", "Control+j", model=model)
+            self.assertEqual(json.loads(kept.read_text())["points"], 345)
+            self.assertEqual(sorted(path.name for path in self.work.glob("*.json")), ["kept.json"])
+            kept.write_text(before)
+
+    def test_an_error_leaves_nothing_to_be_saved(self):
+        """Return tries again, and has the same error; a mesh that there was before is no more that of the session."""
+        few = self.recorded("n", "1", "Return")
+        again, save = self.recorded("Return"), self.recorded("Control+s")
+        for steps in ((few, again, save), (few, save, again)):
+            arguments = [a for step in steps for a in step]
+            self.assertEqual(run("part.off", "--points", 300, *arguments, program=VIEW, cwd=self.work, env=self.environment), (0, "", ""))
+            self.assertEqual(list(self.work.glob("*.ply")), [])
+
+    def test_a_promised_mesh_is_written_before_the_end(self):
+        """Or not, where the user says so: q and d."""
+        mesh = self.work / "part-remeshed.ply"
+        for answer in ("d", "Return"):
+            with LiveWindow(VIEW, FANDISK, "--points", 300, "-o", mesh) as window:
+                window.move(5, 5)
+                window.settle()
+                for key in ("n", *"20000", "Return", "Control_L+s", "q", answer):
+                    window.key(key)
+                self.assertEqual(window.ended(), 0)
+                self.assertEqual(mesh.exists(), answer == "Return")
 
     def test_what_cannot_be_opened_is_said(self):
         (self.work / "broken.off").write_text("OFF\n1 1 0\n")

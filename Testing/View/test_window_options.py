@@ -148,6 +148,8 @@ class Options(ViewTest):
         session = self.play(*click(TURN), "2", "0", "Return")
         self.assertEqual((session["curvature_points"], session["points"]), (20, 0))
         self.assertAlmostEqual(edges_of(self.mesh)[0].mean() * 20 / np.pi, 1, delta=0.15)
+        session = self.play(*click(TURN), "2", "0", "Return", *click(TURN, "Right"))
+        self.assertEqual((session["curvature_points"], session["points"]), (0, 700), "as before")
 
     def test_regions(self):
         session = self.play(*click(REGIONS), "1")
