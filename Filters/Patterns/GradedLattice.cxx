@@ -16,6 +16,9 @@ namespace
 /// Halvings of the cells of mean size.
 constexpr int MostHalvings = 10;
 
+/// Of a corner's coordinate.
+constexpr int CornerBits = 31;
+
 /// Corners of cells have whole coordinates at the finest level.
 using Corner = std::array<std::int64_t, 2>;
 
@@ -31,13 +34,14 @@ public:
     const double mean = area.total / (extent.x() * extent.y());
     const double spacing = std::sqrt(wanted / mean);
     const Vec2 steps(std::floor(extent.x() / spacing), std::floor(extent.y() / spacing));
-    this->Unit = std::ldexp(spacing, -MostHalvings);
     // One more cell on either side reaches beyond the rectangle.
     const double most = steps.maxCoeff() + 2;
     const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(most))));
+    const int halvings = std::clamp(CornerBits - doublings, 0, MostHalvings);
+    this->Unit = std::ldexp(spacing, -halvings);
     this->Origin = 0.5 * (extent - spacing * steps) - Vec2(spacing, spacing);
     std::iota(this->Order.begin(), this->Order.end(), 0);
-    const std::int64_t whole = std::int64_t(1) << (doublings + MostHalvings);
+    const std::int64_t whole = std::int64_t(1) << (doublings + halvings);
     this->grow({ { { 0, 0 } }, { { whole, whole } } }, this->Order.begin(), this->Order.end());
   }
   GradedLattice take() { return std::move(this->Lattice); }
@@ -195,7 +199,7 @@ AreaPoints spreadArea(const AtlasSurface& surface, int chart, double parts)
 
 GradedLattice gradedLattice(const AreaPoints& area, double wanted)
 {
-  return Cells(area, wanted).take();
+  return area.total > 0 && wanted > 0 ? Cells(area, wanted).take() : GradedLattice();
 }
 
 PointBins::PointBins(const std::vector<Vec2>& points)

@@ -149,6 +149,18 @@ TEST(GradedLattice, CellsAreSquareOnTheSurface)
   }
 }
 
+TEST(GradedLattice, ThinAndEmptyCharts)
+{
+  // A strip of 1e9 to 1, as a square.
+  const auto t = sheet([](double x, double y) { return Vec3(1e9 * x, y, 0); }, 3);
+  const AreaPoints area = spreadArea(t->atlas->surface(), 0, 16 * 100);
+  const GradedLattice lattice = gradedLattice(area, area.total / 100);
+  EXPECT_GT(lattice.cells.size(), 40U);
+  EXPECT_LT(lattice.cells.size(), 400U);
+  EXPECT_TRUE(gradedLattice(area, 0).cells.empty());
+  EXPECT_TRUE(gradedLattice(AreaPoints(), 1).cells.empty());
+}
+
 TEST(PointBins, FindWhatIsThere)
 {
   std::mt19937 random(3);
