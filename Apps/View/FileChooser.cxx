@@ -36,7 +36,7 @@ FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp
 void FileChooser::enter(const fs::path& folder)
 {
   std::error_code error;
-  fs::directory_iterator(folder, error);
+  const fs::directory_iterator opened(folder, error); // for its error
   if (error)
   {
     this->Sentence = "The folder cannot be read: " + error.message() + ".";
