@@ -96,16 +96,8 @@ void AfterScene::paintTriangles()
   {
     return;
   }
-  const ColorScale scale = scaleOf(*this->Colors, this->View.coloring);
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Colors");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    colors->SetTypedTuple(static_cast<vtkIdType>(i), scale.pixelOf(values[i]).data());
-  }
-  this->Surface->GetCellData()->SetScalars(colors);
+  this->Surface->GetCellData()->SetScalars(
+    scaleOf(*this->Colors, this->View.coloring).colorsOf(values));
   mapper->SetScalarModeToUseCellData();
   mapper->SetColorModeToDirectScalars();
   mapper->ScalarVisibilityOn();

@@ -253,16 +253,8 @@ void BeforeScene::paintMissed()
   {
     return;
   }
-  const ColorScale scale = missedScale(*this->Missed);
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Colors");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(this->Missed->missed.size()));
-  for (std::size_t i = 0; i < this->Missed->missed.size(); ++i)
-  {
-    colors->SetTypedTuple(static_cast<vtkIdType>(i), scale.pixelOf(this->Missed->missed[i]).data());
-  }
-  mapper->GetInput()->GetPointData()->SetScalars(colors);
+  mapper->GetInput()->GetPointData()->SetScalars(
+    missedScale(*this->Missed).colorsOf(this->Missed->missed));
   mapper->SetScalarModeToUsePointData();
   mapper->SetColorModeToDirectScalars();
 }

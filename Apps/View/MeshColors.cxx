@@ -8,6 +8,7 @@
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <atomic>
@@ -139,6 +140,19 @@ Pixel ColorScale::pixelOf(double value) const
 {
   return this->bar.color(
     this->high > this->low ? (value - this->low) / (this->high - this->low) : 0);
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> ColorScale::colorsOf(const std::vector<float>& values) const
+{
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    colors->SetTypedTuple(static_cast<vtkIdType>(i), this->pixelOf(values[i]).data());
+  }
+  return colors;
 }
 
 ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring)

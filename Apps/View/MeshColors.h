@@ -7,10 +7,13 @@
 #include "ColorBar.h"
 #include "ViewState.h"
 
+#include "vtkSmartPointer.h"
+
 #include <functional>
 #include <vector>
 
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 namespace stipple
 {
@@ -47,6 +50,9 @@ struct ColorScale
   double high = 1;
   ColorBar bar;
   [[nodiscard]] Pixel pixelOf(double value) const;
+  /// Those of many values, for a mapper with direct scalars.
+  [[nodiscard]] vtkSmartPointer<vtkUnsignedCharArray> colorsOf(
+    const std::vector<float>& values) const;
 };
 
 [[nodiscard]] ColorScale scaleOf(const MeshColors& colors, MeshColoring coloring);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SessionEdits.h"
 
+#include "SizingFunction.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace stipple
 {
@@ -16,9 +17,8 @@ bool pointsFollow(const Session& session)
 
 double pointsOfLength(const Session& session, double area)
 {
-  // Twice as many triangles as points, each of sqrt(3) / 4 of its edge squared.
   const double length = session.number("edge_length");
-  return length > 0 ? 2 / std::sqrt(3.) * area / (length * length) : 0;
+  return length > 0 ? area * densityOfEdges(length) : 0;
 }
 
 bool importanceCounts(const Session& session)

@@ -133,9 +133,13 @@ void Viewer::saveMesh()
 
 void Viewer::writeMesh()
 {
+  if (!this->Problem.empty()) // which the status line tells: there is no mesh to wait for
+  {
+    return;
+  }
   if (!this->meshIsCurrent())
   {
-    this->SaveWhenDone = this->Problem.empty(); // or there is nothing to wait for
+    this->SaveWhenDone = true;
     this->say(this->activity().works()
         ? ""
         : fileName(this->Files.mesh) + " will be written when the mesh is done; Return makes it.");

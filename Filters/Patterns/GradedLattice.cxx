@@ -163,17 +163,13 @@ AreaPoints spreadArea(const AtlasSurface& surface, int chart, double parts)
 {
   AreaPoints points;
   points.extent = surface.extent[Chart(chart)];
-  const auto areaOf = [&surface](Face face) {
-    const Vec3& p = surface.point(face, 0);
-    return 0.5 * (surface.point(face, 1) - p).cross(surface.point(face, 2) - p).norm();
-  };
   for (const Face face : surface.faces(Chart(chart)))
   {
-    points.total += areaOf(face);
+    points.total += surface.faceArea(face);
   }
   for (const Face face : surface.faces(Chart(chart)))
   {
-    const double area = areaOf(face);
+    const double area = surface.faceArea(face);
     const Vec2 stretches = stipple::squaredStretches(surface, face);
     // In n rows of triangles alike, of which those that lie upside down have their middles between.
     const int n = std::max(1, static_cast<int>(std::ceil(std::sqrt(area * parts / points.total))));

@@ -292,7 +292,6 @@ GradedLattice latticeOfChart(const AtlasSurface& surface, int chart, std::vector
   }
   if (coarse > area.total || nodesOf(coarse) > count) // nothing fits
   {
-    nodesOf(area.total);
     std::fill(clear.begin(), clear.end(), 0);
   }
   return lattice;

@@ -66,6 +66,23 @@ struct TestMesh
   }
 };
 
+/// n x n squares with a place each, at(i, j), as one chart that only its outline bounds; not yet
+/// read.
+template <typename At>
+std::unique_ptr<TestMesh> openChart(const At& at, int n, const Vec2& extent)
+{
+  auto t = std::make_unique<TestMesh>();
+  t->builder.addGrid(n, n, at, extent);
+  const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
+    { { 0, n } }, { { 0, 0 } } } };
+  for (int k = 0; k < 4; ++k)
+  {
+    t->builder.addBackbone(BackboneType::Boundary,
+      synthetic::run(at, corner[k][0], corner[k][1], corner[k + 1][0], corner[k + 1][1]));
+  }
+  return t;
+}
+
 /// m x m squares, each cut in two along its diagonal from low (u, v), on the surface position(u, v)
 /// over the unit square, which has n x n squares, 4 m x 4 m unless told. Vertex (i, j) is
 /// j (m + 1) + i; the sides are backbones, counterclockwise from v = 0.

@@ -17,18 +17,10 @@ namespace
 template <typename Map>
 std::unique_ptr<meshes::TestMesh> sheet(const Map& map, int n)
 {
-  auto t = std::make_unique<meshes::TestMesh>();
   const auto at = [&map, n](int i, int j) {
     return map(static_cast<double>(i) / n, static_cast<double>(j) / n);
   };
-  t->builder.addGrid(n, n, at, Vec2(1, 1));
-  const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
-    { { 0, n } }, { { 0, 0 } } } };
-  for (int k = 0; k < 4; ++k)
-  {
-    t->builder.addBackbone(BackboneType::Boundary,
-      synthetic::run(at, corner[k][0], corner[k][1], corner[k + 1][0], corner[k + 1][1]));
-  }
+  auto t = meshes::openChart(at, n, Vec2(1, 1));
   t->read();
   return t;
 }

@@ -15,17 +15,8 @@ namespace
 /// A flat rectangle as one chart with its sides in its parameters.
 std::unique_ptr<meshes::TestMesh> rectangle(const Vec2& extent, int n = 8)
 {
-  auto t = std::make_unique<meshes::TestMesh>();
-  const auto at = [=](int i, int j) { return Vec3(extent.x() * i / n, extent.y() * j / n, 0); };
-  t->builder.addGrid(n, n, at, extent);
-  const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
-    { { 0, n } }, { { 0, 0 } } } };
-  for (int k = 0; k < 4; ++k)
-  {
-    t->builder.addBackbone(BackboneType::Boundary,
-      synthetic::run(at, corner[k][0], corner[k][1], corner[k + 1][0], corner[k + 1][1]));
-  }
-  return t;
+  return meshes::openChart(
+    [=](int i, int j) { return Vec3(extent.x() * i / n, extent.y() * j / n, 0); }, n, extent);
 }
 
 Vec3 positionOf(const Atlas& atlas, const Sample& s)

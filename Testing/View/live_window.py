@@ -21,6 +21,8 @@ for name in ("XStringToKeysym", "XInternAtom", "XCreateSimpleWindow"):
     getattr(X11, name).restype = ctypes.c_ulong
 X11.XKeysymToKeycode.restype = ctypes.c_ubyte
 X11.XGetImage.restype = ctypes.c_void_p
+# What every XEvent begins with.
+EVENT_HEAD = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p)]
 
 
 class ImageHead(ctypes.Structure):
@@ -32,11 +34,7 @@ class ImageHead(ctypes.Structure):
 class ClientMessage(ctypes.Structure):
     """Xlib's XClientMessageEvent, as long as an XEvent."""
 
-    _fields_ = [
-        ("type", ctypes.c_int),
-        ("serial", ctypes.c_ulong),
-        ("send_event", ctypes.c_int),
-        ("display", ctypes.c_void_p),
+    _fields_ = EVENT_HEAD + [
         ("window", ctypes.c_ulong),
         ("message_type", ctypes.c_ulong),
         ("format", ctypes.c_int),
@@ -48,12 +46,7 @@ class ClientMessage(ctypes.Structure):
 class SelectionRequest(ctypes.Structure):
     """Xlib's XSelectionRequestEvent, as long as an XEvent. Its answer has no owner, and begins with the requestor."""
 
-    _fields_ = [
-        ("type", ctypes.c_int),
-        ("serial", ctypes.c_ulong),
-        ("send_event", ctypes.c_int),
-        ("display", ctypes.c_void_p),
-    ] + [(name, ctypes.c_ulong) for name in ("owner", "requestor", "selection", "target", "property", "time")] + [
+    _fields_ = EVENT_HEAD + [(name, ctypes.c_ulong) for name in ("owner", "requestor", "selection", "target", "property", "time")] + [
         ("padding", ctypes.c_long * 24)
     ]
 
@@ -61,7 +54,7 @@ class SelectionRequest(ctypes.Structure):
 class SelectionAnswer(ctypes.Structure):
     """Xlib's XSelectionEvent, as long as an XEvent."""
 
-    _fields_ = SelectionRequest._fields_[:4] + SelectionRequest._fields_[5:]
+    _fields_ = EVENT_HEAD + SelectionRequest._fields_[len(EVENT_HEAD) + 1 :]
 
 
 class SizeHints(ctypes.Structure):
