@@ -89,20 +89,11 @@ std::unique_ptr<TestMesh> openChart(const At& at, int n, const Vec2& extent)
 inline std::unique_ptr<TestMesh> patchOf(
   int m, const std::function<Vec3(double, double)>& position, int n = 0)
 {
-  auto t = std::make_unique<TestMesh>();
   n = n > 0 ? n : 4 * m;
   const auto at = [=](int i, int j) {
     return position(static_cast<double>(i) / n, static_cast<double>(j) / n);
   };
-  t->builder.addGrid(n, n, at);
-  const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
-    { { 0, n } }, { { 0, 0 } } } };
-  for (int side = 0; side < 4; ++side)
-  {
-    t->builder.addBackbone(BackboneType::Boundary,
-      synthetic::run(
-        at, corner[side][0], corner[side][1], corner[side + 1][0], corner[side + 1][1]));
-  }
+  auto t = openChart(at, n, Vec2(1, 1));
   t->read();
   for (int j = 0; j <= m; ++j)
   {
