@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -96,6 +97,10 @@ Status checkObj(const std::string& file)
         if (!parseAnyNumber(word, value))
         {
           return error(inQuotes(word) + " is no coordinate");
+        }
+        if (kind == 0 && !std::isfinite(value)) // 0 for VTK's reader
+        {
+          return error("every coordinate must be finite, unlike " + inQuotes(word));
         }
       }
     }

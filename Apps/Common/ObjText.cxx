@@ -7,28 +7,42 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace stipple
 {
 namespace
 {
-/// Whether a text ends, from there on, with a face of less than three corners, in OBJ.
-bool isShortFace(const std::string& text, std::size_t from)
+bool isSpace(char c)
 {
-  if (text[from] != 'f')
-  {
-    return false;
-  }
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The word of a cell, "f" or "l", if a line begins with it, or nothing.
+std::string_view wordOfCell(const std::string& text, std::size_t begin, std::size_t end)
+{
+  std::string_view line(text.data() + begin, end - begin);
+  const std::string_view word = nextWord(line);
+  return word == "f" || word == "l" ? word : std::string_view();
+}
+
+/// Whether a text ends, from there on, with a face of less than three corners or a line of less
+/// than two, in OBJ.
+bool isShortCell(const std::string& text, std::size_t from)
+{
+  const std::string_view word = wordOfCell(text, from, text.size());
+  const int least = word == "f" ? 3 : 2;
   int corners = 0;
   bool isBetween = true;
-  for (std::size_t i = from + 1; i < text.size() && corners < 3; ++i)
+  const auto after = static_cast<std::size_t>(word.data() + word.size() - text.data());
+  for (std::size_t i = after; i < text.size() && corners < least; ++i)
   {
-    const bool isBlank = std::isspace(static_cast<unsigned char>(text[i])) != 0 || text[i] == '\\';
+    const bool isBlank = isSpace(text[i]) || text[i] == '\\';
     corners += isBetween && !isBlank ? 1 : 0;
     isBetween = isBlank;
   }
-  return corners < 3;
+  return corners < least;
 }
 
 /// Where the second slash of a corner is, or its end.
@@ -98,7 +112,7 @@ std::string plainCells(const std::string& content)
   {
     const std::size_t end = std::min(content.find('\n', begin), content.size());
     start = goesOn ? start : result.size();
-    isCell = content.compare(begin, 2, "f ") == 0 || content.compare(begin, 2, "l ") == 0 || goesOn;
+    isCell = goesOn || !wordOfCell(content, begin, end).empty();
     const auto at = [&content](
                       std::size_t i) { return content.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto last =
@@ -107,8 +121,7 @@ std::string plainCells(const std::string& content)
     for (std::size_t i = begin; isCell && i < last; ++i)
     {
       const std::size_t next = content[i] == '/' ? content.find_first_not_of('/', i) : i;
-      if (next > i &&
-        (next >= last || std::isspace(static_cast<unsigned char>(content[next])) != 0))
+      if (next > i && (next >= last || isSpace(content[next])))
       {
         i = next - 1;
       }
@@ -123,7 +136,7 @@ std::string plainCells(const std::string& content)
     }
     result.append(content, end, 1);
     goesOn = isCell && end > 0 && end < content.size() && content[end - 1] == '\\';
-    if (isCell && !goesOn && isShortFace(result, start))
+    if (isCell && !goesOn && isShortCell(result, start))
     {
       result.resize(start);
     }
@@ -141,17 +154,18 @@ std::string plainObj(const std::string& content)
 std::string withShortMaterials(const std::string& plain)
 {
   constexpr std::size_t LongestName = 100;
-  const auto nameOf = [](const std::string& line) {
-    std::string_view rest = line;
-    return std::string(nextWord(rest) == "usemtl" ? rest : std::string_view());
+  const auto materialOf = [](const std::string& line) {
+    std::string_view name = line;
+    return nextWord(name) == "usemtl" ? std::optional(std::string(trimmed(name))) : std::nullopt;
   };
-  bool isLong = false;
+  bool isReadable = true;
   std::string line;
-  for (ObjLines lines(plain); !isLong && lines.next(line);)
+  for (ObjLines lines(plain); isReadable && lines.next(line);)
   {
-    isLong = nameOf(line).size() > LongestName;
+    const std::optional<std::string> name = materialOf(line);
+    isReadable = !name || (!name->empty() && name->size() <= LongestName);
   }
-  if (!isLong)
+  if (isReadable)
   {
     return plain;
   }
@@ -159,15 +173,10 @@ std::string withShortMaterials(const std::string& plain)
   std::map<std::string, std::size_t> known;
   for (ObjLines lines(plain); lines.next(line);)
   {
-    const std::string name = nameOf(line);
-    if (name.empty())
-    {
-      result += line;
-    }
-    else
-    {
-      result += "usemtl " + std::to_string(known.try_emplace(name, known.size()).first->second);
-    }
+    const std::optional<std::string> name = materialOf(line);
+    result += name
+      ? "usemtl " + std::to_string(known.try_emplace(*name, known.size()).first->second)
+      : line;
     result += '\n';
   }
   return result;

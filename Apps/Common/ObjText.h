@@ -51,12 +51,13 @@ private:
 };
 
 /// The cells without comments, without slashes that nothing follows ("7/" and "7//" name a point
-/// alone), and without faces of less than three corners: VTK's reader takes these for errors, or
-/// crashes on them. Without normals, too, if corners of faces have none: then it reads nothing.
+/// alone), and without faces of less than three corners and lines of less than two: VTK's reader
+/// takes these for errors, or crashes on them. Without normals, too, if corners of faces have none:
+/// then it reads nothing.
 [[nodiscard]] std::string plainObj(const std::string& content);
 
-/// Materials whose names are longer than 100 characters get short ones: VTK's reader writes what is
-/// longer than 111 beyond its array.
+/// Materials get short names where one has none, which is an error for VTK's reader, or one of more
+/// than 100 characters: what is longer than 111 it writes beyond its array.
 [[nodiscard]] std::string withShortMaterials(const std::string& plain);
 }
 

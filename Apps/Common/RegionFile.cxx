@@ -4,6 +4,7 @@
 
 #include "Geometry.h"
 #include "RegionArrays.h"
+#include "Text.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -19,6 +20,7 @@
 #include <locale>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 namespace stipple
 {
@@ -28,32 +30,11 @@ const char* const Unnamed = "default";
 const char* const MaterialIds = "MaterialIds";
 const char* const LabelsOfSolids = "STLSolidLabeling"; // vtkSTLReader's
 
-/// The first word of a line, and what follows it.
-struct Line
-{
-  std::string key;
-  std::string rest;
-};
-
-Line parse(const std::string& line)
-{
-  constexpr const char* Blank = " \t\r\n\v\f";
-  const std::size_t begin = line.find_first_not_of(Blank);
-  if (begin == std::string::npos)
-  {
-    return {};
-  }
-  const std::size_t end = std::min(line.find_first_of(Blank, begin), line.size());
-  const std::size_t rest = std::min(line.find_first_not_of(Blank, end), line.size());
-  const std::size_t last = line.find_last_not_of(Blank) + 1;
-  return { line.substr(begin, end - begin), line.substr(rest, last - std::min(rest, last)) };
-}
-
 /// Names, each once, and which of them each face has.
 class NamedRegions
 {
 public:
-  void use(const std::string& name)
+  void use(std::string_view name)
   {
     this->Name = name.empty() ? Unnamed : name;
     this->Known = false;
@@ -116,20 +97,21 @@ void addObjRegions(const std::string& content, vtkPolyData* mesh)
   NamedRegions materials;
   for (std::string text; std::getline(stream, text);)
   {
-    const Line line = parse(text);
-    if (line.key == "g")
+    std::string_view rest = text;
+    const std::string_view key = nextWord(rest);
+    if (key == "g")
     {
-      groups.use(line.rest);
+      groups.use(trimmed(rest));
     }
-    else if (line.key == "o")
+    else if (key == "o")
     {
-      objects.use(line.rest);
+      objects.use(trimmed(rest));
     }
-    else if (line.key == "usemtl")
+    else if (key == "usemtl")
     {
-      materials.use(line.rest);
+      materials.use(trimmed(rest));
     }
-    else if (line.key == "f")
+    else if (key == "f")
     {
       groups.addFace();
       objects.addFace();
@@ -177,10 +159,11 @@ void addStlSolids(const std::string& file, vtkPolyData* mesh)
   stream.exceptions(std::ios::badbit); // where memory ends, lines don't
   for (std::string text; std::getline(stream, text);)
   {
-    const Line line = parse(text);
-    if (line.key == "solid")
+    std::string_view rest = text;
+    if (nextWord(rest) == "solid")
     {
-      names.push_back(line.rest.empty() ? std::to_string(names.size()) : line.rest);
+      const std::string_view name = trimmed(rest);
+      names.push_back(name.empty() ? std::to_string(names.size()) : std::string(name));
     }
   }
   names.resize(static_cast<std::size_t>(number), Unnamed);

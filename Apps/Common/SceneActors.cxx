@@ -3,6 +3,7 @@
 #include "SceneActors.h"
 
 #include "PolyDataConversion.h"
+#include "TextNumbers.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -31,6 +32,14 @@ std::string grouped(long long number)
     text.insert(i, ",");
   }
   return text;
+}
+
+std::string numberText(double number)
+{
+  constexpr double LargestWhole = 9'007'199'254'740'992.; // 2^53
+  return number == std::trunc(number) && std::abs(number) < LargestWhole
+    ? grouped(static_cast<long long>(number))
+    : shortestText(number);
 }
 
 double twoDigits(double number)

@@ -31,6 +31,8 @@ constexpr double ViewAngle = 24; ///< degrees
 
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string grouped(long long number);
+/// Any number: grouped where it is whole and not beyond what doubles count.
+[[nodiscard]] std::string numberText(double number);
 /// A number of 1 or more rounded to a whole number with two digits that are not 0.
 [[nodiscard]] double twoDigits(double number);
 

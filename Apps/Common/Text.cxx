@@ -43,4 +43,10 @@ std::string_view nextWord(std::string_view& text)
   text.remove_prefix(end);
   return word;
 }
+
+std::string_view trimmed(std::string_view text)
+{
+  text.remove_prefix(std::min(text.find_first_not_of(Blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(Blanks) + 1);
+}
 }

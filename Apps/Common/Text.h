@@ -24,6 +24,9 @@ constexpr const char* Blanks = " \t\r\n\v\f";
 
 /// Takes the first word from a text, with the blanks before it; empty if there is none.
 std::string_view nextWord(std::string_view& text);
+
+/// Without the blanks at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
 }
 
 #endif

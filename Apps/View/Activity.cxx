@@ -4,7 +4,6 @@
 
 #include "SceneActors.h"
 
-#include <cmath>
 #include <tuple>
 
 namespace stipple
@@ -55,7 +54,7 @@ std::string Activity::sentence() const
     case Mesh::Making:
       return "Meshing; Esc stops it.";
     case Mesh::Asks:
-      return "Edges so short take some " + grouped(std::llround(twoDigits(this->points))) +
+      return "Edges so short take some " + numberText(twoDigits(this->points)) +
         " points. Return makes the mesh.";
     case Mesh::Stopped:
       return "Stopped. Return makes the mesh.";

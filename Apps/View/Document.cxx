@@ -113,9 +113,17 @@ Status readDocument(const OptionValues& options, Document& document)
   }
   read.files = filesOf(options, read.session);
   TriangleSurface surface = fromPolyData(read.input);
+  for (const Face f : surface.faces())
+  {
+    const double area = surface.faceArea(f);
+    read.area += area > 0 ? area : 0; // corners may be no numbers
+  }
+  if (!(read.area > 0))
+  {
+    return Status::error("'" + read.session.text("model") + "' has no triangle with an area");
+  }
   surface.connect();
   read.solid = isSolid(surface);
-  read.area = surface.area();
   read.picker = std::make_shared<SurfacePicker>(read.input);
   document = read;
   return Status::success();

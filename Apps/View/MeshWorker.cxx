@@ -210,6 +210,7 @@ void MeshWorker::publishAtlas()
   }
   this->PublishedTime = time;
   auto result = std::make_unique<AtlasResult>();
+  result->session = this->Current;
   result->charts = copyOf<vtkPartitionedDataSetCollection>(charts);
   result->graph = copyOf<vtkPolyData>(this->Remesher->GetAtlas()->GetOutputDataObject(1));
   result->sampling.charts = copyOf<vtkPartitionedDataSetCollection>(charts);

@@ -29,6 +29,7 @@ struct SamplingInput
 
 struct AtlasResult
 {
+  Session session; ///< that it was made for
   // To be shown:
   vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
   vtkSmartPointer<vtkPolyData> graph;

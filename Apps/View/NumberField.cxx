@@ -84,13 +84,16 @@ void NumberField::finish(bool accept)
   {
     return;
   }
-  const double within = this->Limits.automatic && value == 0
-    ? 0
-    : std::clamp(value, this->Limits.low, this->Limits.high);
-  this->OnCommit(within);
+  const double low = this->Limits.low;
+  const double within =
+    this->Limits.automatic && value == 0 ? 0 : std::clamp(value, low, this->Limits.high);
+  if (within == value || !TypedNumber::isOpen(low)) // or nothing is next to it
+  {
+    this->OnCommit(within);
+  }
   if (within != value)
   {
-    this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
+    this->tell(TypedNumber::whyNot(value, low, this->Limits.high));
   }
 }
 

@@ -129,9 +129,7 @@ void Panel::addSampling(Commands& commands)
   this->Gamma->setDefault(defaults.number("gamma"));
   this->Gradation->setDefault(defaults.number("gradation"));
   this->Floor->setDefault(defaults.number("minimum_density"));
-  this->Number->setHint("Exactly so many points has the mesh. Click or n, digits, Return.");
   this->PointsSlider->setDefault(DefaultPoints);
-  this->PointsSlider->setHint("Exactly so many points has the mesh.");
   this->Gamma->setHint("The importance to this power: 0 uniform, 1 as it is, more sharpens. " +
     std::string(SliderHint));
   this->Gradation->setHint(
@@ -336,7 +334,14 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   const bool follows = pointsFollow(s) || s.number("max_deviation") > 0;
   this->Points = follows && points > 0 ? points : s.integer("points");
   this->Fixed = s.integer("points") > 0 ? s.integer("points") : this->Fixed;
-  this->Number->setLabel(follows ? "Points that follow" : "Number of points");
+  const bool part = !s.text("select_array").empty();
+  this->Number->setLabel(follows ? "Points that follow"
+      : part                     ? "Points of the part"
+                                 : "Number of points");
+  const std::string hint = part ? "So many new points has the part, besides those on its border."
+                                : "Exactly so many points has the mesh.";
+  this->Number->setHint(hint + " Click or n, digits, Return.");
+  this->PointsSlider->setHint(hint);
   this->Number->setValue(this->Points);
   Slider::Range range{ 100, std::max<double>(MostSliderPoints, this->Points) };
   range.logarithmic = true;
@@ -352,16 +357,16 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Importance->choose(std::min(kind, ArrayWord));
   this->Importance->setWord(ArrayWord,
     importance == "array" ? s.text("importance_array") : (this->HasPicture ? "image" : "array"));
-  const bool counts = importanceCounts(s);
+  const std::string why = whyImportanceRests(s);
+  const bool counts = why.empty();
   for (int word = 0; word < ArrayWord; ++word)
   {
     this->Importance->setEnabled(word, counts);
   }
   this->Importance->setEnabled(ArrayWord, counts && (this->HasPicture || this->Input.arrays));
-  this->Importance->setHints(counts
-      ? importanceHints()
-      : std::vector<std::string>(
-          ArrayWord + 1, "The preset uniform leaves the importance out: see Mesh below."));
+  this->Importance->setHints(counts ? importanceHints()
+                                    : std::vector<std::string>(ArrayWord + 1,
+                                        "Left out while " + why + ": see Mesh and Sizes below."));
   for (Slider* slider : { this->Gamma, this->Gradation, this->Floor })
   {
     slider->setEnabled(counts && importance != "uniform");
@@ -377,6 +382,10 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Clearing->setEnabled(0, !s.list("strokes").empty());
   this->Clearing->setEnabled(1, !s.list("constraints").empty());
   this->Clearing->setEnabled(2, !s.list("feature_edges").empty());
+  this->Clearing->setHints({ s.list("strokes").empty() ? "Nothing is painted."
+                                                       : "Takes all paint away.",
+    s.list("constraints").empty() ? "No point is picked." : "Takes all picked points away.",
+    s.list("feature_edges").empty() ? "No edge is tagged." : "Takes the tags of all edges away." });
   this->Displays->choose(static_cast<int>(v.display));
   this->Overlays->setOn(0, v.features);
   this->Overlays->setOn(1, v.seams);

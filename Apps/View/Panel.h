@@ -24,6 +24,7 @@ public:
   {
     bool arrays = false; ///< of numbers
     bool regions = false;
+    bool selections = false; ///< cell arrays of numbers
     bool textures = false;
   };
   /// `model` is shown.

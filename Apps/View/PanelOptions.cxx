@@ -71,10 +71,15 @@ Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* l
 {
   auto* choice = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ label }, 1,
     [this, &commands, option](int) { commands.chooseArray(option, this->Fixed); });
-  const bool regions = option == std::string("region_array");
-  const bool isThere = regions ? this->Input.regions : this->Input.arrays;
+  const std::string name = option;
+  const bool regions = name == "region_array";
+  const bool selects = name == "select_array";
+  const bool isThere = regions ? this->Input.regions
+    : selects                  ? this->Input.selections
+                               : this->Input.arrays;
   choice->setHints({ isThere ? hintOf(*findOption(option))
       : regions              ? "The file has no array of its cells that could tell regions."
+      : selects              ? "The file has no array of its cells that could tell a part."
                              : "The file has no array of numbers." });
   choice->setEnabled(0, isThere);
   this->ArrayChoices.push_back({ option, label, choice });
@@ -144,6 +149,7 @@ void Panel::addInputs(Commands& commands)
                                                       : "The file has no texture coordinates." });
   this->row(
     { this->arrayChoice(commands, "region_array", "regions"), this->TextureSeams }, FieldHeight);
+  this->row({ this->arrayChoice(commands, "select_array", "only the part") }, FieldHeight);
   this->row({ this->arrayChoice(commands, "importance_array", "importance from") }, FieldHeight);
   this->Picture = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ "" }, 1,
     [&commands](int) { commands.choosePicture(); });

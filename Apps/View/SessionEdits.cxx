@@ -21,9 +21,14 @@ double pointsOfLength(const Session& session, double area)
   return length > 0 ? area * densityOfEdges(length) : 0;
 }
 
-bool importanceCounts(const Session& session)
+std::string whyImportanceRests(const Session& session)
 {
-  return session.text("preset") != "uniform" || session.text("pattern") == "quads";
+  // As vtkControlMap has it, and vtkGeometryRemesher's presets.
+  return session.number("curvature_points") > 0 ? "points per turn are set"
+    : !session.text("size_array").empty()       ? "an array has lengths"
+    : session.text("preset") == "uniform" && session.text("pattern") != "quads"
+    ? "the preset is uniform"
+    : "";
 }
 
 void setPoints(Session& session, double points)

@@ -16,8 +16,8 @@ namespace stipple
 /// triangles; 0 if their number follows from anything else, or from nothing.
 [[nodiscard]] double pointsOfLength(const Session& session, double area);
 
-/// Whether the mesh follows importance and paint: the preset uniform leaves them out.
-[[nodiscard]] bool importanceCounts(const Session& session);
+/// Why the mesh does not follow importance and paint, as in "while ..."; empty if it does.
+[[nodiscard]] std::string whyImportanceRests(const Session& session);
 
 /// A number of points that does not follow from anything.
 void setPoints(Session& session, double points);

@@ -3,9 +3,8 @@
 #include "TypedNumber.h"
 
 #include "SceneActors.h"
-#include "TextNumbers.h"
 
-#include <cmath>
+#include <limits>
 
 namespace stipple
 {
@@ -34,16 +33,17 @@ void TypedNumber::begin(const std::string& text)
   this->Line.select(0, text.size());
 }
 
+bool TypedNumber::isOpen(double low)
+{
+  return low == std::numeric_limits<double>::min();
+}
+
 std::string TypedNumber::whyNot(double typed, double low, double high)
 {
-  const auto text = [](double value) {
-    return value == std::floor(value) && std::abs(value) < 1e15
-      ? grouped(static_cast<long long>(value))
-      : shortestText(value);
-  };
-  return typed < low ? text(low) + " is the least here."
-    : typed > high   ? text(high) + " is the most here."
-                     : "";
+  return typed < low && isOpen(low) ? "It has to be above 0."
+    : typed < low                   ? numberText(low) + " is the least here."
+    : typed > high                  ? numberText(high) + " is the most here."
+                                    : "";
 }
 
 bool TypedNumber::key(const KeyStroke& stroke, End& end)

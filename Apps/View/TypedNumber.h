@@ -34,6 +34,8 @@ public:
   /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a
   /// text field's: false for these.
   bool key(const KeyStroke& stroke, End& end);
+  /// Whether a range has no least number, but all above 0, as the table of options has it.
+  static bool isOpen(double low);
   /// Why a number that was typed is not what is taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
 

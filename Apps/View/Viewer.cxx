@@ -56,8 +56,11 @@ Panel::Choosable choosableOf(vtkPolyData* input)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
       const bool isNamed = array && array->GetName();
-      choosable.arrays = choosable.arrays || (isNamed && vtkDataArray::SafeDownCast(array));
-      choosable.regions = choosable.regions || (isNamed && data == input->GetCellData());
+      const bool hasNumbers = isNamed && vtkDataArray::SafeDownCast(array);
+      const bool isOfCells = data == input->GetCellData();
+      choosable.arrays = choosable.arrays || hasNumbers;
+      choosable.regions = choosable.regions || (isNamed && isOfCells);
+      choosable.selections = choosable.selections || (hasNumbers && isOfCells);
     }
   }
   choosable.textures = input->GetPointData()->GetTCoords() != nullptr;
@@ -73,6 +76,7 @@ Viewer::Viewer(
   , Area(document.area)
   , Now(document.session)
   , Saved(document.session)
+  , Written(document.session)
   , Files(document.files)
   , Window(window)
   , Interactor(interactor)
@@ -340,6 +344,12 @@ void Viewer::takeResults()
     this->AtlasIsNewer = true;
     this->NewAtlas = std::move(atlas);
     this->PreviewIsOld = true;
+    if (this->meshIsCurrent() && this->NewAtlas->session != this->Now)
+    {
+      // Of a session that was taken back meanwhile: it may lack maps that this one needs.
+      this->MeshWanted = true;
+      this->MeshAt = Clock::now();
+    }
     if (!this->Shown)
     {
       this->showAtlas();

@@ -58,7 +58,8 @@ public:
   void setReading(const std::string& file);
   /// Whether the user has given it up since this was called last.
   [[nodiscard]] bool takeGivenUp() { return std::exchange(this->GivenUp, false); }
-  /// Whether there is paint, points, edges or a curve that is in no session's file.
+  /// Whether there is paint, points, edges or a curve that is in no session's file, or another
+  /// change of which neither session nor mesh is in a file.
   [[nodiscard]] bool hasUnsavedWork() const;
   /// Says what went wrong.
   void complain(const std::string& sentence);
@@ -161,6 +162,8 @@ private:
   void show(std::shared_ptr<Page> page);
   void closePage();
   void giveUpReading();
+  /// Whether there is paint, points, edges or a curve that is in no session's file.
+  [[nodiscard]] bool hasHandMade() const;
   /// Does it, after a question if there is unsaved work. `title` is the question.
   void askFirst(
     const std::string& title, const std::string& answer, const std::function<void()>& action);
@@ -217,6 +220,7 @@ private:
   std::string PictureInUse;
   Session Now;
   Session Saved;    ///< as it was opened, or written last
+  Session Written;  ///< whose mesh was written last
   Session EditBase; ///< before the edit that goes on
   bool Editing = false;
   History Edits;

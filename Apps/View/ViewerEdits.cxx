@@ -157,6 +157,10 @@ void Viewer::writeMesh()
   {
     status = files.commit();
   }
+  if (status.ok())
+  {
+    this->Written = this->Now;
+  }
   const std::function<void()> next = std::exchange(this->AfterSaving, nullptr);
   this->say(status.ok() ? "Wrote " + wholePath(this->Files.mesh) + ": " +
         grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points, " +

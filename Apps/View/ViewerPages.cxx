@@ -43,10 +43,15 @@ void Viewer::closePage()
   this->Window.showOverlay(this->View.help);
 }
 
-bool Viewer::hasUnsavedWork() const
+bool Viewer::hasHandMade() const
 {
   return std::any_of(std::begin(HandMade), std::end(HandMade),
     [this](const char* name) { return this->Now.list(name) != this->Saved.list(name); });
+}
+
+bool Viewer::hasUnsavedWork() const
+{
+  return this->hasHandMade() || (this->Now != this->Saved && this->Now != this->Written);
 }
 
 void Viewer::askFirst(
@@ -75,7 +80,8 @@ void Viewer::askFirst(
     action();
   };
   this->show(std::make_shared<Question>(title,
-    "Paint, picked points, edges or the transfer function are in no file yet.",
+    this->hasHandMade() ? "Paint, picked points, edges or the transfer function are in no file yet."
+                        : "Neither these settings nor their mesh are in a file yet.",
     std::vector<Question::Answer>{ { "Save, then " + answer, "Return", save },
       { "Do not save", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
 }
@@ -242,13 +248,13 @@ void Viewer::chooseArray(const std::string& option, int points)
   };
   std::vector<ListPage::Entry> entries;
   entries.push_back({ "0", "none", "", [choose] { choose(""); } });
-  const bool cellsOnly = option == "region_array";
+  const bool takesNames = option == "region_array"; // all else are numbers
+  const bool cellsOnly = takesNames || option == "select_array";
   const auto add = [&](vtkDataSetAttributes* data, const char* what) {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      // Names do for regions; all else are numbers.
-      if (array->GetName() && (cellsOnly || vtkDataArray::SafeDownCast(array)))
+      if (array->GetName() && (takesNames || vtkDataArray::SafeDownCast(array)))
       {
         const std::string name = array->GetName();
         const std::string key = entries.size() < 10 ? std::to_string(entries.size()) : "";

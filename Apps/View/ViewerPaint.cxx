@@ -28,9 +28,10 @@ Rect content(const Rect& cell, float s)
     cell.h - (TitleHeight + 10) * s };
 }
 
-std::string countOf(long long number, const char* what)
+/// `what` in the singular; "s" and what follows stand behind.
+std::string countOf(long long number, const char* what, const char* rest = "")
 {
-  return grouped(number) + " " + what;
+  return grouped(number) + " " + what + (number == 1 ? "" : "s") + rest;
 }
 }
 
@@ -66,20 +67,21 @@ void Viewer::paintView(Canvas& canvas, bool before)
     const bool ready = this->HasAtlas && !this->View.wireframe;
     title = ready ? titles[static_cast<int>(this->View.display)] : "input";
     detail = !ready || this->View.display == Display::Input
-      ? countOf(this->Input->GetNumberOfPoints(), "points, ") +
-        countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "faces")
+      ? countOf(this->Input->GetNumberOfPoints(), "point", ", ") +
+        countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "face")
       : this->View.display == Display::Density ? ""
-      : this->showsVertices() && this->View.display == Display::Samples
-      ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "samples, as the mesh has them")
-      : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "samples")
+      : this->showsVertices() && this->View.display == Display::Samples &&
+        this->Now.text("select_array").empty()
+      ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "sample", ", as the mesh has them")
+      : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "sample")
                     : this->Doing.sampleNote();
   }
   else
   {
     title = "mesh";
-    detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "points, ") +
+    detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
         countOf(this->Mesh->mesh->GetNumberOfPolys(),
-          this->Mesh->session.text("pattern") == "quads" ? "faces" : "triangles")
+          this->Mesh->session.text("pattern") == "quads" ? "face" : "triangle")
                         : "";
   }
   const float y = view.top() - 18 * s;
@@ -149,13 +151,13 @@ void Viewer::paintStrip(Canvas& canvas)
     const char* remark;
     Control& control;
   };
+  const std::string why = whyImportanceRests(this->Now);
+  const std::string rests = !why.empty()        ? "not while " + why
+    : this->Now.text("importance") == "uniform" ? "not for uniform"
+                                                : "";
   const Cell cells[] = { { l.sheet, "control map", "dark: many samples; paint here too",
                            this->Sheet },
-    { l.curve, "transfer function",
-      !importanceCounts(this->Now)                  ? "not for the preset uniform"
-        : this->Now.text("importance") == "uniform" ? "not for uniform"
-                                                    : "",
-      this->Curve },
+    { l.curve, "transfer function", rests.c_str(), this->Curve },
     { l.figures, "mesh quality", "", this->Figures } };
   // One of the cells that have changed, where it does not have to be all: the next frame, and the
   // frame of a preview, come the sooner.
@@ -195,14 +197,15 @@ std::string Viewer::remark() const
   {
     return "";
   }
-  if (!importanceCounts(this->Now) &&
+  const std::string why = whyImportanceRests(this->Now);
+  if (!why.empty() &&
     (this->Now.text("importance") != "uniform" || !this->Now.list("strokes").empty()))
   {
-    return " Importance and paint do not count: the preset is uniform.";
+    return " Importance and paint do not count while " + why + ".";
   }
   const int lost = this->Mesh->figures.lostFeatureEdges;
   return lost > 0
-    ? " " + grouped(lost) + " feature edges of the input are lost (violet): more points keep them."
+    ? " Lost (violet): " + countOf(lost, "feature edge", " of the input; more points keep them.")
     : "";
 }
 

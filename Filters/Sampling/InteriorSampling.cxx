@@ -520,17 +520,41 @@ bool InteriorSampler::clearOfGraph(const Vec2& p) const
   return true;
 }
 
+Vec2 InteriorSampler::longDirection() const
+{
+  Vec2 mean = Vec2::Zero();
+  for (int v : this->Graph.boundary)
+  {
+    mean += this->Graph.vertices[v].uv / static_cast<double>(this->Graph.boundary.size());
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  for (int v : this->Graph.boundary)
+  {
+    const Vec2 d = this->Graph.vertices[v].uv - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+  }
+  const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
+  return { std::cos(angle), std::sin(angle) };
+}
+
 void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count)
 {
   // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a
-  // sliver. Look for the widest gaps on ever finer lattices, in the box of the polygon.
+  // sliver. Look for the widest gaps on ever finer lattices, along and across the polygon.
   NeighbourGrid grid = this->gridOf(places);
-  Vec2 low = this->Image.extent;
-  Vec2 high = Vec2::Zero();
+  const Vec2 along = this->longDirection();
+  const Vec2 across(-along.y(), along.x());
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
+  Vec2 high = -low;
   for (int v : this->Graph.boundary)
   {
-    low = low.cwiseMin(this->Graph.vertices[v].uv);
-    high = high.cwiseMax(this->Graph.vertices[v].uv);
+    const Vec2& uv = this->Graph.vertices[v].uv;
+    low = low.cwiseMin(Vec2(uv.dot(along), uv.dot(across)));
+    high = high.cwiseMax(Vec2(uv.dot(along), uv.dot(across)));
   }
   for (int side = 15; count > 0 && side <= 2047; side = 2 * side + 1)
   {
@@ -539,7 +563,7 @@ void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count)
     const auto at = [&](int i) {
       const int x = i % side;
       const int y = i / side;
-      return Vec2(low.x() + (x + 1) * step.x(), low.y() + (y + 1) * step.y());
+      return Vec2((low.x() + (x + 1) * step.x()) * along + (low.y() + (y + 1) * step.y()) * across);
     };
     for (int i = 0; i < side * side; ++i)
     {

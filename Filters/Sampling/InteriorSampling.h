@@ -70,6 +70,8 @@ private:
   void remove(std::vector<Vec2>& places, int count) const;
   NeighbourGrid gridOf(const std::vector<Vec2>& places) const;
   bool clearOfGraph(const Vec2& p) const;
+  /// Of the principal axes of the polygon's corners, the one along which they lie.
+  Vec2 longDirection() const;
 
   const SamplingDomain& Domain;
   const int Chart;

@@ -90,6 +90,11 @@ Mesh read(const char* file)
     std::fprintf(stderr, "MeshCheck: '%s' ends too early\n", file);
     std::exit(2);
   }
+  if (mesh.triangles.empty())
+  {
+    std::fprintf(stderr, "MeshCheck: '%s' has no triangle\n", file);
+    std::exit(2);
+  }
   return mesh;
 }
 

@@ -190,6 +190,21 @@ TEST_F(MeshFile, ObjFacesOfTwoCornersAreNone)
   EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 0, 1, 1 }));
 }
 
+TEST_F(MeshFile, ObjLinesMayBeEmptyAfterTheirWord)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  vtkSmartPointer<vtkPolyData> mesh;
+  const Status status = readMesh(
+    this->write("e.obj",
+      points +
+        "f\nusemtl a\nf 1 3 2\nusemtl \nf\r\n f 1\n\tf 1/ 2/\t4/\nusemtl\nf 1 4 3\nl\nl 1\nf"),
+    mesh);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 3);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 0);
+  EXPECT_EQ(labels(mesh, "MaterialIds"), (std::vector<int>{ 0, 1, 1 }));
+}
+
 TEST_F(MeshFile, ObjFacesHaveTheirMaterialsBesideLines)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";

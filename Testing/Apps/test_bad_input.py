@@ -88,6 +88,7 @@ class BadInput(ProgramTest):
     def test_coordinates_that_are_not_finite(self):
         for bad in ("nan", "inf", "-inf", "1e999"):
             self.refuse("point 2 of .*every coordinate must be finite", "nan.off", CUBE.replace("1 1 0", f"1 {bad} 0", 1))
+            self.refuse(f"nan.obj:2: .*finite, unlike '{bad}'", "nan.obj", f"v 0 0 0\nv 1 {bad} 0\nv 0 1 0\nf 1 2 3\n")
         header = b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
         header += b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
         points = struct.pack("<9f", 0, 0, 0, float("nan"), 0, 0, 0, 1, 0)

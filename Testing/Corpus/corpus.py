@@ -32,6 +32,33 @@ ENDINGS = {".ply", ".obj", ".stl", ".off", ".vtp", ".vtk"}
 CLEAN = ("singular_vertices", "inconsistent_edges", "unused_points", "degenerate")
 
 
+def triangles_of(mesh):
+    """A vtkPolyData's polygons as triangles; concave ones, which vtkTriangleFilter does not cover, too."""
+    from vtkmodules.vtkCommonCore import vtkIdList
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
+
+    result = vtkCellArray()
+    corners = vtkIdList()
+    for cell in range(mesh.GetNumberOfPolys()):
+        mesh.GetPolys().GetCellAtId(cell, corners)
+        ids = [corners.GetId(i) for i in range(corners.GetNumberOfIds())]
+        ids = [p for i, p in enumerate(ids) if mesh.GetPoint(p) != mesh.GetPoint(ids[i - 1])]
+        polygon = vtkIdList()
+        for p in ids:
+            polygon.InsertNextId(p)
+        pieces = vtkCellArray()
+        if len(ids) > 3 and vtkContourTriangulator.TriangulatePolygon(polygon, mesh.GetPoints(), pieces):
+            result.Append(pieces)
+        else:
+            for i in range(2, len(ids)):
+                result.InsertNextCell(3, (ids[0], ids[i - 1], ids[i]))
+    triangles = vtkPolyData()
+    triangles.SetPoints(mesh.GetPoints())
+    triangles.SetPolys(result)
+    return triangles
+
+
 def as_off(model, off):
     """Writes the triangles of a model as text."""
     # Only here: without other formats the runner needs no VTK.
@@ -50,12 +77,16 @@ def as_off(model, off):
     }
     reader = readers[model.suffix.lower()]()
     reader.SetFileName(str(model))
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(reader.GetOutputPort())
-    triangles.PassLinesOff()
-    triangles.PassVertsOff()
-    triangles.Update()
-    write_off(triangles.GetOutput(), off)
+    reader.Update()
+    mesh = reader.GetOutput()
+    if mesh.GetNumberOfStrips():
+        strips = vtkTriangleFilter()
+        strips.SetInputData(mesh)
+        strips.PassLinesOff()
+        strips.PassVertsOff()
+        strips.Update()
+        mesh = strips.GetOutput()
+    write_off(triangles_of(mesh), off)
 
 
 class Case:

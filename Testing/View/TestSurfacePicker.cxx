@@ -4,8 +4,11 @@
 #include "SurfacePicker.h"
 
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
@@ -63,6 +66,57 @@ TEST_F(SurfacePickerTest, PicksWhatIsDrawnAtThePixel)
   }
   PickedPlace place;
   EXPECT_FALSE(picker.pick(Renderer, 165, 5, place)) << "a corner of the view";
+}
+
+TEST_F(SurfacePickerTest, TrianglesThatShareNoPointsHaveEdgesInCommon)
+{
+  // As STL files have them.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  vtkPolyData* sphere = Sphere->GetOutput();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < sphere->GetNumberOfPolys(); ++f)
+  {
+    sphere->GetPolys()->GetCellAtId(f, corners);
+    triangles->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      triangles->InsertCellPoint(points->InsertNextPoint(sphere->GetPoint(corners->GetId(k))));
+    }
+  }
+  vtkNew<vtkPolyData> soup;
+  soup->SetPoints(points);
+  soup->SetPolys(triangles);
+  const SurfacePicker whole(sphere);
+  const SurfacePicker picker(soup);
+  PickedPlace from;
+  PickedPlace to;
+  PickedPlace wholeFrom;
+  PickedPlace wholeTo;
+  ASSERT_TRUE(picker.pick(Renderer, 400, 180, from));
+  ASSERT_TRUE(picker.pick(Renderer, 300, 240, to));
+  ASSERT_TRUE(whole.pick(Renderer, 400, 180, wholeFrom));
+  ASSERT_TRUE(whole.pick(Renderer, 300, 240, wholeTo));
+  const auto path = picker.shortestPath(from.point, to.point);
+  EXPECT_GT(path.size(), 1U);
+  EXPECT_EQ(path.size(), whole.shortestPath(wholeFrom.point, wholeTo.point).size());
+  for (const auto& [a, b] : path)
+  {
+    EXPECT_LT(a, b);
+    EXPECT_LT(b, points->GetNumberOfPoints());
+  }
+  // The edge between two faces is one and the same from both sides.
+  PickedPlace left;
+  PickedPlace right;
+  bool found = false;
+  for (double x = 350; x < 450 && !found; x += 0.5)
+  {
+    ASSERT_TRUE(picker.pick(Renderer, x, 180, left));
+    ASSERT_TRUE(picker.pick(Renderer, x + 0.5, 180, right));
+    found = left.normal != right.normal;
+  }
+  ASSERT_TRUE(found);
+  EXPECT_EQ(left.edge, right.edge);
 }
 
 TEST_F(SurfacePickerTest, PlaceDoesNotDependOnWhatElseIsDrawn)

@@ -8,7 +8,7 @@ import numpy as np
 
 import pictures
 from live_window import LiveWindow
-from stipple_program import VIEW, points_of, run
+from stipple_program import VIEW, mesh_check, points_of, run
 from view_program import BUNNY, FANDISK, ViewTest
 
 VIEWS = np.s_[250:, :1005]  # of a picture, whose rows go up
@@ -284,7 +284,7 @@ class Sliders(ViewTest):
     def test_preset_and_pattern(self):
         """Below what an 800 pixels high window shows; the wheel leads there."""
         down = [("MouseWheelBackwardEvent", 1150, 300)] * 20
-        for place, entry, value in (((1144, 626), "pattern", "quads"), ((1144, 656), "preset", "adaptive"), ((1226, 656), "preset", "rib")):
+        for place, entry, value in (((1144, 655), "pattern", "quads"), ((1144, 685), "preset", "adaptive"), ((1226, 685), "preset", "rib")):
             with self.subTest(value):
                 self.assertEqual(self.session(*down, *self.click(place))[entry], value)
         # And back up, where everything is as before.
@@ -294,7 +294,7 @@ class Sliders(ViewTest):
 
     def test_the_preset_uniform_has_no_importance(self):
         down, up = ([(f"MouseWheel{way}wardEvent", 1150, 300)] * 20 for way in ("Back", "For"))
-        for place, gamma in (((1062, 656), 0.5), ((1144, 656), 1)):
+        for place, gamma in (((1062, 685), 0.5), ((1144, 685), 1)):
             session = self.session(*down, *self.click(place), *up, *self.click(self.value), "1", "Return")
             self.assertEqual((session["preset"], session["gamma"]), ("uniform" if gamma == 0.5 else "adaptive", gamma))
 
@@ -434,6 +434,24 @@ class Quitting(ViewTest):
                 window.settle(after=painted)
                 window.key("d")
                 self.assertEqual(window.ended(), 0)
+
+    def test_settings_are_not_lost_unasked_unless_their_mesh_is_saved(self):
+        with self.live("-o", self.folder / "mesh.off") as window:
+            window.move(250, 300)
+            before = window.settle()
+            for symbol in ("n", *"400", "Return"):
+                window.key(symbol)
+            changed = window.settle(after=before)
+            window.key("q")
+            asked = window.settle(after=changed)
+            self.assertGreater(np.mean((asked != changed).any(axis=2)), 0.9, "over all of the window")
+            window.key("Escape")
+            window.settle(after=asked)
+            window.key("Control_L+s")
+            window.settle()
+            window.key("q")
+            self.assertEqual(window.ended(), 0)
+        self.assertEqual(mesh_check(self.folder / "mesh.off", FANDISK)["points"], 400)
 
     def test_the_session_is_saved_by_enter(self):
         left = self.folder / "left.json"

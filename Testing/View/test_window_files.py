@@ -117,6 +117,19 @@ class Files(ViewTest):
         self.assertGreater(red[0], 200, "a sentence in red on the start page")
         self.assertEqual(red[1], 0)
 
+    def test_what_has_no_area_is_not_opened(self):
+        """The model at work stays; the command line says the same."""
+        (self.work / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+        shots = [self.folder / f"{i}.png" for i in range(2)]
+        self.play("v", model=("part.off", "--points", 300), shot=shots[0])
+        self.play("Control+o", *"flat.obj", "Return", model=("part.off", "--points", 300), shot=shots[1])
+        part, after = map(pictures.read, shots)
+        np.testing.assert_array_equal(after[30:], part[30:])
+        self.assertGreater(((after[:26, :, 0] > 150) & (after[:26, :, 1] < 90)).sum(), 100, "a sentence in red")
+        status, _, sentence = run(self.work / "flat.obj", program=VIEW)
+        self.assertEqual(status, 1)
+        self.assertIn("no triangle with an area", sentence)
+
     @staticmethod
     def turned(window):
         """Drags over the left view; whether the picture follows while the button is down."""
