@@ -94,7 +94,7 @@ void Panel::addMesh(Commands& commands)
       "They follow the importance, with two neighbours on each side of features." });
   auto* pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
   pattern->setHints(
-    { "A mesh of triangles.", "Quads, regular in every chart; they are not optimised.",
+    { "A mesh of triangles.", "Quads along the axes of every chart; they are not optimised.",
       "Triangles split 1 to 4; the number of points is the base mesh's." });
   auto* smoothing =
     this->optionChoice(commands, "smoothing", { "rough", "area", "density", "Lloyd" });

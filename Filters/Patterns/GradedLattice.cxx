@@ -159,20 +159,28 @@ Vec2 squaredStretches(const AtlasSurface& surface, Face face)
 }
 }
 
-AreaPoints spreadArea(const AtlasSurface& surface, int chart, double parts)
+AreaPoints spreadArea(
+  const AtlasSurface& surface, int chart, double parts, const DensityField& density)
 {
+  const auto densityAt = [&](Face face, const Vec3& bary) {
+    return density.uniform() ? 1. : density.at(surface, { face.index(), bary });
+  };
+  const auto amountOf = [&](Face face) {
+    return surface.faceArea(face) * densityAt(face, Vec3(1, 1, 1) / 3);
+  };
   AreaPoints points;
   points.extent = surface.extent[Chart(chart)];
   for (const Face face : surface.faces(Chart(chart)))
   {
-    points.total += surface.faceArea(face);
+    points.total += amountOf(face);
   }
   for (const Face face : surface.faces(Chart(chart)))
   {
     const double area = surface.faceArea(face);
     const Vec2 stretches = stipple::squaredStretches(surface, face);
     // In n rows of triangles alike, of which those that lie upside down have their middles between.
-    const int n = std::max(1, static_cast<int>(std::ceil(std::sqrt(area * parts / points.total))));
+    const int n =
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(amountOf(face) * parts / points.total))));
     for (int i = 0; i < n; ++i)
     {
       for (int j = 0; i + j < n; ++j)
@@ -183,7 +191,7 @@ AreaPoints spreadArea(const AtlasSurface& surface, int chart, double parts)
           {
             const Vec3 bary((i + third) / n, (j + third) / n, 1 - (i + j + 2 * third) / n);
             points.places.push_back(surface.parameter(face, bary));
-            points.areas.push_back(area / n / n);
+            points.areas.push_back(area / n / n * densityAt(face, bary));
             points.squaredStretches.push_back(stretches);
           }
         }

@@ -4,6 +4,7 @@
 #define stipple_GradedLattice_h
 
 #include "AtlasSurface.h"
+#include "DensityField.h"
 #include "StippleFiltersPatternsModule.h"
 
 #include <array>
@@ -12,7 +13,8 @@
 
 namespace stipple
 {
-/// A chart's area as points in its plane, each with as much as its part of a triangle.
+/// A chart's area, times a density, as points in its plane, each with as much as its part of a
+/// triangle.
 struct AreaPoints
 {
   Vec2 extent = Vec2::Zero(); ///< the chart's rectangle is from the origin to there
@@ -22,9 +24,10 @@ struct AreaPoints
   double total = 0;
 };
 
-/// No point has more than the chart's area over `parts`.
+/// No point has more than the chart's area over `parts`, but where the density is no constant on a
+/// triangle.
 [[nodiscard]] STIPPLEFILTERSPATTERNS_EXPORT AreaPoints spreadArea(
-  const AtlasSurface& surface, int chart, double parts);
+  const AtlasSurface& surface, int chart, double parts, const DensityField& density = {});
 
 /// Cells along the axes of a chart's plane.
 struct GradedLattice
@@ -34,7 +37,7 @@ struct GradedLattice
   std::vector<std::array<int, 4>> cells; ///< nodes from the lower left on, counterclockwise
 };
 
-/// Cells that have about as much surface as is wanted, at most twice: the squares of a lattice that
+/// Cells that have about as much of it as is wanted, at most twice: the squares of a lattice that
 /// is centred in the rectangle where the chart's map stretches the surface alike; elsewhere parts
 /// of these, or several of them, as an area quadtree has them, of which a cell that is twice as
 /// long as wide on the surface is split in its length only. No point of `area` is to have more than

@@ -259,12 +259,12 @@ std::vector<std::vector<Segment>> innerSegments(const stipple::Atlas& atlas)
 /// The lattice of a chart with the smallest cells at most `count` nodes of which are half a spacing
 /// clear of backbones and of `fixed` points, give or take what farthest samples make up for.
 GradedLattice latticeOfChart(const AtlasSurface& surface, int chart, std::vector<Segment> segments,
-  const std::vector<Vec2>& fixed, int count, std::vector<char>& clear)
+  const std::vector<Vec2>& fixed, int count, const DensityField& density, std::vector<char>& clear)
 {
   constexpr int MostSteps = 20;
   constexpr int Grains = 16; // of area a cell
   const int enough = count - count / 500;
-  const AreaPoints area = spreadArea(surface, chart, Grains * (count + 1.));
+  const AreaPoints area = spreadArea(surface, chart, Grains * (count + 1.), density);
   for (const Vec2& p : fixed)
   {
     segments.push_back({ { p, p } });
@@ -332,7 +332,7 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
 }
 
 Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
-  QuadMesh& mesh, const Progress& progress)
+  QuadMesh& mesh, const Progress& progress, const DensityField& density)
 {
   mesh.samples.clear();
   mesh.polygons.clear();
@@ -372,7 +372,8 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
       continue;
     }
     std::vector<char> clear;
-    const GradedLattice lattice = latticeOfChart(surface, c, segments[c], fixed[c], count, clear);
+    const GradedLattice lattice =
+      latticeOfChart(surface, c, segments[c], fixed[c], count, density, clear);
     const std::vector<SurfacePlace> places = placesOf(surface, c, lattice.nodes);
     std::vector<int> sampleOf(lattice.nodes.size(), -1);
     std::vector<Vec2> present = fixed[c];

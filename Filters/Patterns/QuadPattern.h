@@ -5,6 +5,7 @@
 #define stipple_QuadPattern_h
 
 #include "Atlas.h"
+#include "DensityField.h"
 #include "SampleSet.h"
 #include "StippleFiltersPatternsModule.h"
 
@@ -20,11 +21,12 @@ struct QuadMesh
 /// rectangle with at most as many nodes as there are samples. Elsewhere the samples inside every
 /// chart give way to the nodes of a square lattice that keep clear of the backbones, as many as fit
 /// and the samples farthest from them for the rest; the lattice is halved where the chart's map
-/// stretches the surface (GradedLattice.h), and sizes differ by triangles between them. Samples on
-/// backbones and constraints stay, so that charts meet along seams in triangles and the number of
-/// samples is kept.
-STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(
-  const Atlas& atlas, const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress);
+/// stretches the surface, and where the density asks for it (GradedLattice.h), and sizes differ by
+/// triangles between them. Samples on backbones and constraints stay, so that charts meet along
+/// seams in triangles and the number of samples is kept.
+STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(const Atlas& atlas,
+  const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress,
+  const DensityField& density = {});
 }
 
 #endif

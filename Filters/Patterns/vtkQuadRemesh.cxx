@@ -6,8 +6,10 @@
 #include "QuadPattern.h"
 
 #include "vtkCellArray.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkQuadRemesh);
@@ -30,11 +32,33 @@ void setPolygons(const stipple::QuadMesh& mesh, vtkPolyData* data)
 }
 }
 
+vtkQuadRemesh::vtkQuadRemesh()
+{
+  this->SetNumberOfInputPorts(4);
+}
+
+int vtkQuadRemesh::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 3)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
 stipple::Status vtkQuadRemesh::MakeMesh(stipple::MeshRequest& request)
 {
+  auto* images = vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0));
+  stipple::DensityField density;
   stipple::QuadMesh mesh;
-  stipple::Status status =
-    stipple::meshWithQuads(request.atlas, request.samples, mesh, request.progress);
+  stipple::Status status = density.read(images, request.atlas.surface());
+  if (status.ok())
+  {
+    status =
+      stipple::meshWithQuads(request.atlas, request.samples, mesh, request.progress, density);
+  }
   if (status.ok())
   {
     // Cell arrays come from one triangle of every polygon.

@@ -8,24 +8,26 @@
  * of the charts (paper, Figure 1). A surface that is one open chart, without features inside and
  * constraints, becomes a grid of quads only, with at most as many points as there are samples.
  * Otherwise the samples inside the charts give way to the nodes of square lattices, whose
- * cells are split or joined where a chart's map stretches the surface, so that quads are alike
- * there; those on backbones and the constraints stay, triangles join the quads to them and to those
- * of other sizes, and charts meet along their seams without cracks. The number of points is then
- * that of the samples.
+ * cells are split or joined where a chart's map stretches the surface, or where the control asks
+ * for more or less, so that quads are alike or follow it; those on backbones and the constraints
+ * stay, triangles join the quads to them and to those of other sizes, and charts meet along their
+ * seams without cracks. The number of points is then that of the samples.
  *
  * Input ports:
  * - 0: samples, a vtkPolyData (vtkErrorDiffusionSampler, port 0);
  * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
- * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1).
+ * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1);
+ * - 3, optional: control images, a vtkPartitionedDataSetCollection (vtkControlMap), one for each
+ *   chart, which quads of several charts follow: without them they are alike.
  *
  * Output ports, both vtkPolyData:
  * - 0: the mesh of quads and triangles, oriented like the input, with the arrays that vtkCDTRemesh
  * writes;
  * - 1: the mesh's edges along backbones (see vtkCDTRemesh).
  *
- * @warning The quads of a grid follow the chart's area distortion; others have as much area as each
- * other within a factor of two. Corners of a one-chart surface's outline that are no corners of the
- * chart are not kept.
+ * @warning The quads of a grid follow the chart's area distortion; others have as much area (times
+ * Control over AreaDistortion) as each other within a factor of two. Corners of a one-chart
+ * surface's outline that are no corners of the chart are not kept.
  *
  * @sa vtkCDTRemesh vtkSemiRegularSubdivision
  */
@@ -43,9 +45,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkQuadRemesh() = default;
+  vtkQuadRemesh();
   ~vtkQuadRemesh() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:

@@ -157,6 +157,7 @@ struct vtkGeometryRemesher::Internals
     this->QuadMesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
     this->QuadMesher->SetInputConnection(1, charts);
     this->QuadMesher->SetInputConnection(2, graph);
+    this->QuadMesher->SetInputConnection(3, this->ControlMap->GetOutputPort(0));
     this->Subdivider->SetInputConnection(0, this->Optimizer->GetOutputPort(0));
     this->Subdivider->SetInputConnection(1, charts);
     this->Subdivider->SetInputConnection(2, graph);

@@ -125,6 +125,35 @@ TEST(GradedLattice, NoCellHasMuchMoreThanIsWanted)
   EXPECT_GE(widths.size(), 3U) << "of many sizes";
 }
 
+TEST(GradedLattice, CellsFollowADensity)
+{
+  // Sixteen times as many are wanted in the right half of a plane.
+  const auto t = sheet([](double x, double y) { return Vec3(x, y, 0); }, 40);
+  const AtlasSurface& surface = t->atlas->surface();
+  std::vector<double> wanted;
+  for (const Vec3& p : surface.points)
+  {
+    wanted.push_back(p.x() < 0.5 ? 1 : 16);
+  }
+  DensityField density;
+  density.setAtPoints(wanted);
+  const AreaPoints area = spreadArea(surface, 0, 16 * 6000, density);
+  const auto boxes = boxesOf(gradedLattice(area, area.total / 6000));
+  const auto meanArea = [&boxes](double low, double high) {
+    double sum = 0;
+    int number = 0;
+    for (const auto& [a, b] : boxes)
+    {
+      const bool isThere = a.x() >= low && b.x() <= high;
+      sum += isThere ? (b - a).prod() : 0;
+      number += isThere ? 1 : 0;
+    }
+    return sum / number;
+  };
+  EXPECT_NEAR(std::log2(meanArea(0, 0.5) / meanArea(0.5, 1)), 4, 0.7);
+  EXPECT_EQ(spreadArea(surface, 0, 100, DensityField()).areas, spreadArea(surface, 0, 100).areas);
+}
+
 TEST(GradedLattice, CellsAreSquareOnTheSurface)
 {
   // Where the map squashes eightfold, cells are long in the plane.

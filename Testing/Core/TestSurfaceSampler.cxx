@@ -562,6 +562,40 @@ void leavesTheSame(const Fixture& f, const ControlImage& image, double scale)
 }
 }
 
+TEST(SurfaceSampler, SliversHaveRoom)
+{
+  // Polygons that no pixel's middle is in, nor a node of any lattice along the axes.
+  Fixture f;
+  flatSquare(f.builder, 8);
+  f.take();
+  const ControlMaps maps(f.surface(), 32, [](const Vec3&) { return 1.; });
+  const ControlImage& image = maps.images[0];
+  BandMask bands;
+  bands.build(f.sampler.domain(), 0, image);
+  const auto densities = uniformBackboneDensities(f.sampler.domain());
+  for (const double thickness : { 1e-2, 4.7e-4, 1e-5 })
+  {
+    ChartGraph graph;
+    graph.vertices = { { 0, { 0, 1 } }, { 1, { 0, 1 - thickness } }, { 2, { 1, 0.0002 } } };
+    graph.boundary = { 0, 1, 2 };
+    const std::vector<Sample> samples(graph.vertices.size());
+    InteriorSampler sampler(f.sampler.domain(), 0, image, graph, samples, 1.);
+    sampler.prepare(1., bands, densities);
+    for (const int count : { 1, 3 })
+    {
+      const std::vector<Vec2> places = sampler.sample(count, DiffusionMethod::Ostromoukhov);
+      ASSERT_EQ(places.size(), static_cast<std::size_t>(count)) << thickness;
+      for (const Vec2& p : places)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_GT(orient2(graph.vertices[k].uv, graph.vertices[(k + 1) % 3].uv, p), 0.);
+        }
+      }
+    }
+  }
+}
+
 TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
 {
   Fixture f;
