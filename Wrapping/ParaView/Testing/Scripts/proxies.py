@@ -25,7 +25,7 @@ made = [
     sampler,
     mesher,
     simple.RemeshOptimizer(Input=mesher, Control=control, **behind),
-    simple.QuadRemesh(Input=sampler, **behind),
+    simple.QuadRemesh(Input=sampler, Control=control, **behind),
     simple.SemiRegularSubdivision(Input=mesher, **behind),
     simple.SurfaceQuality(Input=mesher, Reference=model),
 ]
