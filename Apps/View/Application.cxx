@@ -95,6 +95,10 @@ void Application::turn()
     this->Reader.start(file, [file](Document& d) { return readDocument(file, d); });
     this->Now->setReading(file);
   }
+  if (const std::string file = this->Now->takeWrittenSession(); !file.empty() && this->Remembers)
+  {
+    addRecentFile(file);
+  }
   if (this->Now->takeGivenUp())
   {
     this->Reader.giveUp();

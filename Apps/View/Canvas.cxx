@@ -286,4 +286,28 @@ std::string Canvas::fitted(const std::string& words, float width, const TextLook
   }
   return text + "...";
 }
+
+std::vector<std::string> Canvas::lines(
+  const std::string& words, float width, std::size_t most, const TextLook& look)
+{
+  std::vector<std::string> result;
+  std::string rest = words;
+  while (result.size() + 1 < most && this->textWidth(rest, look) > width)
+  {
+    std::size_t end = rest.rfind(' ');
+    while (
+      end != std::string::npos && end > 0 && this->textWidth(rest.substr(0, end), look) > width)
+    {
+      end = rest.rfind(' ', end - 1);
+    }
+    if (end == std::string::npos || end == 0)
+    {
+      break;
+    }
+    result.push_back(rest.substr(0, end));
+    rest.erase(0, end + 1);
+  }
+  result.push_back(this->fitted(rest, width, look));
+  return result;
+}
 }

@@ -115,6 +115,9 @@ public:
   float textWidth(const std::string& words, const TextLook& look = {});
   /// The text, or as much of its beginning as fits, with an ellipsis.
   std::string fitted(const std::string& words, float width, const TextLook& look = {});
+  /// The text in lines that fit, broken between words; the last one with what is beyond `most`.
+  std::vector<std::string> lines(
+    const std::string& words, float width, std::size_t most, const TextLook& look = {});
 
 private:
   void useText(const TextLook& look);

@@ -27,7 +27,13 @@ void ListPage::paint(Canvas& canvas, const Rect& window)
   float y = window.y + 0.5F * (window.h + height);
   canvas.text(x, y - 20 * s, this->Title, { 26, shades::Accent, Align::Left, true });
   const TextLook sentence{ 13, shades::Quiet };
-  canvas.text(x, y - 54 * s, canvas.fitted(this->Sentence, width, sentence), sentence);
+  float line = y - 46 * s;
+  for (const std::string& words : canvas.lines(this->Sentence, width, 2, sentence))
+  {
+    line -= 8 * s;
+    canvas.text(x, line, words, sentence);
+    line -= 9 * s;
+  }
   y -= 84 * s;
   this->Boxes.clear();
   for (std::size_t i = 0; i < this->Entries.size(); ++i)

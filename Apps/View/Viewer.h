@@ -54,6 +54,8 @@ public:
   void resize();
   /// The file that was asked for since this was called last; empty: none.
   [[nodiscard]] std::string takeWantedFile();
+  /// The session's file, if it was written since this was called last.
+  [[nodiscard]] std::string takeWrittenSession() { return std::exchange(this->NewSession, ""); }
   /// The name of a file that is read beside the window; empty: no more.
   void setReading(const std::string& file);
   /// Whether the user has given it up since this was called last.
@@ -219,9 +221,10 @@ private:
   std::map<std::string, vtkSmartPointer<vtkImageData>> Pictures; ///< that were read, by file
   std::string PictureInUse;
   Session Now;
-  Session Saved;    ///< as it was opened, or written last
-  Session Written;  ///< whose mesh was written last
-  Session EditBase; ///< before the edit that goes on
+  Session Saved;          ///< as it was opened, or written last
+  Session Written;        ///< whose mesh was written last
+  std::string NewSession; ///< file that is written
+  Session EditBase;       ///< before the edit that goes on
   bool Editing = false;
   History Edits;
   ViewState View;

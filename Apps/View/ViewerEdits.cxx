@@ -257,6 +257,7 @@ bool Viewer::writeSessionFile()
   if (status.ok())
   {
     this->Saved = this->Now;
+    this->NewSession = wholePath(this->Files.session);
   }
   this->say(
     status.ok() ? "Wrote " + wholePath(this->Files.session) + "." : status.message(), !status.ok());

@@ -345,14 +345,22 @@ class Files(ViewTest):
                 window.settle()
                 window.key("q")
                 self.assertEqual(window.ended(), 0)
+            with LiveWindow(VIEW, self.work / "part.off", "--points", 300, "--save-session", self.work / "left.json") as window:
+                window.move(5, 5)
+                before = window.settle()
+                window.key("Control_L+j")
+                window.settle(after=before)
+                window.key("q")
+                self.assertEqual(window.ended(), 0)
         finally:
             for key, value in previous.items():
                 os.environ.pop(key) if value is None else os.environ.update({key: value})
         recent = self.folder / "state" / "stipple" / "recent"
-        self.assertEqual(recent.read_text(), f"{self.work / 'part.off'}\n")
-        self.play("1", "Control+j")
+        recents = f"{self.work / 'left.json'}\n{self.work / 'part.off'}\n"
+        self.assertEqual(recent.read_text(), recents, "a session that is written, too")
+        self.play("2", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
-        self.assertEqual(recent.read_text(), f"{self.work / 'part.off'}\n", "what a script opens is not remembered")
+        self.assertEqual(recent.read_text(), recents, "what a script opens is not remembered")
 
 
 if __name__ == "__main__":
