@@ -276,6 +276,15 @@ std::vector<RectanglePlacement> RectangleLayout::placements(bool square) const
 void RectangleLayout::place(const RectanglePlacement& placement, std::vector<Vec2>& uv) const
 {
   const int n = static_cast<int>(this->Chart.boundary.size());
+  if (n < 3) // two charts may have all of their borders but two edges in common, and be tried as
+             // one
+  {
+    for (const int v : this->Chart.boundary)
+    {
+      uv[v] = Vec2::Zero();
+    }
+    return;
+  }
   const double total = this->ArcLength[n];
   std::array<int, 4> corner;
   for (int k = 0; k < 4; ++k)
@@ -289,12 +298,13 @@ void RectangleLayout::place(const RectanglePlacement& placement, std::vector<Vec
     }
     corner[k] = i % n;
   }
-  // Corners in cyclic order and on different vertices, whatever the boundary's spacing.
+  // Corners in cyclic order and on different vertices, whatever the boundary's spacing; but that
+  // three vertices have the first two of them at one.
   for (int k = 1; k < 4; ++k)
   {
     const int from = (corner[k] - corner[0] + n) % n;
     const int least = (corner[k - 1] - corner[0] + n) % n + 1;
-    corner[k] = (corner[0] + std::clamp(from, least, n - 4 + k)) % n;
+    corner[k] = (corner[0] + std::min(std::max(from, least), n - 4 + k)) % n;
   }
   const Vec2& e = placement.extent;
   const std::array<Vec2, 5> at = { Vec2(0, 0), Vec2(e.x(), 0), e, Vec2(0, e.y()), Vec2(0, 0) };

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line's contract: options, help, version, wrong usage."""
+import contextlib
 import json
 import os
 import pty
@@ -117,20 +118,23 @@ class CommandLine(ProgramTest):
         self.file("-x.off", self.cube().read_bytes())
         self.succeed("-o", "out.ply", "--points", "100", "--", "-x.off", cwd=self.folder)
 
+    def shown_on_a_terminal(self, *arguments):
+        """All that the program writes there, which may be more than one read takes."""
+        leader, follower = pty.openpty()
+        shown = b""
+        with subprocess.Popen([STIPPLE, *arguments], stderr=follower, env={**os.environ, "TERM": "xterm"}) as program:
+            os.close(follower)
+            with contextlib.suppress(OSError):  # the program has ended
+                while piece := os.read(leader, 65536):
+                    shown += piece
+        os.close(leader)
+        self.assertEqual(program.returncode, 0)
+        return shown.decode()
+
     def test_silence_in_a_pipe_and_a_bar_on_a_terminal(self):
         cube = self.cube()
         self.assertEqual(self.succeed(cube, "-o", self.folder / "a.ply", "--points", "100"), "")
-        leader, follower = pty.openpty()
-        status = subprocess.run(
-            [STIPPLE, cube, "-o", self.folder / "b.ply", "--points", "100"],
-            stderr=follower,
-            env={**os.environ, "TERM": "xterm"},
-            check=False,
-        ).returncode
-        os.close(follower)
-        shown = os.read(leader, 100000).decode()
-        os.close(leader)
-        self.assertEqual(status, 0)
+        shown = self.shown_on_a_terminal(cube, "-o", self.folder / "b.ply", "--points", "100")
         self.assertIn("remeshing", shown)
         self.assertTrue(shown.endswith("\x1b[K"), "the bar is wiped away")
 
@@ -159,19 +163,15 @@ class CommandLine(ProgramTest):
     def test_features_without_room_are_told(self):
         """On a terminal, by --verbose, and in the report; not where they are kept."""
         for tolerance, least, most in ((1, 1, 1000), (0, 0, 0)):
-            leader, follower = pty.openpty()
             report = self.folder / "report.json"
             options = "--points", "300", "--feature-tolerance", str(tolerance), "--report", report
-            arguments = STIPPLE, MODELS / "anchor_dense.off", "-o", self.folder / "a.ply", *options
-            subprocess.run(arguments, stderr=follower, env={**os.environ, "TERM": "xterm"}, check=True)
-            os.close(follower)
-            shown = os.read(leader, 100000).decode()
-            os.close(leader)
+            arguments = MODELS / "anchor_dense.off", "-o", self.folder / "a.ply", *options
+            shown = self.shown_on_a_terminal(*arguments)
             lost = json.loads(report.read_text())["repairs"]["lost_feature_edges"]
             self.assertTrue(least <= lost <= most, lost)
             told = re.findall(r"warning: feature edges of the input that no edge of the mesh is near to: (\d+);", shown)
             self.assertEqual(told, [str(lost)] if lost else [])
-            self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments[1:], "--verbose")[2], lost > 0)
+            self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments, "--verbose")[2], lost > 0)
 
     def test_verbose_tells_seconds(self):
         cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))

@@ -340,6 +340,31 @@ TEST(HarmonicSystem, UniformValuesAreTheMeansOfTheirNeighbours)
   }
 }
 
+TEST(RectangleLayout, BordersMayHaveFewVertices)
+{
+  // Three: two corners are at one of them. Less bound nothing in a plane.
+  const CutSurface s = shapes::cutSurface(rectangle(1, 1, 1, 1));
+  ChartMesh chart = extractChart(s, { Face(0) });
+  for (const std::size_t n : { 3, 2, 1 })
+  {
+    chart.boundary.resize(n);
+    const RectangleLayout layout(s, chart);
+    for (const RectanglePlacement& placement : layout.placements(false))
+    {
+      std::vector<Vec2> uv(chart.vertices.size(), Vec2::Constant(-1));
+      layout.place(placement, uv);
+      double widest = 0;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const Vec2& p = uv[chart.boundary[i]];
+        EXPECT_TRUE(p.minCoeff() >= 0 && (placement.extent - p).minCoeff() >= 0) << n;
+        widest = std::max(widest, (p - uv[chart.boundary[0]]).norm());
+      }
+      EXPECT_EQ(widest > 0, n == 3);
+    }
+  }
+}
+
 TEST(RectangleLayout, CornersAreThoseOfARectangle)
 {
   for (const double length : { 1., 3., 300. })
