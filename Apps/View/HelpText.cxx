@@ -32,7 +32,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "Ctrl+S, Ctrl+Shift+S", "save the mesh; under a name" },
     { "Ctrl+P, Ctrl+E", "save a picture of the window; figures of both views" },
     { "Ctrl+J", "save the session" },
-    { "q, e, Ctrl+Q", "quit; asks first if paint or picks are not saved" }, { "h", "this page" } };
+    { "q, e, Ctrl+Q", "quit; asks first if something is not saved" }, { "h", "this page" } };
   return lines;
 }
 
