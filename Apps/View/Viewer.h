@@ -92,7 +92,7 @@ public:
   void fitCamera();
   /// The whole model from the positive side of an axis, or, if that is so already, from the other.
   void lookAlong(int axis);
-  /// Ends the program; asks first if paint, points, edges or the curve are in no session's file.
+  /// Ends the program; asks first if there is unsaved work.
   void askToQuit();
   /// Opens another file; asks first likewise.
   void askToOpen(const std::string& file);
