@@ -544,9 +544,47 @@ Vec2 InteriorSampler::longDirection() const
 void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count)
 {
   // A chart whose raster has no room left: its backbones are everywhere, or its polygon is a
-  // sliver. Look for the widest gaps on ever finer lattices, along and across the polygon.
+  // sliver. Look for the widest gaps on ever finer lattices, along the axes and, as slivers may
+  // lie between all nodes of these, along the polygon.
   NeighbourGrid grid = this->gridOf(places);
-  const Vec2 along = this->longDirection();
+  const double closest = 1e-12 * this->Image.extent.squaredNorm();
+  for (int side = 15; count > 0 && side <= 2047; side = 2 * side + 1)
+  {
+    for (const Vec2& along : { Vec2(1, 0), this->longDirection() })
+    {
+      const std::vector<Vec2> nodes = this->latticeIn(along, side);
+      std::priority_queue<Ranked> gaps;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        if (this->clearOfGraph(nodes[i]))
+        {
+          gaps.push({ grid.nearest(nodes[i]), static_cast<int>(i) });
+        }
+      }
+      while (count > 0 && !gaps.empty())
+      {
+        const Ranked top = gaps.top();
+        gaps.pop();
+        const Ranked now = { grid.nearest(nodes[top.index]), top.index };
+        if (now.key <= closest)
+        {
+          continue;
+        }
+        if (!gaps.empty() && now < gaps.top())
+        {
+          gaps.push(now);
+          continue;
+        }
+        places.push_back(nodes[top.index]);
+        grid.insert(places.back());
+        --count;
+      }
+    }
+  }
+}
+
+std::vector<Vec2> InteriorSampler::latticeIn(const Vec2& along, int side) const
+{
   const Vec2 across(-along.y(), along.x());
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
   Vec2 high = -low;
@@ -556,42 +594,17 @@ void InteriorSampler::addInGaps(std::vector<Vec2>& places, int count)
     low = low.cwiseMin(Vec2(uv.dot(along), uv.dot(across)));
     high = high.cwiseMax(Vec2(uv.dot(along), uv.dot(across)));
   }
-  for (int side = 15; count > 0 && side <= 2047; side = 2 * side + 1)
+  const Vec2 step = (high - low) / (side + 1);
+  std::vector<Vec2> nodes;
+  nodes.reserve(static_cast<std::size_t>(side) * side);
+  for (int y = 1; y <= side; ++y)
   {
-    std::priority_queue<Ranked> gaps;
-    const Vec2 step = (high - low) / (side + 1);
-    const auto at = [&](int i) {
-      const int x = i % side;
-      const int y = i / side;
-      return Vec2((low.x() + (x + 1) * step.x()) * along + (low.y() + (y + 1) * step.y()) * across);
-    };
-    for (int i = 0; i < side * side; ++i)
+    for (int x = 1; x <= side; ++x)
     {
-      if (this->clearOfGraph(at(i)))
-      {
-        gaps.push({ grid.nearest(at(i)), i });
-      }
-    }
-    const double closest = 1e-12 * this->Image.extent.squaredNorm();
-    while (count > 0 && !gaps.empty())
-    {
-      const Ranked top = gaps.top();
-      gaps.pop();
-      const Ranked now = { grid.nearest(at(top.index)), top.index };
-      if (now.key <= closest)
-      {
-        continue;
-      }
-      if (!gaps.empty() && now < gaps.top())
-      {
-        gaps.push(now);
-        continue;
-      }
-      places.push_back(at(top.index));
-      grid.insert(places.back());
-      --count;
+      nodes.emplace_back((low.x() + x * step.x()) * along + (low.y() + y * step.y()) * across);
     }
   }
+  return nodes;
 }
 
 void InteriorSampler::remove(std::vector<Vec2>& places, int count) const

@@ -72,6 +72,8 @@ private:
   bool clearOfGraph(const Vec2& p) const;
   /// Of the principal axes of the polygon's corners, the one along which they lie.
   Vec2 longDirection() const;
+  /// side x side nodes between the polygon's ends in a direction and across it.
+  std::vector<Vec2> latticeIn(const Vec2& along, int side) const;
 
   const SamplingDomain& Domain;
   const int Chart;

@@ -578,7 +578,10 @@ TEST(SurfaceSampler, SliversHaveRoom)
     ChartGraph graph;
     graph.vertices = { { 0, { 0, 1 } }, { 1, { 0, 1 - thickness } }, { 2, { 1, 0.0002 } } };
     graph.boundary = { 0, 1, 2 };
-    const std::vector<Sample> samples(graph.vertices.size());
+    Sample anywhere;
+    anywhere.face = 0;
+    anywhere.bary = Vec3(1, 1, 1) / 3;
+    const std::vector<Sample> samples(graph.vertices.size(), anywhere);
     InteriorSampler sampler(f.sampler.domain(), 0, image, graph, samples, 1.);
     sampler.prepare(1., bands, densities);
     for (const int count : { 1, 3 })
