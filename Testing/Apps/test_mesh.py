@@ -17,6 +17,21 @@ class MeshTest(ProgramTest):
         self.succeed(model, "-o", out, "--points", points, "--report", report, *options)
         return mesh_check(out, model), json.loads(report.read_text())["quality"]
 
+    def edges(self, *arguments):
+        """Middles and lengths of the edges of what the program makes, each as often as it has triangles."""
+        out = self.folder / "out.off"
+        self.succeed(*arguments, "-o", out)
+        points = points_of(out)
+        return [
+            (tuple((p + q) / 2 for p, q in zip(points[a], points[b])), math.dist(points[a], points[b]))
+            for t in faces_of(out)
+            for a, b in zip(t, (*t[1:], t[0]))
+        ]
+
+    @staticmethod
+    def median(values):
+        return sorted(values)[len(values) // 2]
+
 
 class HardDraws(MeshTest):
     """Hardly more points than the features need, and strong importance."""
@@ -85,21 +100,6 @@ class Folds(MeshTest):
 
 class Sizes(MeshTest):
     """Lengths of edges in place of a number of points, and how they change over the surface."""
-
-    def edges(self, *arguments):
-        """Middles and lengths of the edges of what the program makes, each as often as it has triangles."""
-        out = self.folder / "out.off"
-        self.succeed(*arguments, "-o", out)
-        points = points_of(out)
-        return [
-            (tuple((p + q) / 2 for p, q in zip(points[a], points[b])), math.dist(points[a], points[b]))
-            for t in faces_of(out)
-            for a, b in zip(t, (*t[1:], t[0]))
-        ]
-
-    @staticmethod
-    def median(values):
-        return sorted(values)[len(values) // 2]
 
     def test_the_number_follows_from_a_length(self):
         for name, length in (("bunny00", 0.004), ("fandisk", 0.06), ("anchor_dense", 0.04)):
@@ -516,6 +516,18 @@ class Patterns(MeshTest):
         quads = sum(len(f) == 4 for f in faces)
         self.assertEqual(len(faces) - quads, sum(len(f) == 3 for f in faces))
         self.assertGreater(2 * quads, 0.7 * (2 * quads + len(faces) - quads), "most of the surface is quads")
+
+    def test_quads_follow_paint(self):
+        """The same stroke makes quads shorter around it than where there is none, and more of them."""
+        x, y, z = points_of(MODELS / "bunny00.off")[0]
+        near = {}
+        for name, strength in (("plain", 0), ("painted", 15)):
+            strokes = self.file(f"{name}.txt", f"{x} {y} {z} 0.15 {strength}\n")
+            edges = self.edges(MODELS / "bunny00.off", "--points", 3000, "--pattern", "quads", "--strokes", strokes)
+            near[name] = [d for p, d in edges if math.dist(p, (x, y, z)) < 0.05]
+        self.assertGreater(len(near["plain"]), 20)
+        self.assertGreater(len(near["painted"]), 4 * len(near["plain"]))
+        self.assertLess(self.median(near["painted"]), 0.6 * self.median(near["plain"]))
 
     def test_semiregular_meshes_have_valence_6_but_at_base_points(self):
         base, levels = 1000, 2
