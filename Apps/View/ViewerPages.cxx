@@ -105,6 +105,7 @@ bool Viewer::askToWait(
   const auto leave = [this, goOn] {
     this->closePage();
     this->forgetToSave();
+    this->Written = this->Now; // one question about a mesh is enough
     goOn();
   };
   const std::string file = std::filesystem::path(this->Files.mesh).filename().string();
