@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePicker.h"
 
+#include "CoincidentPoints.h"
+
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <unordered_map>
 
@@ -43,34 +42,6 @@ Vec3 rayThrough(vtkRenderer* renderer, double x, double y)
     .normalized();
 }
 
-/// By point, the first one at the very same place: files of triangles that share no points (STL)
-/// have edges in common all the same.
-std::vector<vtkIdType> firstPoints(vtkPoints* points)
-{
-  const vtkIdType n = points->GetNumberOfPoints();
-  std::vector<vtkIdType> first(static_cast<std::size_t>(n));
-  std::iota(first.begin(), first.end(), 0);
-  std::vector<vtkIdType> order = first;
-  // By their bytes, so that what is no number has a place in the order, too.
-  const auto compare = [points](vtkIdType a, vtkIdType b) {
-    const Vec3 p = Vec3(points->GetPoint(a)) + Vec3::Zero(); // -0 is 0
-    const Vec3 q = Vec3(points->GetPoint(b)) + Vec3::Zero();
-    return std::memcmp(p.data(), q.data(), sizeof(double) * 3);
-  };
-  std::sort(order.begin(), order.end(), [&compare](vtkIdType a, vtkIdType b) {
-    const int difference = compare(a, b);
-    return difference != 0 ? difference < 0 : a < b;
-  });
-  for (std::size_t i = 1; i < order.size(); ++i)
-  {
-    if (compare(order[i - 1], order[i]) == 0)
-    {
-      first[order[i]] = first[order[i - 1]];
-    }
-  }
-  return first;
-}
-
 vtkSmartPointer<vtkCellArray> renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& ids)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
@@ -93,7 +64,7 @@ SurfacePicker::SurfacePicker(vtkPolyData* input)
   : Input(vtkSmartPointer<vtkPolyData>::New())
 {
   this->Input->SetPoints(input->GetPoints());
-  const std::vector<vtkIdType> firstAt = firstPoints(input->GetPoints());
+  const std::vector<vtkIdType> firstAt = firstAtPlace(input);
   this->Input->SetPolys(renumbered(input->GetPolys(), firstAt));
   this->Input->SetStrips(renumbered(input->GetStrips(), firstAt));
   this->Input->BuildLinks();

@@ -22,8 +22,10 @@ vtkAtlasMeshAlgorithm::~vtkAtlasMeshAlgorithm() = default;
 
 int vtkAtlasMeshAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
+  const bool images = port == 3;
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-    port == 1 ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+    port == 1 || images ? "vtkPartitionedDataSetCollection" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), images ? 1 : 0);
   return 1;
 }
 

@@ -10,7 +10,9 @@
  * Input ports:
  * - 0: samples, or a mesh whose points are samples, a vtkPolyData;
  * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
- * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1).
+ * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1);
+ * - 3, optional, of the filters that ask for four ports: the control images that the mesh follows,
+ * a vtkPartitionedDataSetCollection.
  *
  * Output ports, both vtkPolyData: 0 the mesh, 1 its edges along backbones. Without points or charts
  * both are empty.

@@ -7,7 +7,6 @@
 #include "MeshOptimizer.h"
 #include "PolyDataConversion.h"
 
-#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -17,18 +16,7 @@ vtkStandardNewMacro(vtkRemeshOptimizer);
 
 vtkRemeshOptimizer::vtkRemeshOptimizer()
 {
-  this->SetNumberOfInputPorts(4);
-}
-
-int vtkRemeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 3)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
+  this->SetNumberOfInputPorts(4); // with control images
 }
 
 int vtkRemeshOptimizer::RequestData(

@@ -203,7 +203,6 @@ protected:
   vtkRemeshOptimizer();
   ~vtkRemeshOptimizer() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockRemeshing.h"
 
+#include "CoincidentPoints.h"
 #include "CutSurface.h"
 #include "FeatureDetection.h"
 #include "FilterExecution.h"
@@ -35,13 +36,6 @@ namespace stipple
 {
 namespace
 {
-using Place = std::array<double, 3>;
-
-Place placeOf(const double* x)
-{
-  return { { x[0] + 0., x[1] + 0., x[2] + 0. } }; // -0 is 0
-}
-
 /// A mesh of triangles in which points can be contracted.
 class Contraction
 {

@@ -6,7 +6,6 @@
 #include "QuadPattern.h"
 
 #include "vtkCellArray.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -34,18 +33,7 @@ void setPolygons(const stipple::QuadMesh& mesh, vtkPolyData* data)
 
 vtkQuadRemesh::vtkQuadRemesh()
 {
-  this->SetNumberOfInputPorts(4);
-}
-
-int vtkQuadRemesh::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 3)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
+  this->SetNumberOfInputPorts(4); // with control images
 }
 
 stipple::Status vtkQuadRemesh::MakeMesh(stipple::MeshRequest& request)

@@ -48,7 +48,6 @@ protected:
   vtkQuadRemesh();
   ~vtkQuadRemesh() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:

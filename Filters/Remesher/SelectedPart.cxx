@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelectedPart.h"
 
+#include "CoincidentPoints.h"
 #include "CornerTexture.h"
 #include "PolyDataConversion.h"
 
@@ -17,7 +18,6 @@
 #include "vtkTriangleStrip.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -29,18 +29,6 @@ namespace stipple
 namespace
 {
 using Edge = std::pair<vtkIdType, vtkIdType>;
-using Place = std::array<double, 3>;
-
-Place placeOf(vtkPolyData* data, vtkIdType point)
-{
-  Place x;
-  data->GetPoint(point, x.data());
-  for (double& component : x)
-  {
-    component += 0.; // -0 is 0
-  }
-  return x;
-}
 
 /// Calls visit(from, to) for the edges of a polygon.
 template <typename Visit>
@@ -192,11 +180,7 @@ Status SelectedPart::split(vtkPolyData* input, const std::string& array)
   }
   this->Input->SetPolys(polygons);
 
-  std::map<Place, vtkIdType> first;
-  for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
-  {
-    this->FirstAt.push_back(first.try_emplace(placeOf(input, p), p).first->second);
-  }
+  this->FirstAt = firstAtPlace(input);
   vtkNew<vtkCellArray> selected;
   std::set<Edge> edgesOfRest;
   const auto edgeOf = [this](vtkIdType a, vtkIdType b) {
@@ -319,14 +303,14 @@ Status SelectedPart::join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* re
   std::map<Place, vtkIdType> border;
   for (const vtkIdType p : this->BorderPoints)
   {
-    border[placeOf(this->Input, p)] = newId[p];
+    border[placeOf(this->Input->GetPoint(p))] = newId[p];
   }
   std::vector<vtkIdType> idOfMeshPoint;
   std::vector<vtkIdType> fromMesh;
   std::set<vtkIdType> met;
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
-    const auto found = border.find(placeOf(mesh, p));
+    const auto found = border.find(placeOf(mesh->GetPoint(p)));
     if (found != border.end())
     {
       idOfMeshPoint.push_back(found->second);

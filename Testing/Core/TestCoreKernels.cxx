@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The small things that everything stands on: outcomes, sentences, the feature graph as data.
 #include "AtlasSurface.h"
+#include "CoincidentPoints.h"
 #include "FeatureGraph.h"
 #include "MessageText.h"
 #include "Progress.h"
@@ -10,10 +11,15 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
 
 using namespace stipple;
 
@@ -40,6 +46,24 @@ TEST(Progress, NobodyStopsAndTheCallbackMay)
   EXPECT_TRUE(report(until, 0.25));
   EXPECT_EQ(seen, 0.25);
   EXPECT_FALSE(report(until, 0.75));
+}
+
+TEST(CoincidentPoints, FirstOfThoseAtTheVerySamePlace)
+{
+  constexpr double None = std::numeric_limits<double>::quiet_NaN();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(1, 2, 3);
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(None, 2, 3);
+  points->InsertNextPoint(1, 2, 3 + 1e-15);
+  points->InsertNextPoint(-0., 0, -0.);
+  points->InsertNextPoint(1, 2, 3);
+  points->InsertNextPoint(None, 2, 3);
+  vtkNew<vtkPolyData> data;
+  EXPECT_TRUE(firstAtPlace(data).empty());
+  data->SetPoints(points);
+  EXPECT_EQ(firstAtPlace(data), (std::vector<vtkIdType>{ 0, 1, 2, 3, 1, 0, 2 }));
 }
 
 TEST(MessageText, KeepsTheSentenceOnly)
