@@ -186,7 +186,9 @@ void Panel::addPointer(Commands& commands)
   this->Strength = this->make<Slider>(
     "Paint", Slider::Range{ -1, 3, 1, false, 0.1 },
     [](double value) {
-      return value > 0 ? format("+%.1f")(value) : format("erase %.0f %%")(-100 * value);
+      return value > 0 ? format("+%.1f")(value)
+        : value < 0    ? format("erase %.0f %%")(-100 * value)
+                       : std::string("none");
     },
     [&commands](double value, bool) {
       commands.changeView([value](ViewState& v) { v.brushStrength = value; });
@@ -202,7 +204,8 @@ void Panel::addPointer(Commands& commands)
   this->Radius->setHint(
     "The brush's radius, % of the diagonal; [ and ]. " + std::string(SliderHint));
   this->Strength->setHint(
-    "What a dab adds; below 0 the share that it takes away (-1 to 3). " + std::string(SliderHint));
+    "What a dab adds; below 0 the share of all importance that it takes away, at 0 paint alone. " +
+    std::string(SliderHint));
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);
   this->row({ this->Radius, this->Strength }, 34, 6);

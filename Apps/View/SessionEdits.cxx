@@ -79,6 +79,10 @@ void spreadStrokes(Session& session, const Vec3& position, double radius, double
   auto strokes = session.rows<5>("strokes");
   for (auto& stroke : strokes)
   {
+    if (stroke[3] <= 0)
+    {
+      continue; // a region, which has its borders
+    }
     const double wider = std::min(Wider, widest / stroke[3]);
     if (wider > 1 && (Vec3(stroke.data()) - position).norm() < radius)
     {

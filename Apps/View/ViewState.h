@@ -47,9 +47,10 @@ struct ViewState
   double brushRadius = 5; ///< percent of the bounding box's diagonal
   int brushMirror = -1;   ///< dabs also go to the other side of the box's middle, in x, y or z; -1:
                           ///< no
-  bool brushErases = false;  ///< while Ctrl is held: takes away all paint, whatever its strength
+  bool brushErases = false;  ///< while Ctrl is held: takes paint away, whatever its strength
   bool brushSmooths = false; ///< while Shift is held: spreads the paint that is there
-  double brushStrength = 1;  ///< importance that a dab adds; -1 to 0: share that it takes away
+  double brushStrength = 1;  ///< importance that a dab adds; below 0, to -1: share that it takes
+                             ///< away; 0: it takes paint away
   bool wireframe = false;    ///< only edges, in both views
   bool oneView = false;      ///< both in one place, left of the wipe the samples, right the mesh
   float wipe = 0.5F;         ///< of that view's width

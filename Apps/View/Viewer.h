@@ -196,6 +196,11 @@ private:
   void useTool(const PickedPlace& place, const Pointer& pointer);
   /// A dab, if it is not too near to the last one of this drag.
   void paint(const Vec3& position, bool begins);
+  /// Paint, or none, on all of the surface around what is under the pointer, up to features.
+  void fillRegion(bool erases);
+  void addStrokes(const Vec3& position, double radius, double strength);
+  /// It, and its mirror image if the brush mirrors.
+  [[nodiscard]] std::vector<Vec3> mirrored(const Vec3& position) const;
   /// The line between both models in one view.
   [[nodiscard]] bool isOverWipe(const Pointer& pointer) const;
   /// What a click would touch: the brush's outline, a point's, edges.

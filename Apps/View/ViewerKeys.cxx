@@ -76,6 +76,10 @@ bool Viewer::key(const KeyStroke& stroke)
         std::clamp(v.brushRadius * (key == "bracketleft" ? 0.8 : 1.25), LeastBrush, LargestBrush);
     });
   }
+  else if ((key == "p" || key == "P") && this->View.tool == Tool::Brush)
+  {
+    this->fillRegion(key == "P");
+  }
   else if (key == "y")
   {
     this->changeView(

@@ -216,9 +216,9 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   switch (this->View.tool)
   {
     case Tool::Brush:
-      return std::string("Brush: drag paints, Ctrl takes all importance away, Shift smooths; "
-                         "square brackets change "
-                         "its size; y mirrors: ") +
+      return std::string(
+               "Brush: drag paints, Ctrl takes paint away, Shift spreads it; p fills up to "
+               "features, Shift+P takes that away; y mirrors: ") +
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
       return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
@@ -294,29 +294,56 @@ void Viewer::paint(const Vec3& position, bool begins)
     return;
   }
   this->LastDab = position;
-  const int mirror = this->View.brushMirror;
-  const double strength = this->View.brushErases ? -1 : this->View.brushStrength;
-  std::vector<Vec3> places = { position };
-  if (mirror >= 0)
+  if (this->View.brushSmooths)
   {
-    places.push_back(position);
-    places[1][mirror] = 2 * this->Input->GetCenter()[mirror] - position[mirror];
-  }
-  this->edit(
-    [&](Session& s) {
-      for (const Vec3& place : places)
-      {
-        if (this->View.brushSmooths)
+    this->edit(
+      [&](Session& s) {
+        for (const Vec3& place : this->mirrored(position))
         {
           spreadStrokes(s, place, radius, 0.01 * LargestBrush * this->Diagonal);
-          continue;
         }
-        auto strokes = s.list("strokes");
+      },
+      false);
+    return;
+  }
+  this->addStrokes(position, radius, this->View.brushErases ? 0 : this->View.brushStrength);
+}
+
+std::vector<Vec3> Viewer::mirrored(const Vec3& position) const
+{
+  std::vector<Vec3> places = { position };
+  if (const int axis = this->View.brushMirror; axis >= 0)
+  {
+    places.push_back(position);
+    places[1][axis] = 2 * this->Input->GetCenter()[axis] - position[axis];
+  }
+  return places;
+}
+
+void Viewer::addStrokes(const Vec3& position, double radius, double strength)
+{
+  this->edit(
+    [&](Session& s) {
+      auto strokes = s.list("strokes");
+      for (const Vec3& place : this->mirrored(position))
+      {
         strokes.insert(strokes.end(), { place[0], place[1], place[2], radius, strength });
-        s.setList("strokes", std::move(strokes));
       }
+      s.setList("strokes", std::move(strokes));
     },
     false);
+}
+
+void Viewer::fillRegion(bool erases)
+{
+  PickedPlace place;
+  if (!this->pick(this->LastPointer, place))
+  {
+    this->say("Under the pointer is no region to fill.");
+    return;
+  }
+  this->addStrokes(place.position, 0, erases ? 0 : this->View.brushStrength);
+  this->edit([](Session&) {}, true);
 }
 
 void Viewer::togglePoint(const PickedPlace& place)

@@ -312,9 +312,11 @@ void Maker::sampling()
   o->automatic = o->automaticWord = "none";
   o = &this->rows("strokes", "FILE",
     { { "x", -Infinity, Infinity, false }, { "y", -Infinity, Infinity, false },
-      { "z", -Infinity, Infinity, false }, { "radius", Positive, Infinity, false },
+      { "z", -Infinity, Infinity, false }, { "radius", 0, Infinity, false },
       { "strength", -1, Infinity, false } },
-    "painted density; a strength above 0 adds, -1 to 0 erases", "vtkControlMap", "Strokes");
+    "painted density; a strength above 0 adds, below 0 erases, 0 takes paint away; a radius of 0 "
+    "fills up to features",
+    "vtkControlMap", "Strokes");
   o->apply = applyStrokes;
   this->choice("diffusion", "METHOD", { "ostromoukhov", "zhou-fang" },
     "whose coefficients of error diffusion",

@@ -148,6 +148,7 @@ struct ControlMapBuilder::Internals
   SurfaceDiffusion diffusion;
   bool hasDiffusion = false;
   std::vector<BrushStroke> painted; ///< the strokes that the layers hold
+  Atlas::Pointer paintedAtlas;      ///< with the features that bounded them; null if none asked
   std::vector<PaintLayer> layers;
 
   std::vector<ControlChart> charts; ///< of this execution
@@ -163,12 +164,13 @@ struct ControlMapBuilder::Internals
   Status fillBase(const ControlMapOptions& o, const Progress& progress);
   double scaleByQuantile(const std::vector<float*>& values, ImportanceKind importance);
   Status smooth(const std::vector<float*>& values, double percent, const Progress& p);
-  void paintStrokes(const std::vector<BrushStroke>& wanted);
+  Status paintStrokes(vtkPartitionedDataSetCollection* surfaceCharts, vtkPolyData* featureGraph,
+    const std::vector<BrushStroke>& wanted);
   Status fillImportance(const ControlMapOptions& o, bool varies, const UnitFunctionTable& table,
     const Progress& progress, float& largest, std::string& warning);
   std::vector<float*> controls() const;
-  Status fillControl(vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o,
-    const Progress& progress, std::string& warning);
+  Status fillControl(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph,
+    const ControlMapOptions& o, const Progress& progress, std::string& warning);
   Status fillFromSizes(
     vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o, const Progress& progress);
   Status sizesOfCurvature(vtkPartitionedDataSetCollection* charts, const ControlMapOptions& o,
@@ -468,9 +470,27 @@ Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const 
   return Status::success();
 }
 
-/// Brings the layers up to the strokes: only what is new is painted, unless strokes are gone.
-void ControlMapBuilder::Internals::paintStrokes(const std::vector<BrushStroke>& wanted)
+/// Brings the layers up to the strokes: only what is new is painted, unless strokes are gone, or
+/// features have changed that bound them.
+Status ControlMapBuilder::Internals::paintStrokes(vtkPartitionedDataSetCollection* surfaceCharts,
+  vtkPolyData* featureGraph, const std::vector<BrushStroke>& wanted)
 {
+  Atlas::Pointer whole; // with its features
+  std::vector<char> walls;
+  if (std::any_of(wanted.begin(), wanted.end(), [](const BrushStroke& s) { return s.radius == 0; }))
+  {
+    if (Status status = Atlas::read(surfaceCharts, featureGraph, whole); !status.ok())
+    {
+      return status;
+    }
+    walls = whole->halfedgesOn({ BackboneType::Sharp });
+    if (whole != this->paintedAtlas)
+    {
+      this->painted.clear();
+      this->layers.clear();
+    }
+  }
+  this->paintedAtlas = whole;
   const bool longer = this->painted.size() <= wanted.size() &&
     std::equal(this->painted.begin(), this->painted.end(), wanted.begin());
   if (!longer || this->layers.size() != this->charts.size())
@@ -481,9 +501,10 @@ void ControlMapBuilder::Internals::paintStrokes(const std::vector<BrushStroke>& 
   const std::vector<ControlImage> images = this->views();
   for (std::size_t i = this->painted.size(); i < wanted.size(); ++i)
   {
-    paint(this->atlas->surface(), images, wanted[i], this->layers);
+    paint(this->atlas->surface(), images, wanted[i], walls, this->layers);
   }
   this->painted = wanted;
+  return Status::success();
 }
 
 /// The importance before the floor, in place of the control; `varies` says whether there is a base.
@@ -514,10 +535,6 @@ Status ControlMapBuilder::Internals::fillImportance(const ControlMapOptions& o, 
       return status;
     }
   }
-  if (!o.strokes.empty())
-  {
-    this->paintStrokes(o.strokes);
-  }
   largest = forEachPixelRun(this->charts, [&](const PixelRun& r) {
     float* v = values[r.chart];
     if (!o.strokes.empty() && !this->layers[r.chart].factor.empty())
@@ -536,7 +553,8 @@ Status ControlMapBuilder::Internals::fillImportance(const ControlMapOptions& o, 
 
 /// The control that an importance makes, after paper 3.1 and 3.3.
 Status ControlMapBuilder::Internals::fillControl(vtkPartitionedDataSetCollection* surfaceCharts,
-  const ControlMapOptions& o, const Progress& progress, std::string& warning)
+  vtkPolyData* featureGraph, const ControlMapOptions& o, const Progress& progress,
+  std::string& warning)
 {
   bool varies = o.importance != ImportanceKind::Uniform && o.gamma > 0.;
   const bool bandPass = varies && o.bandPass[1] > 0.;
@@ -562,7 +580,12 @@ Status ControlMapBuilder::Internals::fillControl(vtkPartitionedDataSetCollection
   }
   if (strokes)
   {
-    if (Status status = this->readFaces(); !status.ok())
+    Status status = this->readFaces();
+    if (status.ok())
+    {
+      status = this->paintStrokes(surfaceCharts, featureGraph, o.strokes);
+    }
+    if (!status.ok())
     {
       return status;
     }
@@ -746,7 +769,7 @@ Status ControlMapBuilder::build(vtkPartitionedDataSetCollection* maps,
     return status;
   }
   Status status = o.sizeArray.empty() && o.curvaturePoints <= 0
-    ? d.fillControl(surfaceCharts, o, partOf(progress, 0., 0.8), warning)
+    ? d.fillControl(surfaceCharts, featureGraph, o, partOf(progress, 0., 0.8), warning)
     : d.fillFromSizes(surfaceCharts, o, partOf(progress, 0., 0.8));
   if (status.ok())
   {

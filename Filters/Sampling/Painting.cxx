@@ -58,9 +58,12 @@ void paintFace(const AtlasSurface& surface, const ControlImage& image, int face,
       {
         continue;
       }
-      const Vec3 bary = clampedBarycentric(barycentric(image.centre(pixel), a, b, c));
-      const double weight =
-        brushWeight((surface.position(face, bary) - centre).squaredNorm(), stroke.radius);
+      double weight = 1;
+      if (stroke.radius > 0)
+      {
+        const Vec3 bary = clampedBarycentric(barycentric(image.centre(pixel), a, b, c));
+        weight = brushWeight((surface.position(face, bary) - centre).squaredNorm(), stroke.radius);
+      }
       const auto change = static_cast<float>(weight * stroke.strength);
       if (change > 0)
       {
@@ -70,6 +73,12 @@ void paintFace(const AtlasSurface& surface, const ControlImage& image, int face,
       {
         layer.factor[pixel] *= 1.f + change;
         layer.offset[pixel] *= 1.f + change;
+      }
+      else if (stroke.strength == 0)
+      {
+        const auto kept = static_cast<float>(1 - weight);
+        layer.factor[pixel] = 1.f + kept * (layer.factor[pixel] - 1.f);
+        layer.offset[pixel] *= kept;
       }
     }
   }
@@ -105,14 +114,25 @@ int nearestFace(const TriangleSurface& surface, const Vec3& position, Vec3& plac
 }
 
 void paint(const AtlasSurface& surface, const std::vector<ControlImage>& images,
-  const BrushStroke& stroke, std::vector<PaintLayer>& layers)
+  const BrushStroke& stroke, const std::vector<char>& walls, std::vector<PaintLayer>& layers)
 {
   Vec3 centre;
   const int first = nearestFace(surface, stroke.position, centre);
-  if (first < 0 || !(stroke.radius > 0.))
+  if (first < 0)
   {
     return;
   }
+  const auto goesAcross = [&](int halfedge) {
+    if (stroke.radius == 0)
+    {
+      return walls.empty() || !walls[static_cast<std::size_t>(halfedge)];
+    }
+    const int face = halfedge / 3;
+    const int k = halfedge % 3;
+    const Vec3 near =
+      nearestOnSegment(centre, surface.point(face, k), surface.point(face, (k + 1) % 3));
+    return (near - centre).norm() < stroke.radius;
+  };
   std::vector<int> front = { first };
   std::unordered_set<int> reached = { first };
   while (!front.empty())
@@ -129,10 +149,9 @@ void paint(const AtlasSurface& surface, const std::vector<ControlImage>& images,
     paintFace(surface, images[chart], face, centre, stroke, layer);
     for (int k = 0; k < 3; ++k)
     {
-      const int twin = surface.twin[3 * face + k];
-      const Vec3 near =
-        nearestOnSegment(centre, surface.point(face, k), surface.point(face, (k + 1) % 3));
-      if (twin >= 0 && (near - centre).norm() < stroke.radius && reached.insert(twin / 3).second)
+      const int h = 3 * face + k;
+      const int twin = surface.twin[h];
+      if (twin >= 0 && goesAcross(h) && reached.insert(twin / 3).second)
       {
         front.push_back(twin / 3);
       }

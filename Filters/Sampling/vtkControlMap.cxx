@@ -49,7 +49,7 @@ constexpr int StrokeComponents = 5;
 bool isStroke(const double* s)
 {
   return std::all_of(s, s + StrokeComponents, [](double x) { return std::isfinite(x); }) &&
-    s[3] > 0. && s[4] >= -1.;
+    s[3] >= 0. && s[4] >= -1.;
 }
 }
 

@@ -183,11 +183,14 @@ public:
   ///@{
   /**
    * Painting: a stroke is one dab of a brush at a position, which is moved to the nearest place on
-   * the surface. Its radius (> 0) is a straight distance in the unit of the points, and it reaches
+   * the surface. Its radius (>= 0) is a straight distance in the unit of the points, and it reaches
    * what of the surface is so near and hangs together there, across seams and charts. A strength of
    * s > 0 adds s to the importance at the centre (1 is uniform importance, and that of the
-   * quantity's 99.5 % quantile); one from -1 up to 0 erases this share of the importance there.
-   * Towards the radius d = r the strength fades like (1 - d^2/r^2)^2. Strokes act one after the
+   * quantity's 99.5 % quantile); one from -1 to below 0 erases this share of the importance there;
+   * 0 takes away what the strokes before have done there. Towards the radius d = r the strength
+   * fades like (1 - d^2/r^2)^2. A radius of 0 fills the region: the stroke acts in full strength
+   * on all of the surface that is reached from its position without crossing a sharp edge of the
+   * feature graph (input port 2; without it, on the whole component). Strokes act one after the
    * other, after Gradation and before MinimumDensity, on all kinds of importance. AddStroke()
    * returns false, and reports an error, for numbers that are not finite or out of range. A drag of
    * the mouse is several strokes: undo it by removing as many. The default is no stroke.

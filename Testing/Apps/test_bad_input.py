@@ -153,7 +153,7 @@ class BadInput(ProgramTest):
             ("--feature-edges", "0 6\n", "no edge of the input"),
             ("--importance-image", "no image", "cannot read the image"),
             ("--strokes", "0 0 0 1 1\n0 0 0 1\n", r"extra:2: needs 5 numbers: x, y, z, radius, strength"),
-            ("--strokes", "0 0 0 0 1\n", r"extra:1: needs .* radius above 0, not 0"),
+            ("--strokes", "0 0 0 -1 1\n", r"extra:1: needs .* radius of at least 0, not -1"),
             ("--strokes", "0 0 0 1 -2\n", r"extra:1: needs .* strength of at least -1, not -2"),
         ]
         for option, content, pattern in cases:

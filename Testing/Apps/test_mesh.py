@@ -517,6 +517,24 @@ class Patterns(MeshTest):
         self.assertEqual(len(faces) - quads, sum(len(f) == 3 for f in faces))
         self.assertGreater(2 * quads, 0.7 * (2 * quads + len(faces) - quads), "most of the surface is quads")
 
+    def test_paint_fills_a_face_of_a_cube(self):
+        """A stroke without a radius reaches the edges around it, and one without a strength takes it away again."""
+        strokes = {
+            "none": "",
+            "filled": "1 0.4 0.6 0 15\n",
+            "taken away": "1 0.4 0.6 0 15\n1 0.9 0.1 0 0\n",
+            "taken away elsewhere": "1 0.4 0.6 0 15\n0 0.9 0.1 0 0\n",
+        }
+        share, text = {}, {}
+        for name, lines in strokes.items():
+            edges = self.edges(self.cube(), "--points", 2000, "--strokes", self.file("strokes.txt", lines))
+            share[name] = sum(p[0] > 1 - 1e-6 for p, _ in edges) / len(edges)
+            text[name] = (self.folder / "out.off").read_bytes()
+        self.assertAlmostEqual(share["none"], 1 / 6, delta=0.04)
+        self.assertAlmostEqual(share["filled"], 16 / (16 + 5), delta=0.06)
+        self.assertEqual(text["taken away"], text["none"])
+        self.assertEqual(text["taken away elsewhere"], text["filled"])
+
     def test_quads_follow_paint(self):
         """The same stroke makes quads shorter around it than where there is none, and more of them."""
         x, y, z = points_of(MODELS / "bunny00.off")[0]

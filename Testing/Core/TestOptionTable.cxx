@@ -186,7 +186,8 @@ TEST(OptionTable, RowsOfNumbersAreChecked)
   EXPECT_EQ(wrong("band_pass", { 1, 101 }), "a finite number for COARSE from 0 to 100, not 101");
   EXPECT_EQ(wrong("transfer", { 0, 1, 0.5, 0, 1, 1 }), "");
   EXPECT_EQ(wrong("transfer", { 0, 1, 0.5, 0, 0.5, 1 }), "ascending X");
-  EXPECT_EQ(wrong("strokes", { 1, 2, 3, 0, 1 }), "a finite number for radius above 0, not 0");
+  EXPECT_EQ(
+    wrong("strokes", { 1, 2, 3, -1, 1 }), "a finite number for radius of at least 0, not -1");
   EXPECT_EQ(
     wrong("strokes", { 1, 2, 3, 1, -2 }), "a finite number for strength of at least -1, not -2");
   EXPECT_EQ(wrong("feature_edges", { 3, 4, 4, 9 }), "");

@@ -221,7 +221,7 @@ void testStrokes()
   p.Control->SetStrokes(nullptr);
   check(p.Control->GetNumberOfStrokes() == 0, "nullptr is none");
 
-  const double bad[][5] = { { 0, 0, 0, 0, 1 }, { 0, 0, 0, -1, 1 }, { 0, 0, 0, 1, -1.01 },
+  const double bad[][5] = { { 0, 0, 0, -1e-9, 1 }, { 0, 0, 0, -1, 1 }, { 0, 0, 0, 1, -1.01 },
     { std::nan(""), 0, 0, 1, 1 }, { 0, 0, 0, INFINITY, 1 } };
   for (const auto& s : bad)
   {

@@ -91,7 +91,7 @@ TEST(Session, RefusesWhatIsWrongAndNamesIt)
   EXPECT_NE(complaint("\"importance\": \"much\"").find("'importance'"), std::string::npos);
   EXPECT_NE(complaint("\"gamma\": true").find("'gamma'"), std::string::npos);
   EXPECT_NE(complaint("\"transfer\": [[0, 0], [0, 1]]").find("'transfer'"), std::string::npos);
-  EXPECT_NE(complaint("\"strokes\": [[0, 0, 0, 0, 1]]").find("'strokes'"), std::string::npos);
+  EXPECT_NE(complaint("\"strokes\": [[0, 0, 0, -1, 1]]").find("'strokes'"), std::string::npos);
   EXPECT_NE(complaint("\"band_pass\": [2, 1]").find("'band_pass'"), std::string::npos);
   EXPECT_NE(complaint("\"constraints\": [[0, 0]]").find("'constraints'"), std::string::npos);
   EXPECT_NE(complaint("\"feature_edges\": [[0, 0.5]]").find("'feature_edges'"), std::string::npos);

@@ -231,7 +231,18 @@ class Brush(ViewTest):
 
     def test_control_erases_while_it_is_held(self):
         strokes = self.strokes(*self.dab(), *self.dab("Control"), *self.dab())
-        self.assertEqual([stroke[4] for stroke in strokes], [1, -1, 1])
+        self.assertEqual([stroke[4] for stroke in strokes], [1, 0, 1])
+
+    def test_p_fills_what_is_under_the_pointer_and_shift_takes_that_away(self):
+        move = ("MouseMoveEvent", 250, 480)
+        (dab,) = self.strokes(*self.dab())
+        fill, taken = self.strokes(move, "p", "P")
+        self.assertEqual(fill, [*dab[:3], 0, 1])
+        self.assertEqual(taken, [*dab[:3], 0, 0])
+        self.assertEqual(self.strokes(move, "p", "P", "Control+z"), [fill])
+        self.assertEqual(self.strokes(move, "p", *self.dab("Shift")), [fill], "it has no width")
+        self.assertEqual(self.strokes(("MouseMoveEvent", 20, 880), "p"), [], "beside the model")
+        self.assertEqual(self.strokes(move, "k", "p"), [], "another tool")
 
     def test_shift_smooths(self):
         """The same paint over a wider place, and none where there was none; not wider than the largest brush."""
