@@ -269,7 +269,12 @@ void FileChooser::acceptName()
   if (fs::exists(file, error) && !this->Confirmed)
   {
     this->Confirmed = true;
-    this->Sentence = this->Typed.text() + " exists: Return once more replaces it.";
+    const bool isInput =
+      !this->Wanted.input.empty() && fs::equivalent(file, this->Wanted.input, error);
+    this->Sentence = this->Typed.text() +
+      (isInput ? " is the surface that is open, which the mesh would take the place of: "
+               : " exists: ") +
+      "Return once more replaces it.";
     return;
   }
   const Chosen chosen = this->OnChosen;

@@ -34,7 +34,7 @@ void NumberField::paint(Canvas& canvas)
     canvas.text(right, middle, canvas.fitted(this->Automatic, width - 12 * s, quiet), quiet);
     return;
   }
-  const TextLook look{ 13, word, Align::Right, true };
+  const TextLook look{ 13, this->Old && !typed ? shades::Faint : word, Align::Right, true };
   if (typed)
   {
     this->Typed.line().paint(canvas, right, middle, width - 12 * s, look);
@@ -76,11 +76,11 @@ void NumberField::finish(bool accept)
     return;
   }
   this->Typed.finish();
-  const std::string& text = this->Typed.text();
   double value = 0;
-  const bool number = parseNumber(text, value);
+  const bool number = this->Typed.value(value);
   // What is shown and typed again is meant, too: a number that followed may be fixed by it.
-  if (!accept || !this->Typed.touched() || (!number && (!text.empty() || !this->Limits.automatic)))
+  if (!accept || !this->Typed.touched() ||
+    (!number && (!this->Typed.text().empty() || !this->Limits.automatic)))
   {
     return;
   }

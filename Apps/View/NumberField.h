@@ -28,6 +28,8 @@ public:
 
   void setValue(double value) { this->Value = value; }
   void setEnabled(bool enabled) { this->Enabled = enabled; }
+  /// The number is an old one, and another is to come.
+  void setOld(bool old) { this->Old = old; }
   void setLabel(const std::string& label) { this->Label = label; }
   /// What is shown for 0 where that is automatic.
   void setAutomatic(const std::string& word) { this->Automatic = word; }
@@ -49,6 +51,7 @@ private:
   std::string Automatic;
   TypedNumber Typed;
   bool Enabled = true;
+  bool Old = false;
 };
 }
 

@@ -343,6 +343,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
                                  : "Number of points");
   const std::string hint = part ? "So many new points has the part, besides those on its border."
                                 : "Exactly so many points has the mesh.";
+  this->Number->setOld(follows && edge == 0);
   this->Number->setHint(hint + " Click or n, digits, Return.");
   this->PointsSlider->setHint(hint);
   this->Number->setValue(this->Points);

@@ -133,7 +133,7 @@ void Slider::finish(bool accept)
 {
   double value = 0;
   const bool typed =
-    this->Typed.on() && accept && this->Typed.touched() && parseNumber(this->Typed.text(), value);
+    this->Typed.on() && accept && this->Typed.touched() && this->Typed.value(value);
   this->Typed.finish();
   const double within = std::clamp(value, this->Limits.low, this->Limits.high);
   if (typed && within != this->Value)

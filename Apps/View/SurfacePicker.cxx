@@ -65,6 +65,10 @@ SurfacePicker::SurfacePicker(vtkPolyData* input)
 {
   this->Input->SetPoints(input->GetPoints());
   const std::vector<vtkIdType> firstAt = firstAtPlace(input);
+  for (std::size_t p = 0; p < firstAt.size(); ++p)
+  {
+    this->NumberOfPoints += firstAt[p] == static_cast<vtkIdType>(p);
+  }
   this->Input->SetPolys(renumbered(input->GetPolys(), firstAt));
   this->Input->SetStrips(renumbered(input->GetStrips(), firstAt));
   this->Input->BuildLinks();

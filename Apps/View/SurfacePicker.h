@@ -35,6 +35,9 @@ public:
   SurfacePicker(const SurfacePicker&) = delete;
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
+  /// Those at the very same place are one.
+  [[nodiscard]] vtkIdType numberOfPoints() const { return this->NumberOfPoints; }
+
   /// What the ray through a window's pixel hits first.
   [[nodiscard]] bool pick(vtkRenderer* renderer, double x, double y, PickedPlace& place) const;
 
@@ -45,6 +48,7 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkNew<vtkStaticCellLocator> Locator;
+  vtkIdType NumberOfPoints = 0;
 };
 }
 

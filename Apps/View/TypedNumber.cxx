@@ -3,23 +3,52 @@
 #include "TypedNumber.h"
 
 #include "SceneActors.h"
+#include "TextNumbers.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace stipple
 {
 namespace
 {
-constexpr std::size_t MostLetters = 8;
+constexpr std::size_t MostLetters = 12;
+
+/// Without what stands between thousands, if it does: in "12,345" and "1.000.000", not in "2.5".
+std::string withoutGroups(const std::string& text)
+{
+  std::string digits;
+  std::size_t group = 0;
+  bool isFirst = true;
+  for (const char letter : text)
+  {
+    if (letter >= '0' && letter <= '9')
+    {
+      ++group;
+      digits += letter;
+      continue;
+    }
+    const bool isWhole = isFirst ? group >= 1 && group <= 3 && text[0] != '0' : group == 3;
+    if ((letter != '.' && letter != ',') || !isWhole)
+    {
+      return text;
+    }
+    isFirst = false;
+    group = 0;
+  }
+  return isFirst || group == 3 ? digits : text;
+}
 }
 
 TypedNumber::TypedNumber(bool whole)
-  : Line([whole](const std::string& rest, char letter) {
-    // As many people write it; in a whole number it would be between thousands.
+  : Whole(whole)
+  , Line([whole](const std::string& rest, char letter) {
+    // As many people write it; in a whole number it may be between thousands.
     const char sign = letter == ',' && !whole ? '.' : letter;
     const bool isExponent = sign == 'e' && !rest.empty() && rest.find('e') == std::string::npos;
-    const bool isPart =
-      (sign >= '0' && sign <= '9') || isExponent || (!whole && (sign == '.' || sign == '-'));
+    const bool isPart = (sign >= '0' && sign <= '9') || isExponent || sign == '.' ||
+      (whole ? sign == ',' : sign == '-');
     return isPart && rest.size() < MostLetters ? sign : '\0';
   })
 {
@@ -31,6 +60,19 @@ void TypedNumber::begin(const std::string& text)
   this->Touched = false;
   this->Line.set(text);
   this->Line.select(0, text.size());
+}
+
+bool TypedNumber::value(double& number) const
+{
+  if (!this->Whole)
+  {
+    return parseNumber(this->text(), number);
+  }
+  std::string plain = withoutGroups(this->text());
+  std::replace(plain.begin(), plain.end(), ',', '.');
+  const bool good = parseNumber(plain, number);
+  number = std::round(number);
+  return good;
 }
 
 bool TypedNumber::isOpen(double low)

@@ -20,7 +20,7 @@ public:
     GivenUp   ///< Esc
   };
 
-  /// Whole numbers have no point and no sign; 1e4 is one.
+  /// Whole numbers have no sign; 1e4, 2.5e3 and 12,345 are some, and others are rounded.
   explicit TypedNumber(bool whole);
 
   /// Begins with a number that the first letter replaces, or with none.
@@ -30,6 +30,8 @@ public:
   /// Something was typed, be it what was there.
   bool touched() const { return this->Touched; }
   const std::string& text() const { return this->Line.text(); }
+  /// False if what is typed is no number.
+  [[nodiscard]] bool value(double& number) const;
   TypedText& line() { return this->Line; }
   /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a
   /// text field's: false for these.
@@ -40,6 +42,7 @@ public:
   static std::string whyNot(double typed, double low, double high);
 
 private:
+  bool Whole;
   bool On = false;
   bool Touched = false;
   TypedText Line;

@@ -203,6 +203,8 @@ void Viewer::writeFigureFiles()
   const float lines = layout.scale * FigureHeight / layout.before.h;
   this->BeforeSide.setView(this->View, lines);
   this->AfterSide.setView(this->View, lines);
+  const int marked = this->AfterSide.marked();
+  this->AfterSide.setMarked(-1); // not the figure's
   for (const bool before : { true, false })
   {
     const std::string file = this->Files.figures + (before ? "-before.png" : "-after.png");
@@ -224,6 +226,7 @@ void Viewer::writeFigureFiles()
   {
     status = files.commit();
   }
+  this->AfterSide.setMarked(marked);
   this->placeControls();
   const std::string name = wholePath(this->Files.figures);
   this->say(status.ok() ? "Wrote " + name + "-before.png and -after.png, " +

@@ -229,6 +229,7 @@ void Viewer::saveMeshAs()
   wish.endings.emplace_back(".json");
   wish.saves = true;
   wish.begin = this->Files.mesh;
+  wish.input = this->Now.text("model");
   this->show(std::make_shared<FileChooser>(
     std::move(wish),
     [this](const std::string& file) {

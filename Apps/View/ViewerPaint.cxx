@@ -67,7 +67,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
     const bool ready = this->HasAtlas && !this->View.wireframe;
     title = ready ? titles[static_cast<int>(this->View.display)] : "input";
     detail = !ready || this->View.display == Display::Input
-      ? countOf(this->Input->GetNumberOfPoints(), "point", ", ") +
+      ? countOf(this->Picker->numberOfPoints(), "point", ", ") +
         countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "face")
       : this->View.display == Display::Density ? ""
       : this->showsVertices() && this->View.display == Display::Samples &&

@@ -86,6 +86,20 @@ int stageOf(int algorithm)
 constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
   1. } };
 
+/// Begin and end of an algorithm's progress in the whole.
+std::array<double, 2> progressOf(int algorithm, bool subdivides)
+{
+  const int stage = stageOf(algorithm);
+  std::array<double, 2> range = { { ProgressBegin[stage], ProgressBegin[stage + 1] } };
+  if (subdivides && stage == vtkGeometryRemesher::OPTIMISATION)
+  {
+    // The base mesh is small.
+    constexpr double OfBase = 0.1;
+    range[algorithm == Subdivision ? 0 : 1] = range[0] + OfBase * (range[1] - range[0]);
+  }
+  return range;
+}
+
 /// Whether all went well; if not, what there is to say of it.
 bool noted(const stipple::Status& status, unsigned long& code, std::string& sentence)
 {
@@ -195,8 +209,8 @@ struct vtkGeometryRemesher::Internals
     }
     else if (caller == stage)
     {
-      const double begin = ProgressBegin[stageOf(self->Current)];
-      const double end = ProgressBegin[stageOf(self->Current) + 1];
+      const auto [begin, end] =
+        progressOf(self->Current, self->Self->GetPattern() == vtkGeometryRemesher::SEMIREGULAR);
       self->tell(begin + (end - begin) * std::clamp(stage->GetProgress(), 0., 1.));
       if (self->Self->GetAbortExecute())
       {
@@ -446,7 +460,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     }
     return false;
   }
-  s.tell(ProgressBegin[stage + 1]);
+  s.tell(progressOf(algorithm, this->Pattern == SEMIREGULAR)[1]);
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
 }

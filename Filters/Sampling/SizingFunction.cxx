@@ -215,13 +215,12 @@ Status Sizing::fitScale()
   const auto rounded = [](double x) { return std::to_string(std::llround(x)); };
   if (const double least = this->count(0.).all; least > number)
   {
-    return Status::error("Edges no longer than the longest (SizeMaximum) take " +
-      rounded(std::ceil(least)) + " points, more than " + rounded(number) +
-      ": ask for more points, or longer edges.");
+    return Status::error("Edges no longer than the longest take " + rounded(std::ceil(least)) +
+      " points, more than " + rounded(number) + ": ask for more points, or longer edges.");
   }
   if (const double most = this->count(Unbounded).all; most < number)
   {
-    return Status::error("Edges no shorter than the shortest (SizeMinimum) leave room for " +
+    return Status::error("Edges no shorter than the shortest leave room for " +
       rounded(std::floor(most)) + " points, fewer than " + rounded(number) +
       ": ask for fewer points, or shorter edges.");
   }
@@ -285,8 +284,7 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
 {
   if (options.largest > 0 && options.smallest > options.largest)
   {
-    return Status::error(
-      "The shortest edge (SizeMinimum) is longer than the longest (SizeMaximum): exchange them.");
+    return Status::error("The shortest edge is longer than the longest: exchange them.");
   }
   Sizing sizing(images, options);
   if (!(sizing.scale() > 0))

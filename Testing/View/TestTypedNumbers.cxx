@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stipple
@@ -84,7 +85,7 @@ TEST(TypedNumber, IsEditedInItsMiddle)
   {
     field.key({ symbol });
   }
-  type(field, "12x-."); // letters are none of a number's
+  type(field, "12x-"); // letters are none of a number's
   EXPECT_EQ(taken, std::vector<double>{ 51200 });
 }
 
@@ -112,6 +113,27 @@ TEST(TypedNumber, WhatIsShownCountsIfItIsTyped)
   field.focus();
   type(field, "700");
   EXPECT_EQ(taken, 1);
+}
+
+TEST(TypedNumber, WholeOnesAreWrittenInManyWays)
+{
+  double taken = 0;
+  NumberField field("points", NumberField::Range{ 1, 10000000 }, [&taken](double n) { taken = n; });
+  for (const auto& [typed, number] : std::vector<std::pair<const char*, double>>{ { "2.5e3", 2500 },
+         { "2,5e3", 2500 }, { "12,345", 12345 }, { "12.345", 12345 }, { "1.234.567", 1234567 },
+         { "1234", 1234 }, { "123.4", 123 }, { "1234.567", 1235 }, { "0.900", 1 }, { "1e4", 1e4 } })
+  {
+    field.focus();
+    type(field, typed);
+    EXPECT_EQ(taken, number) << typed;
+  }
+  for (const char* none : { "12,34,567", "1.2.3" })
+  {
+    taken = -1;
+    field.focus();
+    type(field, none);
+    EXPECT_EQ(taken, -1) << none;
+  }
 }
 
 TEST(TypedNumber, OutsideItsRangeIsSaid)
