@@ -86,15 +86,15 @@ void Viewer::paintView(Canvas& canvas, bool before)
   }
   const float y = view.top() - 18 * s;
   const TextLook bold{ 15, shades::Word, Align::Left, true };
-  // Readable before a model that reaches up to it.
-  canvas.fill(
-    { view.x + (Pad - 6) * s, y - 13 * s,
-      canvas.textWidth(title, bold) + canvas.textWidth(detail, { 12, shades::Quiet }) + 24 * s,
-      26 * s },
-    TitleGround);
-  canvas.text(view.x + Pad * s, y, title, bold);
-  const float x = view.x + Pad * s + canvas.textWidth(title, bold);
-  canvas.text(x + 10 * s, y, detail, { 12, shades::Quiet });
+  // Readable before a model that reaches up to it, and whole where the line between both models
+  // leaves too little room.
+  const TextLook quiet{ 12, shades::Quiet };
+  const float words = canvas.textWidth(title, bold) + canvas.textWidth(detail, quiet) + 10 * s;
+  const float left = this->View.oneView ? std::min(view.x + Pad * s, view.right() - Pad * s - words)
+                                        : view.x + Pad * s;
+  canvas.fill({ left - 6 * s, y - 13 * s, words + 14 * s, 26 * s }, TitleGround);
+  canvas.text(left, y, title, bold);
+  canvas.text(left + canvas.textWidth(title, bold) + 10 * s, y, detail, quiet);
   if (const auto bar = this->barOf(before))
   {
     paintColorBar(canvas, view, *bar);
