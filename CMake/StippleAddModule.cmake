@@ -15,4 +15,6 @@ function (stipple_add_module module)
     PRIVATE_HEADERS ${headers})
   vtk_module_include("${module}"
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>")
+  get_target_property(target "${module}" ALIASED_TARGET)
+  stipple_precompile("${target}")
 endfunction ()

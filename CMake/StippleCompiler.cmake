@@ -3,7 +3,9 @@
 # Compiler settings shared by every target; third-party headers are "system" headers and stay silent.
 find_program(CCACHE_PROGRAM ccache)
 if (CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  # As ccache asks for where headers are precompiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND}" -E env "CCACHE_SLOPPINESS=pch_defines,time_macros" "${CCACHE_PROGRAM}")
 endif ()
 # GCC 12 blames OpenMesh's inlined code for uninitialized values that are none, "system" header or not.
 add_compile_options(

@@ -5,6 +5,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 
@@ -13,26 +14,23 @@ namespace stipple
 std::vector<vtkIdType> firstAtPlace(vtkPolyData* data)
 {
   const auto n = static_cast<std::size_t>(data->GetNumberOfPoints());
-  std::vector<Place> places(n);
+  // By their bits, so that what is no number has a place in the order, too.
+  std::vector<std::array<std::uint64_t, 3>> bits(n);
   for (std::size_t p = 0; p < n; ++p)
   {
-    data->GetPoint(static_cast<vtkIdType>(p), places[p].data());
-    places[p] = placeOf(places[p].data());
+    double x[3];
+    data->GetPoint(static_cast<vtkIdType>(p), x);
+    const Place place = placeOf(x);
+    std::memcpy(bits[p].data(), place.data(), sizeof(Place));
   }
   std::vector<vtkIdType> first(n);
   std::iota(first.begin(), first.end(), 0);
   std::vector<vtkIdType> order = first;
-  // By their bytes, so that what is no number has a place in the order, too.
-  const auto compare = [&places](vtkIdType a, vtkIdType b) {
-    return std::memcmp(places[a].data(), places[b].data(), sizeof(Place));
-  };
-  std::sort(order.begin(), order.end(), [&compare](vtkIdType a, vtkIdType b) {
-    const int difference = compare(a, b);
-    return difference != 0 ? difference < 0 : a < b;
-  });
+  std::sort(order.begin(), order.end(),
+    [&bits](vtkIdType a, vtkIdType b) { return bits[a] != bits[b] ? bits[a] < bits[b] : a < b; });
   for (std::size_t i = 1; i < n; ++i)
   {
-    if (compare(order[i - 1], order[i]) == 0)
+    if (bits[order[i - 1]] == bits[order[i]])
     {
       first[order[i]] = first[order[i - 1]];
     }
