@@ -430,6 +430,14 @@ Status run(const OptionValues& given)
   {
     status = files.commit();
   }
+  if (const vtkIdType cut = remesher->GetAtlas()->GetNumberOfSplitEdges();
+      status.ok() && bar.isOn() && cut > 0)
+  {
+    std::fprintf(stderr,
+      "stipple: warning: edges of the input that have more than two triangles, where it was cut "
+      "apart: %lld\n",
+      static_cast<long long>(cut));
+  }
   if (const vtkIdType lost = status.ok() && bar.isOn() ? countLostFeatures(remesher) : 0; lost > 0)
   {
     std::fprintf(stderr,

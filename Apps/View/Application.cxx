@@ -110,6 +110,10 @@ void Application::turn()
 
 void Application::takeDocument()
 {
+  if (this->Now->asks()) // what is typed there is not to go to another window
+  {
+    return;
+  }
   const auto read = this->Reader.take(std::chrono::milliseconds(0));
   if (!read)
   {
@@ -142,7 +146,7 @@ void Application::takeDocument()
 
 void Application::finishReading()
 {
-  while (this->Reader.busy())
+  while (this->Reader.busy() && !this->Now->asks())
   {
     this->turn();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -152,7 +156,7 @@ void Application::finishReading()
 void Application::settle()
 {
   // No turn comes after the question: a mesh that it took would be drawn, but not smoothly.
-  while (this->Reader.busy() || !this->Now->atRest())
+  while ((this->Reader.busy() && !this->Now->asks()) || !this->Now->atRest())
   {
     this->turn();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

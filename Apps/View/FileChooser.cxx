@@ -188,8 +188,14 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
     ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk, a session .json"
     : "Return opens, letters filter or are a path, ../ leads up, Esc gives up";
   const TextLook foot{ 11.5F, this->Sentence.empty() ? shades::Quiet : shades::Alarm };
-  canvas.text(box.x + pad, box.y + 20 * s,
-    canvas.fitted(this->Sentence.empty() ? help : this->Sentence, inner, foot), foot);
+  const std::vector<std::string> lines =
+    canvas.lines(this->Sentence.empty() ? help : this->Sentence, inner, 2, foot);
+  float middle = box.y + (lines.size() > 1 ? 27 : 20) * s;
+  for (const std::string& line : lines)
+  {
+    canvas.text(box.x + pad, middle, line, foot);
+    middle -= 15 * s;
+  }
 }
 
 int FileChooser::entryAt(const Pointer& pointer) const
@@ -271,10 +277,8 @@ void FileChooser::acceptName()
     this->Confirmed = true;
     const bool isInput =
       !this->Wanted.input.empty() && fs::equivalent(file, this->Wanted.input, error);
-    this->Sentence = this->Typed.text() +
-      (isInput ? " is the surface that is open, which the mesh would take the place of: "
-               : " exists: ") +
-      "Return once more replaces it.";
+    this->Sentence = file.filename().string() +
+      (isInput ? " is the surface that is open: " : " exists: ") + "Return once more replaces it.";
     return;
   }
   const Chosen chosen = this->OnChosen;

@@ -32,8 +32,8 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "Ctrl+O", "open a surface or a session" },
     { "Ctrl+S, Ctrl+Shift+S", "save the mesh; under a name" },
     { "Ctrl+P, Ctrl+E", "save a picture of the window; figures of both views" },
-    { "Ctrl+J", "save the session" },
-    { "q, e, Ctrl+Q", "quit; asks first if something is not saved" }, { "h", "this page" } };
+    { "Ctrl+J", "save the session" }, { "q, Ctrl+Q", "quit; asks first if something is not saved" },
+    { "h", "this page" } };
   return lines;
 }
 

@@ -183,7 +183,10 @@ void Panel::showOptions(const Session& s)
     choice->choose(indexOf(findOption(option)->choices, s.text(option)));
     for (std::size_t word = 0; word < findOption(option)->choices.size(); ++word)
     {
-      choice->setEnabled(static_cast<int>(word), counts(*findOption(option), s));
+      // A part is remeshed with triangles only.
+      const bool excluded =
+        option == std::string("pattern") && word > 0 && !s.text("select_array").empty();
+      choice->setEnabled(static_cast<int>(word), counts(*findOption(option), s) && !excluded);
     }
   }
   for (const auto& [option, field] : this->OptionFields)

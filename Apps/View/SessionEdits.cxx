@@ -18,7 +18,7 @@ bool pointsFollow(const Session& session)
 double pointsOfLength(const Session& session, double area)
 {
   const double length = session.number("edge_length");
-  return length > 0 ? area * densityOfEdges(length) : 0;
+  return length > 0 ? area * densityOfEdges(std::max(length, session.number("size_minimum"))) : 0;
 }
 
 std::string whyImportanceRests(const Session& session)

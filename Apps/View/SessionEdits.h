@@ -12,8 +12,9 @@ namespace stipple
 /// Whether the number of points follows from lengths of edges, as vtkGeometryRemesher has it.
 [[nodiscard]] bool pointsFollow(const Session& session);
 
-/// About how many points edges of the session's length lead to on so much surface, as equilateral
-/// triangles; 0 if their number follows from anything else, or from nothing.
+/// About how many points edges of the session's length, or of the shortest that it allows, lead to
+/// on so much surface, as equilateral triangles; 0 if their number follows from anything else, or
+/// from nothing.
 [[nodiscard]] double pointsOfLength(const Session& session, double area);
 
 /// Why the mesh does not follow importance and paint, as in "while ..."; empty if it does.

@@ -63,6 +63,8 @@ public:
   /// Whether there is paint, points, edges or a curve that is in no session's file, or another
   /// change of which neither session nor mesh is in a file.
   [[nodiscard]] bool hasUnsavedWork() const;
+  /// Whether something over the window waits for an answer, but the start page.
+  [[nodiscard]] bool asks() const { return this->Asked && !this->Starts; }
   /// Says what went wrong.
   void complain(const std::string& sentence);
   /// The page of a window without a file, with what went wrong, if anything.

@@ -133,8 +133,9 @@ void Viewer::saveMesh()
 
 void Viewer::writeMesh()
 {
-  if (!this->Problem.empty()) // which the status line tells: there is no mesh to wait for
+  if (!this->Problem.empty()) // there is no mesh to wait for
   {
+    this->say(fileName(this->Files.mesh) + " is not written: " + this->Problem, true);
     return;
   }
   if (!this->meshIsCurrent())

@@ -117,7 +117,7 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     this->fitCamera();
   }
-  else if (key == "q" || key == "e")
+  else if (key == "q")
   {
     this->askToQuit();
   }

@@ -155,8 +155,9 @@ void Viewer::paintStrip(Canvas& canvas)
   const std::string rests = !why.empty()        ? "not while " + why
     : this->Now.text("importance") == "uniform" ? "not for uniform"
                                                 : "";
-  const Cell cells[] = { { l.sheet, "control map", "dark: many samples; paint here too",
-                           this->Sheet },
+  const std::string paint =
+    why.empty() ? "dark: many samples; paint here too" : "paint: not while " + why;
+  const Cell cells[] = { { l.sheet, "control map", paint.c_str(), this->Sheet },
     { l.curve, "transfer function", rests.c_str(), this->Curve },
     { l.figures, "mesh quality", "", this->Figures } };
   // One of the cells that have changed, where it does not have to be all: the next frame, and the
@@ -203,6 +204,10 @@ std::string Viewer::remark() const
   {
     return " Importance and paint do not count while " + why + ".";
   }
+  if (const vtkIdType cut = this->Mesh->figures.cutEdges; cut > 0)
+  {
+    return " Cut apart: " + countOf(cut, "edge", " of more than two triangles.");
+  }
   const int lost = this->Mesh->figures.lostFeatureEdges;
   return lost > 0
     ? " Lost (violet): " + countOf(lost, "feature edge", " of the input; more points keep them.")
@@ -218,8 +223,9 @@ void Viewer::paintStatus(Canvas& canvas)
   canvas.rule(bar.x, bar.top() - 1, bar.right(), bar.top() - 1, shades::Line);
   // What the user asked for is answered; what goes on is told otherwise, and problems always.
   const bool alarm = this->Doing.alarms() || this->MessageAlarm;
-  std::string words =
-    this->Doing.alarms() || this->Message.empty() ? this->Doing.sentence() : this->Message;
+  std::string words = (this->Doing.alarms() && !this->MessageAlarm) || this->Message.empty()
+    ? this->Doing.sentence()
+    : this->Message;
   if (words.empty())
   {
     words = this->Hint;

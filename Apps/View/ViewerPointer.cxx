@@ -216,6 +216,10 @@ std::string Viewer::toolHint(const Pointer& pointer) const
   switch (this->View.tool)
   {
     case Tool::Brush:
+      if (const std::string why = whyImportanceRests(this->Now); !why.empty())
+      {
+        return "Brush: paint does not count while " + why + ".";
+      }
       return std::string(
                "Brush: drag paints, Ctrl takes paint away, Shift spreads it; p fills up to "
                "features, Shift+P takes that away; y mirrors: ") +

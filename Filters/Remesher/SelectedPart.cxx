@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -364,6 +365,7 @@ Status SelectedPart::join(vtkPolyData* mesh, vtkPolyData* lines, vtkPolyData* re
   result->SetPoints(points);
   result->SetPolys(polygons);
 
+  result->GetFieldData()->ShallowCopy(mesh->GetFieldData());
   joinArrays(
     this->Input->GetPointData(), rest, mesh->GetPointData(), fromMesh, result->GetPointData());
   std::vector<vtkIdType> sourceOfRest;

@@ -45,6 +45,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -470,7 +471,7 @@ bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
   const std::string selection = this->SelectionArrayName ? this->SelectionArrayName : "";
   vtkControlMap* control = this->Stages->ControlMap;
   stipple::Status status = !selection.empty() && this->Pattern != TRIANGLES
-    ? stipple::Status::error("A selected part can be remeshed with the pattern TRIANGLES only.")
+    ? stipple::Status::error("A selected part can be remeshed with triangles only.")
     : stipple::Status::success();
   if (status.ok() && control->GetImportance() == vtkControlMap::ARRAY)
   {
@@ -545,6 +546,11 @@ bool vtkGeometryRemesher::RunMapsAndControl()
     if (wanted > most)
     {
       std::ostringstream sentence;
+      constexpr double MostWritten = 1e15;
+      if (wanted < MostWritten)
+      {
+        sentence << std::fixed << std::setprecision(0);
+      }
       sentence << "Edges of these lengths take " << wanted << " points, more than " << most
                << ": ask for longer ones.";
       this->ErrorCode = BAD_INPUT;

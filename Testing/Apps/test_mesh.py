@@ -376,12 +376,22 @@ class Selection(MeshTest):
         self.assertEqual(len(points), len({p for f in rest for p in f}) + 800)
         self.assert_like(mesh_check(out, MODELS / "bunny00.off"), len(points))
 
+    def test_labels_of_regions_are_written_as_without_a_part(self):
+        model, _ = self.bunny()
+        part = "--points", 800, "--select-array", "upper"
+        for out, mark in (("out.ply", b"property int upper\n"), ("out.obj", b"\ng 1\n")):
+            with self.subTest(out):
+                self.succeed(model, "-o", self.folder / out, *part, "--region-array", "upper")
+                self.assertIn(mark, (self.folder / out).read_bytes())
+                self.succeed(model, "-o", self.folder / out, *part)
+                self.assertNotIn(mark, (self.folder / out).read_bytes())
+
     def test_what_does_not_work(self):
         model, _ = self.bunny()
         out = self.folder / "x.off"
         self.fail_with(1, "no cell array 'lower'", model, "-o", out, "--points", 800, "--select-array", "lower")
         self.fail_with(
-            1, "TRIANGLES only", model, "-o", out, "--points", 800, "--select-array", "upper", "--pattern", "quads"
+            1, "triangles only", model, "-o", out, "--points", 800, "--select-array", "upper", "--pattern", "quads"
         )
         self.assertFalse(out.exists())
 

@@ -3,6 +3,7 @@
 // Sessions, their files and their undo.
 #include "History.h"
 #include "Session.h"
+#include "SessionEdits.h"
 
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
@@ -10,6 +11,8 @@
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace stipple
 {
@@ -99,6 +102,16 @@ TEST(Session, RefusesWhatIsWrongAndNamesIt)
   Session s;
   EXPECT_NE(fromJson("{}", s).message().find("stipple_session"), std::string::npos);
   EXPECT_NE(fromJson("[1", s).message().find("not JSON"), std::string::npos);
+}
+
+TEST(Session, PointsOfALengthAreThoseOfTheShortestThatItAllows)
+{
+  Session s;
+  EXPECT_EQ(pointsOfLength(s, 2.), 0);
+  s.set("edge_length", 0.1);
+  EXPECT_NEAR(pointsOfLength(s, 2.), 2 * 2 / std::sqrt(3.) / 0.01, 1e-9);
+  s.set("size_minimum", 0.2);
+  EXPECT_NEAR(pointsOfLength(s, 2.), 2 * 2 / std::sqrt(3.) / 0.04, 1e-9);
 }
 
 TEST(Session, ParametersThatDoNotChangeModifyNothing)

@@ -425,7 +425,7 @@ class Quitting(ViewTest):
         return LiveWindow(VIEW, FANDISK, "--points", 300, *arguments)
 
     def test_nothing_is_asked_where_nothing_is_lost(self):
-        for leave in (lambda window: window.key("q"), lambda window: window.key("e"), lambda window: window.close()):
+        for leave in (lambda window: window.key("q"), lambda window: window.close()):
             with self.live() as window:
                 window.move(250, 300)
                 window.settle()

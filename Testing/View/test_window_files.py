@@ -45,6 +45,15 @@ class Files(ViewTest):
         self.assertGreater(np.mean((start == (240, 242, 245)).all(axis=2)), 0.8, "nothing but the page")
         self.assertGreater(np.mean((start != example).any(axis=2)), 0.3)
 
+    def test_what_cannot_be_saved_is_said(self):
+        few, saved = self.folder / "few.png", self.folder / "saved.png"
+        part = ("part.off", "--points", 3)
+        self.play("v", model=part, shot=few)
+        self.play("Control+s", model=part, shot=saved)
+        few, saved = pictures.read(few), pictures.read(saved)
+        self.assertGreater((few != saved)[:26, :700].any(axis=2).sum(), 300, "more than that there are too few points")
+        self.assertEqual(sorted(file.name for file in self.work.iterdir()), ["below", "notes.txt", "part.off"])
+
     def test_the_example_is_meshed_and_has_no_session(self):
         mesh = self.work / "mesh.off"
         self.play("x", "n", *"900", "Return", "Control+j", "Control+s", model=("-o", mesh))
@@ -170,6 +179,21 @@ class Files(ViewTest):
             with self.fed(slow, CUBE.encode()):
                 after = window.settle(after=before)
             self.assertGreater((after != before)[600:760, 20:370].any(axis=2).mean(), 0.05, "another model's control map")
+            # A page that was opened meanwhile stays, with what is typed there.
+            for key in ("Control_L+o", *"slow", "Return"):
+                window.key(key)
+            window.settle(after=after)
+            window.key("Control_L+o")
+            page = window.settle()
+            with self.fed(slow, FANDISK.read_bytes()):
+                for key in "quit":
+                    window.key(key)
+                typed = window.settle(after=page)
+                time.sleep(1)
+                self.assertEqual(np.abs(window.picture() - typed)[100:600, 300:900].max(), 0)
+                window.key("Escape")
+                model = window.settle(after=typed)
+            self.assertGreater((model != after)[600:760, 20:370].any(axis=2).mean(), 0.05, "then it comes")
 
     def test_a_file_that_takes_long_is_waited_for_on_a_page(self):
         """Where it is named on the command line; what cannot be read ends the program as ever."""
