@@ -115,16 +115,24 @@ MeshColors measureColors(
     colors.angle[c] = std::min(colors.angle[c], static_cast<float>(shape.smallestAngle));
     colors.deviation[c] = std::max(colors.deviation[c], distances[f]);
   }
-  std::vector<int> order(cells);
-  std::iota(order.begin(), order.end(), 0);
-  const auto worse = [&colors](int a, int b) {
-    return std::pair(colors.angle[static_cast<std::size_t>(a)], a) <
-      std::pair(colors.angle[static_cast<std::size_t>(b)], b);
-  };
-  const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(cells, WorstOfAll));
-  std::partial_sort(order.begin(), last, order.end(), worse);
-  colors.worst.assign(order.begin(), last);
   return colors;
+}
+
+std::vector<int> worstOf(const MeshColors& colors, MeshColoring coloring)
+{
+  const std::vector<float>& values =
+    coloring == MeshColoring::Plain ? colors.angle : valuesOf(colors, coloring);
+  const float sign = coloring == MeshColoring::Deviation ? -1.F : 1.F; // the least is the worst
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto worse = [&values, sign](int a, int b) {
+    return std::pair(sign * values[static_cast<std::size_t>(a)], a) <
+      std::pair(sign * values[static_cast<std::size_t>(b)], b);
+  };
+  const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), WorstOfAll));
+  std::partial_sort(order.begin(), last, order.end(), worse);
+  order.erase(last, order.end());
+  return order;
 }
 
 const std::vector<float>& valuesOf(const MeshColors& colors, MeshColoring coloring)

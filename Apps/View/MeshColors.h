@@ -27,7 +27,6 @@ struct MeshColors
   std::vector<float> deviation; ///< of its middle from the input, in percent of the diagonal
   /// Of the input's points from the mesh, in percent of the diagonal.
   std::vector<float> missed;
-  std::vector<int> worst; ///< those of the smallest angles, the worst first, at most WorstOfAll
 };
 
 constexpr std::size_t WorstOfAll = 100;
@@ -36,6 +35,10 @@ constexpr std::size_t WorstOfAll = 100;
 /// so.
 [[nodiscard]] MeshColors measureColors(
   vtkPolyData* mesh, const NearestTriangle& input, const std::function<bool()>& stopped);
+
+/// The triangles that are the worst by what they are coloured by, or else by their angles; the
+/// worst first, at most WorstOfAll.
+[[nodiscard]] std::vector<int> worstOf(const MeshColors& colors, MeshColoring coloring);
 
 /// The largest of some distances; 0 if there are none.
 [[nodiscard]] double largestOf(const std::vector<float>& distances);

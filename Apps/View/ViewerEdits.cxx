@@ -65,7 +65,9 @@ void Viewer::edit(const std::function<void(Session&)>& change, bool rests)
 void Viewer::changeView(const std::function<void(ViewState&)>& change)
 {
   const bool help = this->View.help;
+  const MeshColoring coloring = this->View.coloring;
   change(this->View);
+  this->NextWorst = this->View.coloring == coloring ? this->NextWorst : 0; // of others
   if (this->View.help != help)
   {
     this->Window.showOverlay(this->View.help);

@@ -208,8 +208,9 @@ bool Viewer::commandKey(const KeyStroke& stroke)
 
 void Viewer::goToWorst()
 {
-  const std::vector<int> none;
-  const std::vector<int>& worst = this->Mesh ? this->Mesh->colors.worst : none;
+  const MeshColoring coloring = this->View.coloring;
+  const std::vector<int> worst =
+    this->Mesh ? worstOf(this->Mesh->colors, coloring) : std::vector<int>();
   if (worst.empty())
   {
     this->say("There is no mesh yet.");
@@ -227,9 +228,16 @@ void Viewer::goToWorst()
   lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), corners);
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
-  char text[128];
-  std::snprintf(text, sizeof(text), "Triangle %d: smallest angle %.1f\u00b0; %zu of the %zu worst.",
-    cell, this->Mesh->colors.angle[static_cast<std::size_t>(cell)], place + 1, worst.size());
-  this->say(text);
+  const auto at = static_cast<std::size_t>(cell);
+  const MeshColors& colors = this->Mesh->colors;
+  char figure[64];
+  coloring == MeshColoring::Deviation
+    ? std::snprintf(
+        figure, sizeof(figure), "%.3g %% of the diagonal from the input", colors.deviation[at])
+    : coloring == MeshColoring::Quality
+    ? std::snprintf(figure, sizeof(figure), "quality %.3f", colors.quality[at])
+    : std::snprintf(figure, sizeof(figure), "smallest angle %.1f\u00b0", colors.angle[at]);
+  this->say("Triangle " + std::to_string(cell) + ": " + figure + "; " + std::to_string(place + 1) +
+    " of the " + std::to_string(worst.size()) + " worst.");
 }
 }

@@ -108,16 +108,23 @@ TEST(MeshColors, AreTheFiguresOfTheMesh)
   ASSERT_EQ(colors.angle.size(), static_cast<std::size_t>(quality.numberOfTriangles));
   const auto least = std::min_element(colors.angle.begin(), colors.angle.end());
   EXPECT_NEAR(*least, quality.minimumAngle, 1e-4);
-  EXPECT_EQ(colors.worst.front(), static_cast<int>(least - colors.angle.begin()));
-  EXPECT_EQ(colors.worst.size(), WorstOfAll);
-  EXPECT_EQ(std::set<int>(colors.worst.begin(), colors.worst.end()).size(), WorstOfAll);
-  for (std::size_t i = 1; i < colors.worst.size(); ++i)
+  const std::vector<int> worst = worstOf(colors, MeshColoring::Plain);
+  EXPECT_EQ(worst, worstOf(colors, MeshColoring::Angle));
+  EXPECT_EQ(worst.front(), static_cast<int>(least - colors.angle.begin()));
+  EXPECT_EQ(worst.size(), WorstOfAll);
+  EXPECT_EQ(std::set<int>(worst.begin(), worst.end()).size(), WorstOfAll);
+  for (std::size_t i = 1; i < worst.size(); ++i)
   {
-    EXPECT_LE(colors.angle[static_cast<std::size_t>(colors.worst[i - 1])],
-      colors.angle[static_cast<std::size_t>(colors.worst[i])]);
+    EXPECT_LE(colors.angle[static_cast<std::size_t>(worst[i - 1])],
+      colors.angle[static_cast<std::size_t>(worst[i])]);
   }
   // Triangles of a sphere lie below it.
   const auto most = *std::max_element(colors.deviation.begin(), colors.deviation.end());
+  const std::vector<int> farthest = worstOf(colors, MeshColoring::Deviation);
+  EXPECT_EQ(colors.deviation[static_cast<std::size_t>(farthest.front())], most);
+  EXPECT_LE(colors.deviation[static_cast<std::size_t>(farthest.back())], most);
+  EXPECT_EQ(colors.quality[static_cast<std::size_t>(worstOf(colors, MeshColoring::Quality)[0])],
+    *std::min_element(colors.quality.begin(), colors.quality.end()));
   EXPECT_GT(most, 0.02F);
   EXPECT_LT(most, 2.F);
 }
