@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
+include(StipplePrecompile)
+
 # stipple_add_module(MODULE CLASSES vtkX... KERNELS X... HEADERS X...): a VTK module of vtkX.{h,cxx} and, as plain
 # C++17 beside them, of X.{h,cxx} and X.h, which are private to the project: not installed, but seen by its other
 # targets.
