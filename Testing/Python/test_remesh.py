@@ -524,7 +524,7 @@ class BadInput(unittest.TestCase):
         self.check(ValueError, "image_projection", mesh, 300, image_projection="w")
         self.check(ValueError, "band_pass", mesh, 300, band_pass=(3, 2))
         self.check(ValueError, "band_pass", mesh, 300, band_pass=3)
-        self.check(ValueError, r"strokes\[0\]", mesh, 300, strokes=[(0, 0, 1, 0, 1)])
+        self.check(ValueError, r"strokes\[0\]", mesh, 300, strokes=[(0, 0, 1, -1, 1)])
         self.check(ValueError, "diffusion", mesh, 300, diffusion="zhoufang")
         self.check(ValueError, "transfer", mesh, 300, transfer=[1, 2, 3])
         self.check(ValueError, "did you mean 'adaptive'", mesh, 300, preset="adaptiv")
