@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 # stipple_precompile(TARGET HEADER...): what nearly every source of the target includes is compiled once, which halves
-# the time of a source; in targets of few sources it would take more than it saves. Sources include what they use all
+# the time of a test's source, and takes a third from others'; in targets of few sources it would take more than it saves. Sources include what they use all
 # the same: clang-tidy, and builds with CMAKE_DISABLE_PRECOMPILE_HEADERS, have nothing else.
 function (stipple_precompile target)
   get_target_property(sources ${target} SOURCES)

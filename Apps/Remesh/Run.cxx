@@ -200,6 +200,24 @@ vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
   return lost ? lost->GetNumberOfLines() : 0;
 }
 
+/// Of what somebody at a terminal may not expect.
+void warn(vtkGeometryRemesher* remesher)
+{
+  const auto say = [](const char* sentence, vtkIdType number) {
+    if (number > 0)
+    {
+      std::fprintf(stderr, sentence, static_cast<long long>(number));
+    }
+  };
+  say("stipple: warning: edges of the input that have more than two triangles, where it was cut "
+      "apart: %lld\n",
+    remesher->GetAtlas()->GetNumberOfSplitEdges());
+  say(
+    "stipple: warning: feature edges of the input that no edge of the mesh is near to: %lld; more "
+    "points keep them, as does --feature-tolerance 0\n",
+    countLostFeatures(remesher));
+}
+
 Report makeReport(
   const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher, double load, double write)
 {
@@ -430,21 +448,9 @@ Status run(const OptionValues& given)
   {
     status = files.commit();
   }
-  if (const vtkIdType cut = remesher->GetAtlas()->GetNumberOfSplitEdges();
-      status.ok() && bar.isOn() && cut > 0)
+  if (status.ok() && bar.isOn())
   {
-    std::fprintf(stderr,
-      "stipple: warning: edges of the input that have more than two triangles, where it was cut "
-      "apart: %lld\n",
-      static_cast<long long>(cut));
-  }
-  if (const vtkIdType lost = status.ok() && bar.isOn() ? countLostFeatures(remesher) : 0; lost > 0)
-  {
-    std::fprintf(stderr,
-      "stipple: warning: feature edges of the input that no edge of the mesh is near to: %lld; "
-      "more "
-      "points keep them, as does --feature-tolerance 0\n",
-      static_cast<long long>(lost));
+    warn(remesher);
   }
   if (status.ok() && picture.ok())
   {

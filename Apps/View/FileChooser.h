@@ -27,7 +27,7 @@ public:
                                       ///< shown
     bool saves = false;
     std::filesystem::path begin;     ///< a folder, or, where it is saved, the file that is proposed
-    std::filesystem::path input;     ///< a file that is replaced after a warning only
+    std::filesystem::path input;     ///< the surface that is open: told before it is replaced
     std::vector<std::string> recent; ///< files that are offered first; nothing else if it saves
   };
   using Chosen = std::function<void(const std::string& file)>;

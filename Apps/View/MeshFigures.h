@@ -6,9 +6,9 @@
 
 #include "MeshQuality.h"
 
-#include <array>
-
 #include "vtkType.h"
+
+#include <array>
 
 class vtkPolyData;
 

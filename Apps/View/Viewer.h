@@ -200,7 +200,7 @@ private:
   void paint(const Vec3& position, bool begins);
   /// Paint, or none, on all of the surface around what is under the pointer, up to features.
   void fillRegion(bool erases);
-  void addStrokes(const Vec3& position, double radius, double strength);
+  void addStrokes(const Vec3& position, double radius, double strength, bool rests);
   /// It, and its mirror image if the brush mirrors.
   [[nodiscard]] std::vector<Vec3> mirrored(const Vec3& position) const;
   /// The line between both models in one view.

@@ -204,14 +204,12 @@ std::string Viewer::remark() const
   {
     return " Importance and paint do not count while " + why + ".";
   }
-  if (const vtkIdType cut = this->Mesh->figures.cutEdges; cut > 0)
-  {
-    return " Cut apart: " + countOf(cut, "edge", " of more than two triangles.");
-  }
+  const vtkIdType cut = this->Mesh->figures.cutEdges;
   const int lost = this->Mesh->figures.lostFeatureEdges;
-  return lost > 0
-    ? " Lost (violet): " + countOf(lost, "feature edge", " of the input; more points keep them.")
-    : "";
+  return (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
+    (lost > 0 ? " Lost (violet): " +
+          countOf(lost, "feature edge", " of the input; more points keep them.")
+              : "");
 }
 
 void Viewer::paintStatus(Canvas& canvas)

@@ -310,7 +310,7 @@ void Viewer::paint(const Vec3& position, bool begins)
       false);
     return;
   }
-  this->addStrokes(position, radius, this->View.brushErases ? 0 : this->View.brushStrength);
+  this->addStrokes(position, radius, this->View.brushErases ? 0 : this->View.brushStrength, false);
 }
 
 std::vector<Vec3> Viewer::mirrored(const Vec3& position) const
@@ -324,7 +324,7 @@ std::vector<Vec3> Viewer::mirrored(const Vec3& position) const
   return places;
 }
 
-void Viewer::addStrokes(const Vec3& position, double radius, double strength)
+void Viewer::addStrokes(const Vec3& position, double radius, double strength, bool rests)
 {
   this->edit(
     [&](Session& s) {
@@ -335,7 +335,7 @@ void Viewer::addStrokes(const Vec3& position, double radius, double strength)
       }
       s.setList("strokes", std::move(strokes));
     },
-    false);
+    rests);
 }
 
 void Viewer::fillRegion(bool erases)
@@ -346,8 +346,7 @@ void Viewer::fillRegion(bool erases)
     this->say("Under the pointer is no region to fill.");
     return;
   }
-  this->addStrokes(place.position, 0, erases ? 0 : this->View.brushStrength);
-  this->edit([](Session&) {}, true);
+  this->addStrokes(place.position, 0, erases ? 0 : this->View.brushStrength, true);
 }
 
 void Viewer::togglePoint(const PickedPlace& place)

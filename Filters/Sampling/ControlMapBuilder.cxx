@@ -475,15 +475,14 @@ Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const 
 Status ControlMapBuilder::Internals::paintStrokes(vtkPartitionedDataSetCollection* surfaceCharts,
   vtkPolyData* featureGraph, const std::vector<BrushStroke>& wanted)
 {
+  const auto fills = [](const BrushStroke& s) { return s.radius == 0; };
   Atlas::Pointer whole; // with its features
-  std::vector<char> walls;
-  if (std::any_of(wanted.begin(), wanted.end(), [](const BrushStroke& s) { return s.radius == 0; }))
+  if (std::any_of(wanted.begin(), wanted.end(), fills))
   {
     if (Status status = Atlas::read(surfaceCharts, featureGraph, whole); !status.ok())
     {
       return status;
     }
-    walls = whole->halfedgesOn({ BackboneType::Sharp });
     if (whole != this->paintedAtlas)
     {
       this->painted.clear();
@@ -499,6 +498,10 @@ Status ControlMapBuilder::Internals::paintStrokes(vtkPartitionedDataSetCollectio
     this->layers.assign(this->charts.size(), {});
   }
   const std::vector<ControlImage> images = this->views();
+  const auto firstNew = wanted.begin() + static_cast<std::ptrdiff_t>(this->painted.size());
+  const std::vector<char> walls = std::any_of(firstNew, wanted.end(), fills)
+    ? whole->halfedgesOn({ BackboneType::Sharp })
+    : std::vector<char>();
   for (std::size_t i = this->painted.size(); i < wanted.size(); ++i)
   {
     paint(this->atlas->surface(), images, wanted[i], walls, this->layers);
