@@ -79,7 +79,7 @@ stipple_build()
   stipple_start=$(date +%s)
   stipple_say "configuring and building: $*"
   stipple_quietly build/logs/configure.log \
-    cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTIPPLE_WARNINGS_AS_ERRORS=ON
+    cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTIPPLE_WARNINGS_AS_ERRORS=ON -DCMAKE_UNITY_BUILD=ON
   stipple_quietly build/logs/build.log cmake --build build --target "$@"
   stipple_say "built ($(stipple_seconds "$stipple_start"))"
 }

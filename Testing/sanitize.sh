@@ -36,7 +36,7 @@ mkdir -p "$folder"
 # VTK's Python wrappers bring their own interpreter, which is not instrumented.
 stipple_quietly "$folder/configure.log" cmake -S . -B "$folder" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" "-DSTIPPLE_SANITIZE=$sanitizers" "-DSTIPPLE_FUZZ=$fuzz" \
-  -DSTIPPLE_WRAP_PYTHON=OFF
+  -DSTIPPLE_WRAP_PYTHON=OFF -DCMAKE_UNITY_BUILD=ON
 stipple_quietly "$folder/build.log" cmake --build "$folder"
 
 failed=0

@@ -90,12 +90,17 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale)
   property->SetLineWidth(static_cast<float>(pixels > 8. ? scale : 0.5 * scale));
 }
 
-void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
+bool showsInspectionEdges(double pixels)
 {
   // A pixel wide they cover 2 sqrt(3) / length of equilateral triangles: three quarters of these,
   // where no shading is left to see.
   constexpr double Shortest = 4.6;
-  if (pixels < Shortest)
+  return pixels >= Shortest;
+}
+
+void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale)
+{
+  if (!showsInspectionEdges(pixels))
   {
     property->EdgeVisibilityOff();
     return;

@@ -52,6 +52,7 @@ void setEdgeLook(vtkProperty* property, double pixels, double scale);
 /// The same for a window that is looked at closely: dark, and so thin that what lies between short
 /// edges stays light; none where they would hide the shading.
 void setInspectionEdgeLook(vtkProperty* property, double pixels, double scale);
+[[nodiscard]] bool showsInspectionEdges(double pixels);
 
 /// Unlit lines in one colour.
 [[nodiscard]] vtkSmartPointer<vtkActor> lineActor(

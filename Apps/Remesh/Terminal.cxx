@@ -32,7 +32,7 @@ void onAlarm(int)
   if (!Holding)
   {
     constexpr char Text[] = "stipple: interrupted\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, Text, sizeof(Text) - 1);
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, Text, sizeof(Text) - 1);
     endByInterrupt();
   }
 }

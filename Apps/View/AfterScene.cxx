@@ -141,6 +141,12 @@ void AfterScene::setZoom(double pixelsPerLength)
   this->showRightActors();
 }
 
+bool AfterScene::hidesEdges() const
+{
+  return this->Surface && !this->View.wireframe &&
+    !showsInspectionEdges(this->MeshEdge * this->Zoom);
+}
+
 void AfterScene::showRightActors()
 {
   for (int type = 0; type < 3; ++type)

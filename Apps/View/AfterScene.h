@@ -36,6 +36,8 @@ public:
   void setView(const ViewState& view, float lineWidth);
   /// Pixels per unit of length.
   void setZoom(double pixelsPerLength);
+  /// There are edges, too short to be seen.
+  bool hidesEdges() const;
 
 private:
   void showRightActors();

@@ -34,12 +34,13 @@ namespace
 constexpr Pixel SurfacePixel = { { 222, 229, 238 } };
 constexpr Color TagOrange = { { 0.93, 0.50, 0.05 } };
 
-vtkImageData* imageOf(vtkPartitionedDataSetCollection* images, std::size_t chart)
+vtkSmartPointer<vtkImageData> onePixel(const Pixel& color)
 {
-  return images && chart < images->GetNumberOfPartitionedDataSets()
-    ? vtkImageData::SafeDownCast(
-        images->GetPartitionAsDataObject(static_cast<unsigned int>(chart), 0))
-    : nullptr;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(1, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  *static_cast<Pixel*>(image->GetScalarPointer()) = color;
+  return image;
 }
 
 /// The chart's surface with its parameters as texture coordinates in [0, 1].
@@ -62,12 +63,6 @@ vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
     surface->GetPointData()->SetTCoords(coordinates);
   }
   return surface;
-}
-
-double densityOf(vtkFloatArray* control, vtkFloatArray* area, vtkIdType i)
-{
-  const double a = area->GetValue(i);
-  return a > 0 ? control->GetValue(i) / a : 0;
 }
 }
 
@@ -120,10 +115,8 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     this->Renderer->RemoveActor(actor);
   }
   this->Charts.clear();
-  this->Vertices.reset();
-  this->Sampling = nullptr;
-  this->Halftones = nullptr;
-  this->Controls = nullptr;
+  this->Dots.reset();
+  this->Density.clear();
   for (unsigned int c = 0; c < charts->GetNumberOfPartitionedDataSets(); ++c)
   {
     Chart chart;
@@ -137,10 +130,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     chart.actor->GetProperty()->SetBackfaceCulling(this->Solid);
     addPlainLight(chart.actor);
     chart.texture = vtkSmartPointer<vtkImageData>::New();
-    chart.texture->SetDimensions(1, 1, 1);
-    chart.texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    std::copy(SurfacePixel.begin(), SurfacePixel.end(),
-      static_cast<unsigned char*>(chart.texture->GetScalarPointer()));
+    chart.texture->ShallowCopy(onePixel(SurfacePixel));
     vtkNew<vtkTexture> texture;
     texture->SetInputData(chart.texture);
     texture->SetColorModeToDirectScalars();
@@ -151,6 +141,7 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     this->Renderer->AddActor(chart.actor);
     this->Charts.push_back(chart);
   }
+  this->showTextures();
   this->Samples.setCharts(charts);
   for (vtkActor* actor : this->Samples.actors())
   {
@@ -165,76 +156,38 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
   this->showRightActors();
 }
 
-void BeforeScene::setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
-  vtkPartitionedDataSetCollection* controls, std::shared_ptr<const MeshDots> dots)
+void BeforeScene::setDensity(std::vector<vtkSmartPointer<vtkImageData>> density)
 {
-  this->Vertices = std::move(dots);
-  this->Sampling = samples;
-  this->Halftones = halftones;
-  this->Controls = controls;
-  this->paintTextures();
+  this->Density = std::move(density);
+  this->showTextures();
 }
 
-void BeforeScene::setVertices(std::shared_ptr<const MeshDots> vertices)
+void BeforeScene::setDots(std::shared_ptr<const DotImages> dots)
 {
-  if (vertices != this->Vertices)
+  if (dots && dots != this->Dots)
   {
-    this->Vertices = std::move(vertices);
-    this->paintTextures();
+    this->Dots = std::move(dots);
+    this->Samples.setImages(*this->Dots);
   }
 }
 
-void BeforeScene::paintTextures()
+/// Colours of charts, or of densities where these are shown and there.
+void BeforeScene::showTextures()
 {
-  if (!this->Halftones || this->View.display == Display::Input)
-  {
-    return;
-  }
-  if (this->View.display == Display::Samples)
-  {
-    if (this->Vertices)
-    {
-      this->Samples.setVertices(*this->Vertices, this->Halftones);
-    }
-    else
-    {
-      this->Samples.setSamples(this->Sampling, this->Halftones);
-    }
-    return;
-  }
-  const bool density = this->View.display == Display::Density;
-  // The mean density is all control over all area: what is beside the charts' faces has none.
-  double control = 0;
-  double area = 0;
-  std::vector<std::pair<vtkFloatArray*, vtkFloatArray*>> maps(this->Charts.size());
-  for (std::size_t c = 0; density && c < this->Charts.size(); ++c)
-  {
-    vtkImageData* image = imageOf(this->Controls, c);
-    const double pixel = image->GetSpacing()[0] * image->GetSpacing()[1];
-    maps[c] = { vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control")),
-      vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("AreaDistortion")) };
-    for (vtkIdType i = 0; maps[c].first && i < maps[c].first->GetNumberOfValues(); ++i)
-    {
-      control += pixel * maps[c].first->GetValue(i);
-      area += pixel * std::max(0.F, maps[c].second->GetValue(i));
-    }
-  }
-  const double mean = control > 0 && area > 0 ? control / area : 1;
+  const bool density =
+    this->View.display == Display::Density && this->Density.size() == this->Charts.size();
   for (std::size_t c = 0; c < this->Charts.size(); ++c)
   {
     vtkImageData* texture = this->Charts[c].texture;
-    vtkImageData* image = imageOf(this->Controls, c);
-    const int one[3] = { 1, 1, 1 };
-    texture->SetDimensions(density ? image->GetDimensions() : one);
-    texture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    auto* pixels = reinterpret_cast<Pixel*>(texture->GetScalarPointer());
-    for (vtkIdType i = 0; i < texture->GetNumberOfPoints(); ++i)
+    if (density)
     {
-      pixels[i] = density
-        ? divergingColor(densityShare(densityOf(maps[c].first, maps[c].second, i) / mean))
-        : chartColor(static_cast<int>(c));
+      texture->ShallowCopy(this->Density[c]);
     }
-    texture->Modified();
+    else
+    {
+      texture->ShallowCopy(onePixel(
+        this->View.display == Display::Charts ? chartColor(static_cast<int>(c)) : SurfacePixel));
+    }
   }
 }
 
@@ -267,7 +220,7 @@ void BeforeScene::setView(const ViewState& view, float lineWidth)
   this->LineWidth = lineWidth;
   if (repaint)
   {
-    this->paintTextures();
+    this->showTextures();
   }
   if (recolor)
   {
@@ -312,6 +265,12 @@ void BeforeScene::setZoom(double pixelsPerLength)
 {
   this->Zoom = pixelsPerLength;
   this->showRightActors();
+}
+
+bool BeforeScene::hidesEdges() const
+{
+  return this->View.display == Display::Input && !this->View.wireframe &&
+    !showsInspectionEdges(this->InputEdge * this->Zoom);
 }
 
 bool BeforeScene::setMarks(const Session& session)
@@ -367,7 +326,7 @@ void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radi
     lines->InsertNextCell(Steps + 1);
     for (int i = 0; i < Steps; ++i)
     {
-      const double angle = 2 * 3.14159265358979323846 * i / Steps;
+      const double angle = 2 * Pi * i / Steps;
       const Vec3 p = position + 0.05 * radius * normal +
         radius * (std::cos(angle) * across + std::sin(angle) * along);
       points->InsertNextPoint(p.data());

@@ -33,12 +33,10 @@ public:
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
-  /// New samples: both outputs of the sampler, the control images, and dots to be shown in place of
-  /// the samples, if any.
-  void setPreview(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
-    vtkPartitionedDataSetCollection* controls, std::shared_ptr<const MeshDots> dots);
-  /// The dots of a mesh that is there, instead of samples; until the next preview.
-  void setVertices(std::shared_ptr<const MeshDots> vertices);
+  /// How dense samples are wanted, an image a chart (densityImages()).
+  void setDensity(std::vector<vtkSmartPointer<vtkImageData>> density);
+  /// The samples, or a mesh's vertices.
+  void setDots(std::shared_ptr<const DotImages> dots);
   /// `colors` has how far the input's points are from the mesh; it is not kept alive.
   void setMissed(const MeshColors& colors);
   void setView(const ViewState& view, float lineWidth);
@@ -52,6 +50,8 @@ public:
   vtkActor* points();
   /// Edges are drawn as far as they can be told apart; pixels per unit of length.
   void setZoom(double pixelsPerLength);
+  /// The input's edges are asked for, and too short to be seen.
+  bool hidesEdges() const;
 
 private:
   /// In one colour, or coloured by density.
@@ -60,7 +60,7 @@ private:
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkImageData> texture;
   };
-  void paintTextures();
+  void showTextures();
   void paintMissed();
   void showRightActors();
 
@@ -74,10 +74,8 @@ private:
   const MeshColors* Missed = nullptr;
   std::vector<Chart> Charts;
   SampleTextures Samples;
-  vtkSmartPointer<vtkPolyData> Sampling;
-  std::shared_ptr<const MeshDots> Vertices; ///< null: the samples are shown
-  vtkSmartPointer<vtkPartitionedDataSetCollection> Halftones;
-  vtkSmartPointer<vtkPartitionedDataSetCollection> Controls;
+  std::shared_ptr<const DotImages> Dots;              ///< that are shown
+  std::vector<vtkSmartPointer<vtkImageData>> Density; ///< by chart
   vtkSmartPointer<vtkActor> Surface;
   vtkSmartPointer<vtkActor> Wires;              ///< the input's edges alone
   std::vector<vtkSmartPointer<vtkActor>> Lines; ///< sharp, boundary, seam

@@ -10,6 +10,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
+#include "vtkErrorDiffusionSampler.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkImageData.h"
@@ -194,7 +195,8 @@ bool MeshWorker::inspect(MeshResult& result)
     this->Remesher->GetAtlas()->GetOutputDataObject(0));
   if (this->StopAsked == GoOn && Atlas::read(charts, nullptr, atlas).ok())
   {
-    result.dots = std::make_shared<MeshDots>(placeOnCharts(result.mesh, *atlas));
+    result.dots = DotPainter(charts).paint(placeOnCharts(result.mesh, *atlas),
+      this->Remesher->GetSampler()->GetHalftones(), [this] { return this->StopAsked != GoOn; });
   }
   return this->StopAsked == GoOn;
 }

@@ -5,8 +5,8 @@
 #ifndef stipple_MeshWorker_h
 #define stipple_MeshWorker_h
 
+#include "DotPainter.h"
 #include "MeshColors.h"
-#include "MeshDots.h"
 #include "MeshFigures.h"
 #include "SessionWorker.h"
 
@@ -44,7 +44,7 @@ struct MeshResult
   vtkSmartPointer<vtkPolyData> lost; ///< sharp lines of the input that it has not; null: none
   MeshFigures figures;
   MeshColors colors;
-  std::shared_ptr<const MeshDots> dots; ///< on the charts that were handed over last
+  std::shared_ptr<const DotImages> dots; ///< its vertices, on the charts that were handed over last
   double seconds = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "TextNumbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -76,15 +77,23 @@ void NumberField::finish(bool accept)
     return;
   }
   this->Typed.finish();
-  double value = 0;
-  const bool number = this->Typed.value(value);
   // What is shown and typed again is meant, too: a number that followed may be fixed by it.
-  if (!accept || !this->Typed.touched() ||
-    (!number && (!this->Typed.text().empty() || !this->Limits.automatic)))
+  if (!accept || !this->Typed.touched())
   {
     return;
   }
+  const std::string& text = this->Typed.text();
+  double typed = 0;
+  if (!this->Typed.value(typed) && (!text.empty() || !this->Limits.automatic))
+  {
+    if (!text.empty())
+    {
+      this->tell(text + " is no number.");
+    }
+    return;
+  }
   const double low = this->Limits.low;
+  const double value = this->Limits.whole ? std::round(typed) : typed;
   const double within =
     this->Limits.automatic && value == 0 ? 0 : std::clamp(value, low, this->Limits.high);
   if (within == value || !TypedNumber::isOpen(low)) // or nothing is next to it
@@ -94,6 +103,10 @@ void NumberField::finish(bool accept)
   if (within != value)
   {
     this->tell(TypedNumber::whyNot(value, low, this->Limits.high));
+  }
+  else if (value != typed)
+  {
+    this->tell(text + " is taken as " + grouped(static_cast<long long>(value)) + ".");
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreviewWorker.h"
 
+#include "DensityImages.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -122,6 +124,7 @@ void PreviewWorker::perform(const Session& session)
   {
     this->Sampling.setAtlas(*this->Atlas);
     this->Relaxation = std::make_unique<SampleRelaxation>(this->Atlas->charts, this->Atlas->graph);
+    this->Painter = std::make_unique<DotPainter>(this->Atlas->charts);
     this->HistogramOf.clear();
   }
   auto result = this->sample(session);
@@ -146,15 +149,18 @@ std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
   result->problem = status.ok() ? "" : status.message();
   if (status.ok())
   {
-    result->samples = vtkSmartPointer<vtkPolyData>::New();
-    result->samples->DeepCopy(this->Sampling.samples());
+    vtkPolyData* samples = this->Sampling.samples();
+    result->numberOfSamples = samples->GetNumberOfPoints();
     // Where a frame has time for it; one slow frame among others changes nothing.
     const double own = std::chrono::duration<double>(Clock::now() - begin).count();
     this->Pace += NewestShare * (own - this->Pace);
-    result->dots = this->Pace < QuickPace ? this->Relaxation->relax(result->samples) : nullptr;
-    result->halftones = copyOfImages(this->Sampling.halftones(), { "Halftone", "FaceIndex" });
-    result->controls =
-      copyOfImages(this->Sampling.controls(), { "Control", "AreaDistortion", "FaceIndex" });
+    const auto relaxed = this->Pace < QuickPace ? this->Relaxation->relax(samples) : nullptr;
+    const stipple::Stop stop = [this] { return this->Stop.load(); };
+    vtkPartitionedDataSetCollection* halftones = this->Sampling.halftones();
+    result->dots = relaxed ? this->Painter->paint(*relaxed, halftones, stop)
+                           : this->Painter->paint(samples, halftones, stop);
+    result->density = densityImages(this->Sampling.controls());
+    result->controls = copyOfImages(this->Sampling.controls(), { "Control", "FaceIndex" });
   }
   std::string importance;
   for (const char* name : { "importance", "importance_array", "image_projection" })

@@ -5,6 +5,7 @@
 #ifndef stipple_PreviewWorker_h
 #define stipple_PreviewWorker_h
 
+#include "DotPainter.h"
 #include "MeshWorker.h"
 #include "Preview.h"
 #include "SampleRelaxation.h"
@@ -17,9 +18,10 @@ struct PreviewResult
 {
   Session session;     ///< that it was made with
   std::string problem; ///< why there are no samples, a sentence; empty if there are
-  vtkSmartPointer<vtkPolyData> samples;
-  std::shared_ptr<const MeshDots> dots; ///< the samples as they are shown; null: as they are
-  vtkSmartPointer<vtkPartitionedDataSetCollection> halftones;
+  vtkIdType numberOfSamples = 0;
+  std::shared_ptr<const DotImages> dots;              ///< on the charts
+  std::vector<vtkSmartPointer<vtkImageData>> density; ///< densityImages()
+  /// Images with `Control` and `FaceIndex`.
   vtkSmartPointer<vtkPartitionedDataSetCollection> controls;
   std::vector<double> histogram; ///< Preview::importanceHistogram()
   double seconds = 0;
@@ -56,6 +58,7 @@ private:
 
   Preview Sampling;                             ///< the thread's
   std::unique_ptr<SampleRelaxation> Relaxation; ///< the thread's
+  std::unique_ptr<DotPainter> Painter;          ///< the thread's
   double Pace = 0;                              ///< the thread's: seconds that sampling takes
   int Bars;
   std::string HistogramOf;              ///< the thread's: the importance of

@@ -9,7 +9,7 @@
 #ifndef stipple_SampleTextures_h
 #define stipple_SampleTextures_h
 
-#include "MeshDots.h"
+#include "DotPainter.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -19,25 +19,9 @@
 class vtkActor;
 class vtkImageData;
 class vtkPartitionedDataSetCollection;
-class vtkPolyData;
 
 namespace stipple
 {
-/// Squared length on the surface of a step (du, dv): uu du^2 + 2 uv du dv + vv dv^2.
-struct SurfaceMetric
-{
-  double uu = 1;
-  double uv = 0;
-  double vv = 1;
-
-  double squared(double du, double dv) const
-  {
-    return this->uu * du * du + 2 * this->uv * du * dv + this->vv * dv * dv;
-  }
-  /// Area on the surface over area in the plane.
-  double area() const;
-};
-
 class SampleTextures
 {
 public:
@@ -50,32 +34,13 @@ public:
   void setCharts(vtkPartitionedDataSetCollection* charts);
   const std::vector<vtkSmartPointer<vtkActor>>& actors() const { return this->Actors; }
 
-  /// Both outputs of the sampler on these charts.
-  void setSamples(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones);
-  /// A mesh's vertices, on textures as fine as these halftones.
-  void setVertices(const MeshDots& vertices, vtkPartitionedDataSetCollection* halftones);
+  /// Those of the charts that are shown; others are not looked at.
+  void setImages(const DotImages& images);
 
 private:
-  struct Dot;
-  void placeDots(vtkPolyData* samples, std::vector<Dot>& dots);
-  void show(vtkPolyData* samples, vtkPartitionedDataSetCollection* halftones,
-    const std::vector<DotBeyond>* beyond);
-  void paintChart(int chart, vtkImageData* halftone, const std::vector<Dot>& dots,
-    const std::vector<int>& ofChart, const std::vector<int>& onLines,
-    const std::vector<DotBeyond>* beyond);
-
-  const AtlasSurface& surface() const { return this->Charted->surface(); }
-
-  Atlas::Pointer Charted;
-  std::vector<SurfaceMetric> Metrics; ///< by face
-  double SurfaceArea = 0;
-  double LargestDot = 0;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkSmartPointer<vtkImageData>> Numbers; ///< by chart
-  std::vector<std::vector<float>> Distances; ///< by chart; kept, for it takes time to ask for
-                                             ///< memory
-  vtkNew<vtkImageData> Places;               ///< x, y, z, radius of each sample
-  Vec3 Origin = Vec3::Zero(); ///< what places are relative to: the numbers are small then
+  vtkNew<vtkImageData> Places;
 };
 }
 

@@ -6,7 +6,6 @@
 #include "TextNumbers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace stipple
@@ -70,9 +69,7 @@ bool TypedNumber::value(double& number) const
   }
   std::string plain = withoutGroups(this->text());
   std::replace(plain.begin(), plain.end(), ',', '.');
-  const bool good = parseNumber(plain, number);
-  number = std::round(number);
-  return good;
+  return parseNumber(plain, number);
 }
 
 bool TypedNumber::isOpen(double low)

@@ -20,7 +20,7 @@ public:
     GivenUp   ///< Esc
   };
 
-  /// Whole numbers have no sign; 1e4, 2.5e3 and 12,345 are some, and others are rounded.
+  /// Whole numbers have no sign; 1e4, 2.5e3 and 12,345 are some.
   explicit TypedNumber(bool whole);
 
   /// Begins with a number that the first letter replaces, or with none.
@@ -30,7 +30,7 @@ public:
   /// Something was typed, be it what was there.
   bool touched() const { return this->Touched; }
   const std::string& text() const { return this->Line.text(); }
-  /// False if what is typed is no number.
+  /// As it is typed, whole or not. False if it is no number.
   [[nodiscard]] bool value(double& number) const;
   TypedText& line() { return this->Line; }
   /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a

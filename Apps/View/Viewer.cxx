@@ -29,6 +29,7 @@
 #include <cmath>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 namespace stipple
 {
@@ -315,6 +316,10 @@ void Viewer::tick()
   {
     this->Window.draw(true);
   }
+  if (this->AfterDraw && !this->Window.dirty())
+  {
+    std::exchange(this->AfterDraw, nullptr)();
+  }
 }
 
 bool Viewer::atRest()
@@ -322,7 +327,7 @@ bool Viewer::atRest()
   const bool previewIsDue = this->PreviewIsOld && this->HasAtlas;
   return this->WantedFile.empty() && (!this->MeshWanted || this->Starts) && this->Worker.idle() &&
     !previewIsDue && this->Sampler.idle() && this->activity() == this->Doing && !this->StripIsOld &&
-    !this->StaleIsOld && !this->Window.dirty() && !this->Window.rough();
+    !this->StaleIsOld && !this->AfterDraw && !this->Window.dirty() && !this->Window.rough();
 }
 
 void Viewer::settle()
@@ -403,8 +408,8 @@ bool Viewer::takePreview()
   this->PreviewProblem = preview->problem;
   if (preview->problem.empty())
   {
-    this->BeforeSide.setPreview(
-      preview->samples, preview->halftones, preview->controls, preview->dots);
+    this->BeforeSide.setDensity(std::move(preview->density));
+    this->BeforeSide.setDots(std::move(preview->dots));
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
@@ -423,7 +428,7 @@ void Viewer::showVertices()
 {
   if (this->showsVertices())
   {
-    this->BeforeSide.setVertices(this->Mesh->dots);
+    this->BeforeSide.setDots(this->Mesh->dots);
     this->Window.touch(ViewerWindow::Before);
   }
 }
@@ -564,7 +569,7 @@ void Viewer::changed(bool rests)
 
 void Viewer::showSession()
 {
-  const int points = this->Shown ? static_cast<int>(this->Shown->samples->GetNumberOfPoints()) : 0;
+  const int points = this->Shown ? static_cast<int>(this->Shown->numberOfSamples) : 0;
   // Of equilateral triangles that are alike, as many as the mesh has.
   const vtkIdType number = this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0;
   this->Controls.show(this->Now, this->View, points,

@@ -284,6 +284,7 @@ private:
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
   std::function<void()> AfterSaving; ///< what waits for that
+  std::function<void()> AfterDraw;   ///< takes long, once what is said of it can be read
   std::string Message;
   std::string Hint; ///< of what is under the pointer
   bool MessageAlarm = false;

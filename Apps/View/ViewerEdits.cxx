@@ -194,7 +194,10 @@ void Viewer::writePictureFile()
 
 void Viewer::saveFigures()
 {
-  this->replaceFirst(this->Files.figures + "-before.png", [this] { this->writeFigureFiles(); });
+  this->replaceFirst(this->Files.figures + "-before.png", [this] {
+    this->say("Drawing the figures ...");
+    this->AfterDraw = [this] { this->writeFigureFiles(); };
+  });
 }
 
 void Viewer::writeFigureFiles()

@@ -97,7 +97,7 @@ bool Viewer::key(const KeyStroke& stroke)
   }
   else if (key == "w" || key == "s")
   {
-    this->changeView([&key](ViewState& v) { v.wireframe = key == "w"; });
+    this->changeView([&key](ViewState& v) { v.wireframe = key == "w" && !v.wireframe; });
   }
   else if (key == "X" || key == "Y" || key == "Z")
   {

@@ -73,7 +73,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
       : this->showsVertices() && this->View.display == Display::Samples &&
         this->Now.text("select_array").empty()
       ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "sample", ", as the mesh has them")
-      : this->Shown ? countOf(this->Shown->samples->GetNumberOfPoints(), "sample")
+      : this->Shown ? countOf(this->Shown->numberOfSamples, "sample")
                     : this->Doing.sampleNote();
   }
   else
@@ -83,6 +83,10 @@ void Viewer::paintView(Canvas& canvas, bool before)
         countOf(this->Mesh->mesh->GetNumberOfPolys(),
           this->Mesh->session.text("pattern") == "quads" ? "face" : "triangle")
                         : "";
+  }
+  if (before ? this->BeforeSide.hidesEdges() : this->AfterSide.hidesEdges())
+  {
+    detail += ", edges nearer";
   }
   const float y = view.top() - 18 * s;
   const TextLook bold{ 15, shades::Word, Align::Left, true };

@@ -5,14 +5,14 @@
 #ifndef stipple_AtlasConstants_h
 #define stipple_AtlasConstants_h
 
+#include "Geometry.h"
+
 #include <cstddef>
 
 namespace stipple
 {
 struct AtlasConstants
 {
-  static constexpr double Pi = 3.14159265358979323846;
-
   // What is read (SurfaceRepair, FeatureCurves, ChartWriter).
 
   /// Sides of a surface's bounding box: the maps hold areas and curvatures in single precision.

@@ -57,7 +57,7 @@ public:
         }
       }
     }
-    std::vector<double> defect(surface.points.size(), 2 * Constants::Pi);
+    std::vector<double> defect(surface.points.size(), 2 * Pi);
     std::vector<int> patchOf(surface.points.size(), -1);
     for (const Halfedge h : surface.halfedges())
     {
@@ -160,14 +160,14 @@ private:
         return false;
       }
       const int v = this->Surface.tail(h).index();
-      turn += Constants::Pi;
+      turn += Pi;
       for (auto at = this->Angle.lower_bound({ v, 0 });
            at != this->Angle.end() && at->first.first == v; ++at)
       {
         turn -= this->find(at->first.second) == into ? at->second : 0.;
       }
     }
-    return turn > -Constants::Pi;
+    return turn > -Pi;
   }
 
   const CutSurface& Surface;
@@ -201,7 +201,7 @@ void cutAlongCreases(CutSurface& surface)
 
 bool isNearlyDevelopable(const TriangleSurface& surface, const ChartMesh& chart)
 {
-  std::vector<double> defect(chart.vertices.size(), 2 * Constants::Pi);
+  std::vector<double> defect(chart.vertices.size(), 2 * Pi);
   for (const Triangle& t : chart.triangles)
   {
     for (int k = 0; k < 3; ++k)
@@ -221,8 +221,7 @@ bool isNearlyDevelopable(const TriangleSurface& surface, const ChartMesh& chart)
       (defect[v] > 0 ? positive : negative) += std::abs(defect[v]);
     }
   }
-  return 2 * Constants::Pi + negative <=
-    Constants::MostSquaredStretch * (2 * Constants::Pi - positive);
+  return 2 * Pi + negative <= Constants::MostSquaredStretch * (2 * Pi - positive);
 }
 
 std::vector<Halfedge> joinLoops(ChartRegions& regions, int region)

@@ -15,7 +15,7 @@ Curvature computeCurvature(const TriangleSurface& surface, const Stop& stop)
   const std::size_t n = surface.points.size();
   Curvature result;
   result.mixedArea.assign(n, 0.);
-  result.gaussian.assign(n, 2 * Constants::Pi);
+  result.gaussian.assign(n, 2 * Pi);
   result.mean.assign(n, 0.);
   std::vector<Vec3> meanNormal(n, Vec3::Zero());
   std::vector<Vec3> normal(n, Vec3::Zero());
@@ -41,7 +41,7 @@ Curvature computeCurvature(const TriangleSurface& surface, const Stop& stop)
       cot[k] = cotangent(a, b, c, 1e3);
       angle[k] = std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
       squared[k] = (c - b).squaredNorm();
-      if (angle[k] > Constants::Pi / 2)
+      if (angle[k] > Pi / 2)
       {
         obtuse = k;
       }
@@ -68,7 +68,7 @@ Curvature computeCurvature(const TriangleSurface& surface, const Stop& stop)
   {
     if (onBoundary[p])
     {
-      result.gaussian[p] -= Constants::Pi;
+      result.gaussian[p] -= Pi;
     }
     const double area = result.mixedArea[p];
     result.gaussian[p] = area > 0 ? result.gaussian[p] / area : 0.;

@@ -11,8 +11,6 @@ namespace stipple
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 struct Edge
 {
   int halfedge;

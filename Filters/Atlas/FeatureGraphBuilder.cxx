@@ -9,8 +9,6 @@ namespace stipple
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 struct GraphEdge
 {
   int a;

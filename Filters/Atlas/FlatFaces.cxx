@@ -120,7 +120,7 @@ private:
       const Vec3 w = b - apex;
       return std::atan2(u.cross(w).norm(), u.dot(w));
     };
-    return angle(c) + angle(d) <= Constants::Pi + Constants::LeastBeyondDelaunay;
+    return angle(c) + angle(d) <= Pi + Constants::LeastBeyondDelaunay;
   }
 
   /// Where two diagonals cross inside both, if the surface moves little when one takes the other's

@@ -27,7 +27,7 @@ RectangleLayout::RectangleLayout(const TriangleSurface& surface, const ChartMesh
   }
   this->Area = std::accumulate(chart.faces.begin(), chart.faces.end(), 0.,
     [&](double sum, Face f) { return sum + surface.faceArea(f); });
-  std::vector<double> turn(chart.vertices.size(), Constants::Pi);
+  std::vector<double> turn(chart.vertices.size(), Pi);
   for (const Triangle& t : chart.triangles)
   {
     for (int k = 0; k < 3; ++k)

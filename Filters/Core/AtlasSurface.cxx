@@ -34,7 +34,7 @@ vtkPolyData* chartOf(vtkPartitionedDataSetCollection* charts, unsigned int c)
 
 namespace
 {
-const char* const Remedy = "pass output port 0 of vtkConformalAtlas";
+const char* const ChartsRemedy = "pass output port 0 of vtkConformalAtlas";
 
 /// Reads one chart after the other.
 class ChartReader
@@ -57,7 +57,8 @@ public:
       vtkPolyData* chart = chartOf(charts, c);
       if (!chart)
       {
-        return Status::error("Chart " + std::to_string(c) + " is no vtkPolyData: " + Remedy + ".");
+        return Status::error(
+          "Chart " + std::to_string(c) + " is no vtkPolyData: " + ChartsRemedy + ".");
       }
       points += chart->GetNumberOfPoints();
       triangles += chart->GetNumberOfPolys();
@@ -99,11 +100,12 @@ public:
     vtkDataArray* source = nullptr;
     vtkDataArray* extent = nullptr;
     for (const Status& status :
-      { findArray(chart->GetPointData(), "UV", 2, numberOfPoints, owner, Remedy, uv),
-        findArray(chart->GetPointData(), "SurfacePointId", 1, numberOfPoints, owner, Remedy, ids),
-        findArray(chart->GetCellData(), "SourceCellId", 1, chart->GetNumberOfCells(), owner, Remedy,
-          source),
-        findArray(chart->GetFieldData(), "ChartExtent", 2, 1, owner, Remedy, extent),
+      { findArray(chart->GetPointData(), "UV", 2, numberOfPoints, owner, ChartsRemedy, uv),
+        findArray(
+          chart->GetPointData(), "SurfacePointId", 1, numberOfPoints, owner, ChartsRemedy, ids),
+        findArray(chart->GetCellData(), "SourceCellId", 1, chart->GetNumberOfCells(), owner,
+          ChartsRemedy, source),
+        findArray(chart->GetFieldData(), "ChartExtent", 2, 1, owner, ChartsRemedy, extent),
         checkCells(chart->GetPolys(), numberOfPoints, "chart " + std::to_string(c.index())) })
     {
       if (!status.ok())
@@ -115,7 +117,7 @@ public:
     if (!(size.x() > 0.) || !(size.y() > 0.) || !size.allFinite())
     {
       return Status::error("The ChartExtent of chart " + std::to_string(c.index()) +
-        " is not positive: " + Remedy + ".");
+        " is not positive: " + ChartsRemedy + ".");
     }
     this->S.extent.push_back(size);
     if (Status status = this->S.flatFaces.read(chart->GetFieldData(), owner); !status.ok())
@@ -155,8 +157,8 @@ private:
       uv->GetTuple(p, this->Parameter[p].data());
       if (!this->S.points[id].allFinite() || !this->Parameter[p].allFinite())
       {
-        return Status::error(
-          "The position or UV of " + nameOf("point ", p, c) + " is not finite: " + Remedy + ".");
+        return Status::error("The position or UV of " + nameOf("point ", p, c) +
+          " is not finite: " + ChartsRemedy + ".");
       }
       this->SurfaceId[p] = id;
     }
@@ -178,7 +180,7 @@ private:
       cells->GetCellAtId(f, size, corner);
       if (size != 3)
       {
-        return Status::error(nameOf("Cell ", f, c) + " is no triangle: " + Remedy + ".");
+        return Status::error(nameOf("Cell ", f, c) + " is no triangle: " + ChartsRemedy + ".");
       }
       const int cell = indexBelow(source->GetComponent(before + f, 0), VTK_INT_MAX);
       if (cell < 0)

@@ -128,7 +128,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
 
 namespace
 {
-const char* const Remedy = "pass output port 1 of vtkConformalAtlas";
+const char* const GraphRemedy = "pass output port 1 of vtkConformalAtlas";
 
 /// What is to be kept of a cell.
 Status readKeep(vtkDataArray* keeps, vtkIdType cell, const std::string& name, Keep& keep)
@@ -153,9 +153,9 @@ Status readConstraints(
   vtkDataArray* chartCellId = nullptr;
   vtkDataArray* bary = nullptr;
   for (const Status& status :
-    { findArray(data->GetPointData(), "ChartId", 1, n, owner, Remedy, chartId),
-      findArray(data->GetPointData(), "ChartCellId", 1, n, owner, Remedy, chartCellId),
-      findArray(data->GetPointData(), "BarycentricCoordinates", 3, n, owner, Remedy, bary) })
+    { findArray(data->GetPointData(), "ChartId", 1, n, owner, GraphRemedy, chartId),
+      findArray(data->GetPointData(), "ChartCellId", 1, n, owner, GraphRemedy, chartCellId),
+      findArray(data->GetPointData(), "BarycentricCoordinates", 3, n, owner, GraphRemedy, bary) })
   {
     if (!status.ok())
     {
@@ -170,7 +170,7 @@ Status readConstraints(
     const std::string name = "constraint " + std::to_string(i) + " of the feature graph";
     if (size < 1)
     {
-      return Status::error("There is no point in " + name + ": " + Remedy + ".");
+      return Status::error("There is no point in " + name + ": " + GraphRemedy + ".");
     }
     ConstraintPoint c;
     data->GetPoint(ids[0], c.position.data());
@@ -189,7 +189,7 @@ Status readConstraints(
     if (!isBarycentric(c.bary))
     {
       return Status::error("The BarycentricCoordinates of " + name +
-        " are no numbers from 0 that sum to 1: " + Remedy + ".");
+        " are no numbers from 0 that sum to 1: " + GraphRemedy + ".");
     }
     if (Status status = readKeep(keeps, i, name, c.keep); !status.ok())
     {
@@ -216,14 +216,15 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
   vtkDataArray* type = nullptr;
   vtkDataArray* closed = nullptr;
   vtkDataArray* keep = nullptr;
-  for (const Status& status : { findArray(lines->GetPointData(), "SurfacePointId", 1,
-                                  numberOfPoints, owner, Remedy, surfacePointId),
-         findArray(lines->GetPointData(), "IsCorner", 1, numberOfPoints, owner, Remedy, isCorner),
-         findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, Remedy, type),
-         findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, Remedy, closed),
-         findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, Remedy, keep),
-         checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
-         checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
+  for (const Status& status :
+    { findArray(lines->GetPointData(), "SurfacePointId", 1, numberOfPoints, owner, GraphRemedy,
+        surfacePointId),
+      findArray(lines->GetPointData(), "IsCorner", 1, numberOfPoints, owner, GraphRemedy, isCorner),
+      findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, GraphRemedy, type),
+      findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, GraphRemedy, closed),
+      findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, GraphRemedy, keep),
+      checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
+      checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
   {
     if (!status.ok())
     {
@@ -257,7 +258,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
     if (n < (b.closed ? 3 : 2))
     {
       return Status::error(
-        "The " + name + " has " + std::to_string(n) + " points: " + Remedy + ".");
+        "The " + name + " has " + std::to_string(n) + " points: " + GraphRemedy + ".");
     }
     for (vtkIdType k = 0; k < (b.closed ? n - 1 : n); ++k)
     {

@@ -15,6 +15,8 @@ namespace stipple
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
+constexpr double Pi = 3.14159265358979323846;
+
 /// z-component of the cross product of two plane vectors.
 inline double cross2(const Vec2& a, const Vec2& b)
 {

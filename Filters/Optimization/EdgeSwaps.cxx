@@ -212,7 +212,7 @@ int valenceExcess(const OptimizedMesh& mesh, Halfedge start)
     return mesh.valence(v) - 6;
   }
   const auto [triangles, angle] = sectorOf(mesh, start, true);
-  return triangles - std::max(1, static_cast<int>(std::lround(angle / (Tuning::Pi / 3.))));
+  return triangles - std::max(1, static_cast<int>(std::lround(angle / (Pi / 3.))));
 }
 
 int ribExcess(const OptimizedMesh& mesh, Halfedge start)

@@ -7,6 +7,8 @@
 #ifndef stipple_Tuning_h
 #define stipple_Tuning_h
 
+#include "Geometry.h"
+
 #include <array>
 #include <cstddef>
 
@@ -14,8 +16,6 @@ namespace stipple
 {
 struct Tuning
 {
-  static constexpr double Pi = 3.14159265358979323846;
-
   // Rounding: what is nearer than this counts as equal.
   static constexpr double RoundingOfAngle = 1e-9;
   /// Share of two folded triangles' area that a swap must take away: beyond rounding.

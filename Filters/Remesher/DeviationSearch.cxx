@@ -26,7 +26,7 @@ double pointsOfSphere(double diagonal, double deviation)
 {
   const double radius = diagonal / (2. * std::sqrt(3.));
   const double squaredEdge = 6. * radius * deviation;
-  const double area = 4. * 3.14159265358979323846 * radius * radius;
+  const double area = 4. * Pi * radius * radius;
   return 2. / std::sqrt(3.) * area / squaredEdge;
 }
 

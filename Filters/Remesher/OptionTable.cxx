@@ -152,9 +152,15 @@ public:
     option.name = name;
     option.argument = argument;
     option.help = help;
-    option.initial = kind == Kind::Rows          ? OptionValue(std::vector<double>())
-      : kind == Kind::Text || kind == Kind::File ? OptionValue(std::string())
-                                                 : OptionValue(0.);
+    option.initial = 0.;
+    if (kind == Kind::Rows)
+    {
+      option.initial = std::vector<double>();
+    }
+    else if (kind == Kind::Text || kind == Kind::File)
+    {
+      option.initial = std::string();
+    }
     this->Rows.push_back(option);
     return this->Rows.back();
   }

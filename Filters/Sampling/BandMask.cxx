@@ -18,7 +18,7 @@ namespace
 using Constants = SamplingConstants;
 
 /// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
-constexpr double DiscLimit = 1. / 3.14159265358979323846;
+constexpr double DiscLimit = 1. / Pi;
 
 /// The first column (or row) of the raster in each column of the image, and where the last ends.
 std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)

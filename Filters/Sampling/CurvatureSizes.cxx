@@ -17,7 +17,6 @@ namespace stipple
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr const char* ArrayName = "LargestNormalCurvature";
 
 Status sizesOfFaces(const AtlasSurface& surface, const CurvatureSizeOptions& options,

@@ -35,7 +35,7 @@ STIPPLEFILTERSSAMPLING_EXPORT Status curvatureSizes(const AtlasSurface& surface,
 /// on a sphere of this diameter. (A closed surface within a sphere is somewhere bent as much.)
 inline double largestOfTurn(double pointsPerTurn, double diagonal)
 {
-  return 3.14159265358979323846 * diagonal / pointsPerTurn;
+  return Pi * diagonal / pointsPerTurn;
 }
 }
 

@@ -170,7 +170,7 @@ void vtkHeadlessRenderWindow::Finalize()
 void vtkHeadlessRenderWindow::OpenGLInit()
 {
   // Not the superclass' version, which saves the state of a context that somebody else owns.
-  this->vtkOpenGLRenderWindow::OpenGLInit();
+  this->vtkOpenGLRenderWindow::OpenGLInit(); // NOLINT(bugprone-parent-virtual-call)
 }
 
 void vtkHeadlessRenderWindow::OpenGLInitContext()
@@ -220,7 +220,7 @@ void vtkHeadlessRenderWindow::Render()
   if (this->ReadyForRendering)
   {
     // Not the superclass' version, for the reason in OpenGLInit().
-    this->vtkOpenGLRenderWindow::Render();
+    this->vtkOpenGLRenderWindow::Render(); // NOLINT(bugprone-parent-virtual-call)
   }
 }
 

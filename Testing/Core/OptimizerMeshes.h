@@ -18,6 +18,11 @@ namespace meshes
 {
 using namespace stipple;
 
+inline int eulerOf(const OptimizedMesh& mesh)
+{
+  return mesh.vertices().size() - mesh.edges().size() + mesh.faces().size();
+}
+
 struct TestMesh
 {
   synthetic::Builder builder;
@@ -30,7 +35,7 @@ struct TestMesh
 
   void read()
   {
-    synthetic::Atlas& made = this->builder.finish();
+    synthetic::MadeAtlas& made = this->builder.finish();
     const Status status = stipple::Atlas::read(made.charts, made.graphData, this->atlas);
     EXPECT_TRUE(this->builder.ok() && status.ok()) << status.message();
   }

@@ -17,8 +17,6 @@ using stipple::Vec3;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Merges points at the same place up to rounding, and connects.
 TriangleSurface welded(const TriangleSurface& soup)
 {
@@ -77,8 +75,8 @@ TriangleSurface torus(double ringRadius, double crossRadius, int nu, int nv)
   {
     for (int i = 0; i < nu; ++i)
     {
-      const double u = 2 * Pi * i / nu;
-      const double v = 2 * Pi * j / nv;
+      const double u = 2 * stipple::Pi * i / nu;
+      const double v = 2 * stipple::Pi * j / nv;
       const double r = ringRadius + crossRadius * std::cos(v);
       s.points.emplace_back(r * std::cos(u), r * std::sin(u), crossRadius * std::sin(v));
       const int a = j * nu + i;
@@ -158,7 +156,7 @@ TriangleSurface cylinder(double radius, double height, int n, int m)
   {
     for (int i = 0; i < n; ++i)
     {
-      const double u = 2 * Pi * i / n;
+      const double u = 2 * stipple::Pi * i / n;
       s.points.emplace_back(radius * std::cos(u), radius * std::sin(u), height * j / m);
     }
   }
@@ -187,7 +185,7 @@ TriangleSurface cone(double radius, double height, int n, int m)
   {
     for (int i = 0; i < n; ++i)
     {
-      const double u = 2 * Pi * i / n;
+      const double u = 2 * stipple::Pi * i / n;
       const double r = radius * (m - j) / m;
       s.points.emplace_back(r * std::cos(u), r * std::sin(u), height * j / m);
     }

@@ -17,8 +17,6 @@ using namespace stipple;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 double totalCurvature(const Curvature& c)
 {
   return std::inner_product(c.gaussian.begin(), c.gaussian.end(), c.mixedArea.begin(), 0.);

@@ -54,7 +54,7 @@ protected:
   void SetUp() override
   {
     cube(this->Cube, 1, false);
-    synthetic::Atlas& atlas = this->Cube.finish();
+    synthetic::MadeAtlas& atlas = this->Cube.finish();
     stipple::Atlas::Pointer read;
     ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, read).ok());
     ASSERT_TRUE(readSamplingDomain(read, this->domain).ok());

@@ -20,8 +20,6 @@ using namespace stipple;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// The rectangle from the origin to (width, height) on an nx by ny grid.
 TriangleSurface rectangle(double width, double height, int nx, int ny)
 {

@@ -62,7 +62,7 @@ TEST(DensityCuts, LeaveLessThanTheBoundDoes)
 {
   EXPECT_LT(AtlasConstants::DenseSliver, NegligibleArea)
     << "else cuts would leave charts too dense";
-  EXPECT_LT(std::exp(-2 * AtlasConstants::Pi * AtlasConstants::DeepSleeve), 1e-16);
+  EXPECT_LT(std::exp(-2 * Pi * AtlasConstants::DeepSleeve), 1e-16);
 }
 
 TEST(DensityCuts, OpenASleeveThatNoMapCanHold)
@@ -145,7 +145,7 @@ TEST(DensityCuts, StripsOfNoAreaAreResolved)
   std::vector<int> rim;
   for (int side = 0; side < 8; ++side)
   {
-    const double angle = AtlasConstants::Pi / 4 * side;
+    const double angle = Pi / 4 * side;
     const Vec3 out(std::cos(angle), std::sin(angle), 0);
     const Vec3 along(-out.y(), out.x(), 0);
     const auto row = [&](double x) {
@@ -158,7 +158,7 @@ TEST(DensityCuts, StripsOfNoAreaAreResolved)
     };
     int last = row(1);
     rim.insert(rim.end(), { last, last + 1, last + 2, static_cast<int>(s.points.size()) });
-    s.points.push_back(Vec3(out + std::tan(AtlasConstants::Pi / 8) * along));
+    s.points.push_back(Vec3(out + std::tan(Pi / 8) * along));
     for (int i = 1; i <= 40; ++i)
     {
       const int next = row(1 + 2 * w * i);

@@ -18,8 +18,6 @@ using namespace stipple;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vec3>& line)
 {
   vtkNew<vtkPoints> points;

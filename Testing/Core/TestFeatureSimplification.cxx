@@ -49,11 +49,6 @@ std::unique_ptr<meshes::TestMesh> crowdedPatch(double distance)
   return t;
 }
 
-int eulerOf(const OptimizedMesh& mesh)
-{
-  return mesh.vertices().size() - mesh.edges().size() + mesh.faces().size();
-}
-
 double angleOf(const TriangleSurface& mesh)
 {
   return measureQuality(mesh).minimumAngle;
@@ -123,7 +118,7 @@ TEST(FeatureSimplification, FreesWhatCrowdsACorner)
   EXPECT_EQ(mesh.numberOfSimplifiedFeatures(), 2);
   EXPECT_GT(worstOf(mesh), 2. * worst);
   EXPECT_EQ(mesh.vertices().size(), points);
-  EXPECT_EQ(eulerOf(mesh), 1);
+  EXPECT_EQ(meshes::eulerOf(mesh), 1);
   // Both go; then the side's first edge is three spacings long, and gets one of them back.
   ASSERT_EQ(mesh.chains()[0].size() + 1, before[0].size());
   EXPECT_TRUE(mesh.chains()[0].front() == before[0].front()) << "the corner stays";
@@ -216,7 +211,7 @@ TEST(FeatureSimplification, LeavesNoTriangleWithoutAnAngle)
       ASSERT_TRUE(simplifyFeatures(mesh, 1., Tuning::NoAngle).ok());
     }
     EXPECT_EQ(flat(mesh), 0) << "draw " << draw << " with " << before;
-    EXPECT_EQ(eulerOf(mesh), 1);
+    EXPECT_EQ(meshes::eulerOf(mesh), 1);
     EXPECT_EQ(mesh.vertices().size(), 49);
     opened += before;
   }

@@ -27,7 +27,6 @@ using namespace stipple;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 const MayFlip Always = [](Halfedge, double, double) { return true; };
 
 /// An ellipse as a fan about its first corner, bent by so much.

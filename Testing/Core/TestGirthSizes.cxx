@@ -23,7 +23,7 @@ std::vector<FeatureSize> sizesOn(int m, int n, const Shape& position, double spa
   builder.addGrid(m, n, [&](int i, int j) {
     return position(static_cast<double>(i % m) / m, static_cast<double>(j % n) / n);
   });
-  synthetic::Atlas& made = builder.finish();
+  synthetic::MadeAtlas& made = builder.finish();
   stipple::Atlas::Pointer atlas;
   const Status status = stipple::Atlas::read(made.charts, made.graphData, atlas);
   EXPECT_TRUE(status.ok()) << status.message();
@@ -72,7 +72,7 @@ TEST(GirthSizes, LeaveAloneWhatIsWideOrOpen)
     const double x = 0.02 * i - 1.;
     return Vec3(x, 0.02 * j - 1., 0.3 * std::exp(-400. * x * x));
   });
-  synthetic::Atlas& made = builder.finish();
+  synthetic::MadeAtlas& made = builder.finish();
   stipple::Atlas::Pointer atlas;
   ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, atlas).ok());
   EXPECT_TRUE(girthSizes(*atlas, [](const SurfacePlace&) { return 0.2; }).empty());

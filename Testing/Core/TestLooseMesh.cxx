@@ -15,11 +15,6 @@ using namespace stipple;
 
 namespace
 {
-int eulerOf(const OptimizedMesh& mesh)
-{
-  return mesh.vertices().size() - mesh.edges().size() + mesh.faces().size();
-}
-
 double areaOf(const OptimizedMesh& mesh)
 {
   double area = 0;
@@ -131,7 +126,7 @@ TEST(LooseMesh, AVertexGoesFromAFaceToACrease)
   EXPECT_EQ(mesh.samples()[v.index()].kind, SampleKind::Backbone);
   EXPECT_EQ(mesh.samples()[v.index()].backbone, 0);
   EXPECT_EQ(mesh.vertices().size(), 49);
-  EXPECT_EQ(eulerOf(mesh), 1);
+  EXPECT_EQ(meshes::eulerOf(mesh), 1);
   EXPECT_NEAR(areaOf(mesh), area, 1e-12);
   EXPECT_TRUE(t->edit.trySlide(v, 0.02, []() { return true; })) << "it slides on";
 }
@@ -150,7 +145,7 @@ TEST(FarPlaces, AreFoundAndReached)
   ASSERT_TRUE(reachPlaces(mesh, places, 1.).ok());
   EXPECT_EQ(mesh.numberOfChanges(), 1);
   EXPECT_EQ(mesh.vertices().size(), 121);
-  EXPECT_EQ(eulerOf(mesh), 1);
+  EXPECT_EQ(meshes::eulerOf(mesh), 1);
   std::vector<FarPlace> left;
   ASSERT_TRUE(farPlaces(mesh, 0.5, {}, left).ok());
   EXPECT_TRUE(left.empty());
@@ -176,7 +171,7 @@ TEST(FarPlaces, OnCreasesGoIntoTheirEdges)
   EXPECT_EQ(places.front().backbone, 0);
   EXPECT_LT((places.front().position - Vec3(0.55, 0., 0.12)).norm(), 1e-9);
   ASSERT_TRUE(reachPlaces(mesh, places, 1.).ok());
-  EXPECT_EQ(eulerOf(mesh), 1);
+  EXPECT_EQ(meshes::eulerOf(mesh), 1);
   const OptimizedMesh::Chain& chain = mesh.chains()[0];
   ASSERT_EQ(chain.size(), 12U);
   const auto top = std::find_if(chain.begin(), chain.end(),

@@ -24,7 +24,7 @@ struct Meshing
 
   void take(int numberOfSamples)
   {
-    synthetic::Atlas& atlas = this->builder.finish();
+    synthetic::MadeAtlas& atlas = this->builder.finish();
     ASSERT_TRUE(this->builder.ok());
     ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, this->read).ok());
     this->samples = sample(atlas, numberOfSamples);
@@ -170,7 +170,7 @@ TEST(MeshCreation, TellsTheChartWhereAClosedSurfaceOfThreeSamplesLacksOne)
                                : place(0, n - at, 0));
   }
   m.builder.addBackbone(BackboneType::Seam, around, true);
-  synthetic::Atlas& atlas = m.builder.finish();
+  synthetic::MadeAtlas& atlas = m.builder.finish();
   ASSERT_TRUE(m.builder.ok());
   ASSERT_TRUE(stipple::Atlas::read(atlas.charts, atlas.graphData, m.read).ok());
   for (const double s : { 1., 6., 11. })

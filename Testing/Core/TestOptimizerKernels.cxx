@@ -109,13 +109,13 @@ TEST(EdgeSwaps, ExcessesCountSectors)
 TEST(VertexStar, QualityIsTheSmallestAngleOrAFold)
 {
   const auto t = meshes::patch(4);
-  EXPECT_NEAR(starQuality(t->mesh, Vertex(12)), 0.25 * Tuning::Pi, 1e-12);
+  EXPECT_NEAR(starQuality(t->mesh, Vertex(12)), 0.25 * Pi, 1e-12);
   const VertexStar star(t->mesh, Vertex(12));
-  EXPECT_NEAR(star.quality(t->mesh.state(Vertex(12))), 0.25 * Tuning::Pi, 1e-12);
+  EXPECT_NEAR(star.quality(t->mesh.state(Vertex(12))), 0.25 * Pi, 1e-12);
   // (12, 13, 18) with 12 at (0.5, 0.45): atan(0.2 / ...) by the cosine rule of its corners
   const SurfacePoint there = t->pointAt(0.5, 0.45);
   const double quality = star.quality(there);
-  EXPECT_LT(quality, 0.25 * Tuning::Pi);
+  EXPECT_LT(quality, 0.25 * Pi);
   EXPECT_TRUE(star.exceeds(there, quality - 1e-9));
   EXPECT_FALSE(star.exceeds(there, quality + 1e-9));
   t->edit.put(Vertex(12), there);

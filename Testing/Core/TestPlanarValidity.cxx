@@ -69,7 +69,7 @@ struct Square
   }
   std::vector<BackboneInterval> invalid()
   {
-    synthetic::Atlas& atlas = this->builder.finish();
+    synthetic::MadeAtlas& atlas = this->builder.finish();
     stipple::Atlas::Pointer read;
     Status status = stipple::Atlas::read(atlas.charts, atlas.graphData, read);
     EXPECT_TRUE(status.ok()) << status.message();

@@ -11,8 +11,6 @@ using namespace stipple;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Of corners counterclockwise in the plane z = x + 2 y: two triangles fewer than corners, which
 /// share the polygon's orientation and together have its area, so that none overlap.
 void expectCovered(const std::vector<Vec2>& corners, bool strictly = true)

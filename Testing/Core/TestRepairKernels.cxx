@@ -125,7 +125,7 @@ TEST(SoupOrientation, BodiesThatMeetInEdgesStayClosed)
     append(s, cube, { 1, 1, 0 });
     append(s, cube, { 2, 0, 0 });
     append(s, cube, { 1, -1, 0 });
-    const double turn = degrees / 180. * 3.14159265358979323846;
+    const double turn = degrees / 180. * Pi;
     for (Vec3& p : s.points)
     {
       p = Vec3(std::cos(turn) * p[0] - std::sin(turn) * p[2], p[1],

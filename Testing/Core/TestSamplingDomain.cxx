@@ -24,7 +24,7 @@ struct Cube
   Status read(const std::vector<ConstraintPoint>& constraints = {})
   {
     this->builder.Result.graph.constraints = constraints;
-    synthetic::Atlas& atlas = this->builder.finish();
+    synthetic::MadeAtlas& atlas = this->builder.finish();
     stipple::Atlas::Pointer read;
     const Status status = stipple::Atlas::read(atlas.charts, atlas.graphData, read);
     return status.ok() ? readSamplingDomain(read, this->domain) : status;

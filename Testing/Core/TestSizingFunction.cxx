@@ -35,7 +35,7 @@ struct Plate
   explicit Plate(const Vec3& halfExtents = Vec3(1., 1., Thickness / 2.))
   {
     cube(this->builder, 8, false, halfExtents);
-    synthetic::Atlas& made = this->builder.finish();
+    synthetic::MadeAtlas& made = this->builder.finish();
     EXPECT_TRUE(stipple::Atlas::read(made.charts, made.graphData, this->atlas).ok());
   }
   std::vector<SizeSource> sizes(double spacing) const
@@ -117,7 +117,7 @@ TEST(FeatureSizes, EdgesOfACubeAreNotNearOneAnother)
 {
   Builder builder;
   cube(builder, 8, false);
-  synthetic::Atlas& made = builder.finish();
+  synthetic::MadeAtlas& made = builder.finish();
   stipple::Atlas::Pointer atlas;
   ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, atlas).ok());
   EXPECT_TRUE(featureSizes(*atlas, [](const SurfacePlace&) { return 1.3; }).empty());
@@ -157,7 +157,7 @@ TEST(CurvatureSizes, AreThoseOfATurnAndGrowFromThere)
 {
   Builder builder;
   cube(builder, 8, false);
-  synthetic::Atlas& made = builder.finish();
+  synthetic::MadeAtlas& made = builder.finish();
   stipple::Atlas::Pointer flat;
   ASSERT_TRUE(stipple::Atlas::read(made.charts, made.graphData, flat).ok());
   const ControlMaps maps(flat->surface(), 64);

@@ -247,7 +247,7 @@ TriangleSurface moebiusStrip(int n, int m)
   {
     for (int j = 0; j <= m; ++j)
     {
-      const double u = 2 * 3.14159265358979323846 * i / n;
+      const double u = 2 * Pi * i / n;
       const double v = 0.8 * (static_cast<double>(j) / m - 0.5);
       const double r = 1 + v * std::cos(u / 2);
       s.points.emplace_back(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2));
@@ -477,7 +477,7 @@ TEST(SurfaceRepair, APointOfVeryManyTrianglesTakesNoMoreTimeThanItsTriangles)
   s.points.emplace_back(0, 0, 0);
   for (int i = 0; i < n; ++i)
   {
-    const double a = 2 * 3.14159265358979323846 * i / n;
+    const double a = 2 * Pi * i / n;
     s.points.emplace_back(std::cos(a), std::sin(a), 0);
     s.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % n });
   }

@@ -29,7 +29,7 @@ struct Fixture
   SurfaceSampler sampler;
   void take()
   {
-    synthetic::Atlas& atlas = this->builder.finish();
+    synthetic::MadeAtlas& atlas = this->builder.finish();
     ASSERT_TRUE(this->builder.ok());
     const Status status = this->sampler.setDomain(atlas.charts, atlas.graphData);
     ASSERT_TRUE(status.ok()) << status.message();
@@ -535,7 +535,7 @@ TEST(SurfaceSampler, BackboneWithoutANodeIsRefused)
   b.addBackbone(BackboneType::Boundary, bent);
   b.addBackbone(BackboneType::Boundary, run(at, 3, n, 0, n));
   b.addBackbone(BackboneType::Boundary, run(at, 0, n, 0, 0));
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   SurfaceSampler sampler;
   const Status status = sampler.setDomain(atlas.charts, atlas.graphData);
   EXPECT_FALSE(status.ok());

@@ -13,7 +13,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkIntArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -32,7 +31,6 @@ using namespace stipple;
 namespace
 {
 const double Height = 3.;
-const double Pi = vtkMath::Pi();
 
 /// The texture of a cylinder: the mantle is unrolled, with a seam along the x axis, and the caps
 /// are islands beside it. `inside` tells on which side of the seam a place is meant to be.

@@ -30,9 +30,7 @@ namespace synthetic
 {
 using namespace stipple;
 
-constexpr double Pi = 3.14159265358979323846;
-
-struct Atlas
+struct MadeAtlas
 {
   vtkNew<vtkPartitionedDataSetCollection> charts;
   FeatureGraph graph;
@@ -125,7 +123,7 @@ public:
     }
     this->Result.graph.backbones.push_back(b);
   }
-  Atlas& finish()
+  MadeAtlas& finish()
   {
     FeatureGraph& graph = this->Result.graph;
     graph.isCorner.assign(this->Ids.size(), 0);
@@ -142,7 +140,7 @@ public:
     return this->Result;
   }
   bool ok() const { return this->Status_; }
-  Atlas Result;
+  MadeAtlas Result;
 
 private:
   std::map<std::tuple<long long, long long, long long>, int> Ids;
@@ -376,7 +374,7 @@ inline std::vector<Sample> sample(const AtlasSurface& s, const FeatureGraph& gra
   return samples;
 }
 
-inline std::vector<Sample> sample(const Atlas& atlas, int n, unsigned int seed = 1)
+inline std::vector<Sample> sample(const MadeAtlas& atlas, int n, unsigned int seed = 1)
 {
   return sample(atlas.surface, atlas.graph, atlas.traces, n, seed);
 }

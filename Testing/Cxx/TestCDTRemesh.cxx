@@ -22,7 +22,7 @@ std::pair<int, int> ordered(int a, int b)
 }
 
 vtkSmartPointer<vtkCDTRemesh> makeFilter(
-  const synthetic::Atlas& atlas, const std::vector<stipple::Sample>& samples)
+  const synthetic::MadeAtlas& atlas, const std::vector<stipple::Sample>& samples)
 {
   auto filter = vtkSmartPointer<vtkCDTRemesh>::New();
   filter->SetInputData(0, stipple::toPolyData(samples, atlas.surface));
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkCDTRemesh> makeFilter(
 
 void checkMesh(const std::string& name, synthetic::Builder& builder, int n, unsigned int seed = 1)
 {
-  synthetic::Atlas& atlas = builder.finish();
+  synthetic::MadeAtlas& atlas = builder.finish();
   check(builder.ok(), name + ": the synthetic atlas is sound");
   const auto samples = synthetic::sample(atlas, n, seed);
   auto filter = makeFilter(atlas, samples);
@@ -191,7 +191,7 @@ int TestCDTRemesh(int, char*[])
   // The same bytes for any number of threads.
   synthetic::Builder b;
   synthetic::cube(b, 12, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   const auto samples = synthetic::sample(atlas, 400);
   std::vector<std::vector<vtkIdType>> results;
   for (int threads : { 1, 2 })

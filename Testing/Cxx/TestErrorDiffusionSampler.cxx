@@ -179,7 +179,7 @@ void testOtherArrayTypes()
   // scalars.
   synthetic::Builder builder;
   synthetic::bumpyGrid(builder, 2, 8);
-  synthetic::Atlas& atlas = builder.finish();
+  synthetic::MadeAtlas& atlas = builder.finish();
   for (unsigned int c = 0; c < 4; ++c)
   {
     vtkNew<vtkDoubleArray> area;

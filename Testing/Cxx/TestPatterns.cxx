@@ -18,7 +18,7 @@ namespace
 using namespace stipple;
 using test::check;
 
-void connect(vtkAtlasMeshAlgorithm* filter, synthetic::Atlas& atlas, vtkPolyData* input)
+void connect(vtkAtlasMeshAlgorithm* filter, synthetic::MadeAtlas& atlas, vtkPolyData* input)
 {
   filter->SetInputData(0, input);
   filter->SetInputData(1, atlas.charts.Get());
@@ -26,7 +26,7 @@ void connect(vtkAtlasMeshAlgorithm* filter, synthetic::Atlas& atlas, vtkPolyData
 }
 
 /// Every point's position is that of its place on the surface, and its attributes are.
-void checkPlaces(const std::string& name, const synthetic::Atlas& atlas, vtkPolyData* mesh)
+void checkPlaces(const std::string& name, const synthetic::MadeAtlas& atlas, vtkPolyData* mesh)
 {
   vtkDataArray* chart = mesh->GetPointData()->GetArray("ChartId");
   vtkDataArray* cell = mesh->GetPointData()->GetArray("ChartCellId");
@@ -54,7 +54,7 @@ void checkSubdivision()
 {
   synthetic::Builder b;
   synthetic::cube(b, 1, false);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   vtkNew<vtkCDTRemesh> mesher;
   connect(mesher.Get(), atlas, toPolyData(synthetic::sample(atlas, 80), atlas.surface));
   vtkNew<vtkRemeshOptimizer> optimizer;
@@ -113,7 +113,7 @@ void checkQuads()
 {
   synthetic::Builder b;
   synthetic::cube(b, 8, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   vtkNew<vtkQuadRemesh> quads;
   const std::vector<Sample> samples = synthetic::sample(atlas, 1500);
   connect(quads.Get(), atlas, toPolyData(samples, atlas.surface));

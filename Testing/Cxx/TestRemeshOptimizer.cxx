@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkRemeshOptimizer: quality reaches its bars, on the surface, with features kept, seams healed
 // and nothing depending on threads.
+#include "Check.h"
 #include "DensityField.h"
 #include "MeshCreation.h"
 #include "MeshRegion.h"
@@ -24,20 +25,11 @@
 namespace
 {
 using namespace stipple;
-int failures = 0;
+using test::check;
 
 std::pair<int, int> ordered(int a, int b)
 {
   return { std::min(a, b), std::max(a, b) };
-}
-
-void check(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    ++failures;
-    std::cerr << "FAILED: " << what << "\n";
-  }
 }
 
 struct Figures
@@ -105,7 +97,7 @@ struct Run
   vtkNew<vtkCDTRemesh> mesher;
   vtkNew<vtkRemeshOptimizer> optimizer;
   std::vector<Sample> samples;
-  Run(synthetic::Atlas& atlas, int n)
+  Run(synthetic::MadeAtlas& atlas, int n)
     : samples(synthetic::sample(atlas, n))
   {
     this->mesher->SetInputData(0, toPolyData(this->samples, atlas.surface));
@@ -129,7 +121,7 @@ struct Run
 };
 
 /// What must hold whatever the options: same points, same topology, on the surface, features kept.
-void checkContract(const std::string& name, const synthetic::Atlas& atlas, Run& run)
+void checkContract(const std::string& name, const synthetic::MadeAtlas& atlas, Run& run)
 {
   const TriangleSurface mesh = run.result();
   vtkPolyData* data = run.optimizer->GetOutput(0);
@@ -198,7 +190,7 @@ void checkSphere()
 {
   synthetic::Builder b;
   synthetic::cube(b, 40, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 1500);
   checkContract("sphere", atlas, run);
   const Figures before = measure(Run::connected(run.mesher->GetOutput(0)));
@@ -232,7 +224,7 @@ void checkFeatures()
 {
   synthetic::Builder b;
   synthetic::cube(b, 1, false);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 1000);
   checkContract("cube", atlas, run);
   const TriangleSurface mesh = run.result();
@@ -251,7 +243,7 @@ void checkFeatures()
   {
     synthetic::Builder g;
     synthetic::bumpyGrid(g, 2, 20, crease);
-    synthetic::Atlas& open = g.finish();
+    synthetic::MadeAtlas& open = g.finish();
     Run onGrid(open, 900);
     checkContract(crease ? "creased grid" : "grid", open, onGrid);
     const Figures figures = measure(onGrid.result());
@@ -266,7 +258,7 @@ void checkCoarseFeatures()
 {
   synthetic::Builder b;
   synthetic::cube(b, 1, false);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   for (const int n : { 14, 20, 32, 44, 56, 80 })
   {
     Run run(atlas, n);
@@ -280,7 +272,7 @@ void checkOptions()
 {
   synthetic::Builder b;
   synthetic::torus(b, 80, 40);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 900);
   const TriangleSurface meshed = Run::connected((run.mesher->Update(), run.mesher->GetOutput(0)));
   const Figures before = measure(meshed);
@@ -359,7 +351,7 @@ void checkErrorReduction()
 {
   synthetic::Builder b;
   synthetic::torus(b, 80, 40);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 300);
   check(run.optimizer->GetErrorReduction() == 0.65, "error reduction: the default");
   run.optimizer->SetErrorReduction(0.);
@@ -426,7 +418,7 @@ void checkPresets()
 {
   synthetic::Builder b;
   synthetic::cube(b, 1, false);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 1000);
   const double without = shareOfRibs(run.result());
   run.optimizer->SetPresetToRib();
@@ -445,7 +437,7 @@ void checkPlacement()
   {
     synthetic::Builder b;
     synthetic::cube(b, sphere ? 40 : 1, sphere);
-    synthetic::Atlas& atlas = b.finish();
+    synthetic::MadeAtlas& atlas = b.finish();
     Run run(atlas, 500);
     check(run.optimizer->GetPlacement() == vtkRemeshOptimizer::ON_SURFACE, "placement: default");
     const TriangleSurface on = run.result();
@@ -486,7 +478,7 @@ void checkDensity()
     b.addBackbone(BackboneType::Boundary,
       synthetic::run(position, i0[side], j0[side], i0[(side + 1) % 4], j0[(side + 1) % 4]));
   }
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 1000);
   vtkNew<vtkImageData> image;
   image->SetDimensions(64, 64, 1);
@@ -544,7 +536,7 @@ struct ReadMesh
   std::vector<Sample> samples;
   OptimizedMesh mesh;
 
-  ReadMesh(synthetic::Atlas& from, vtkPolyData* written)
+  ReadMesh(synthetic::MadeAtlas& from, vtkPolyData* written)
   {
     check(Atlas::read(from.charts, from.graphData, this->atlas).ok() &&
         readSamples(written, *this->atlas, this->samples).ok() &&
@@ -560,7 +552,7 @@ void checkLayers()
 {
   synthetic::Builder b;
   synthetic::cube(b, 8, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   Run run(atlas, 900);
   run.optimizer->Update();
   ReadMesh read(atlas, run.optimizer->GetOutput(0));
@@ -596,7 +588,7 @@ void checkSmallComponents()
 {
   synthetic::Builder b;
   synthetic::cube(b, 8, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   for (const int points : { 26, 200 })
   {
     Run run(atlas, points);
@@ -652,7 +644,7 @@ int TestRemeshOptimizer(int, char*[])
 
   synthetic::Builder b;
   synthetic::bumpyGrid(b, 2, 20, true);
-  synthetic::Atlas& atlas = b.finish();
+  synthetic::MadeAtlas& atlas = b.finish();
   std::string first;
   for (int threads : { 1, 2 })
   {
@@ -680,5 +672,5 @@ int TestRemeshOptimizer(int, char*[])
   run.optimizer->Update();
   check(
     run.optimizer->GetOutput(0)->GetNumberOfPoints() == 0, "a mesh without provenance is refused");
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exitStatus();
 }

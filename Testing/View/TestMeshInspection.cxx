@@ -27,6 +27,13 @@ struct Made
   std::unique_ptr<MeshResult> mesh;
 };
 
+/// The mesh's vertices on the charts.
+MeshDots dotsOf(const Made& made, Atlas::Pointer& atlas)
+{
+  EXPECT_TRUE(Atlas::read(made.atlas->charts, nullptr, atlas).ok());
+  return placeOnCharts(made.mesh->mesh, *atlas);
+}
+
 /// The sphere remeshed with 400 points.
 const Made& made()
 {
@@ -56,12 +63,10 @@ const Made& made()
 
 TEST(MeshDots, AreTheVerticesOnTheCharts)
 {
-  ASSERT_TRUE(made().mesh->dots);
-  const MeshDots& dots = *made().mesh->dots;
+  Atlas::Pointer atlas;
+  const MeshDots dots = dotsOf(made(), atlas);
   vtkPolyData* mesh = made().mesh->mesh;
   ASSERT_EQ(dots.samples->GetNumberOfPoints(), 400);
-  Atlas::Pointer atlas;
-  ASSERT_TRUE(Atlas::read(made().atlas->charts, nullptr, atlas).ok());
   const AtlasSurface& surface = atlas->surface();
   vtkPointData* data = dots.samples->GetPointData();
   double vertices = 0;
@@ -86,9 +91,8 @@ TEST(MeshDots, AreTheVerticesOnTheCharts)
 
 TEST(MeshDots, ReachOverSeams)
 {
-  const MeshDots& dots = *made().mesh->dots;
   Atlas::Pointer atlas;
-  ASSERT_TRUE(Atlas::read(made().atlas->charts, nullptr, atlas).ok());
+  const MeshDots dots = dotsOf(made(), atlas);
   const AtlasSurface& surface = atlas->surface();
   ASSERT_GT(surface.numberOfCharts(), 1);
   EXPECT_GT(dots.beyond.size(), 5U);

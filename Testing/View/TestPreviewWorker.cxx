@@ -42,7 +42,7 @@ TEST(PreviewWorker, SamplesExactly)
   const auto result = wait(worker);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->problem, "");
-  EXPECT_EQ(result->samples->GetNumberOfPoints(), 321);
+  EXPECT_EQ(result->numberOfSamples, 321);
   EXPECT_EQ(result->histogram.size(), 8U);
   EXPECT_EQ(worker.waiting(), 0.);
 }
@@ -58,7 +58,7 @@ TEST(PreviewWorker, TheLatestWins)
   }
   const auto result = wait(worker);
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->samples->GetNumberOfPoints(), 400 + Asked - 1);
+  EXPECT_EQ(result->numberOfSamples, 400 + Asked - 1);
 }
 
 TEST(PreviewWorker, TellsWhyThereAreNoSamples)
@@ -69,7 +69,8 @@ TEST(PreviewWorker, TellsWhyThereAreNoSamples)
   const auto result = wait(worker);
   ASSERT_TRUE(result);
   EXPECT_NE(result->problem, "");
-  EXPECT_FALSE(result->samples);
+  EXPECT_EQ(result->numberOfSamples, 0);
+  EXPECT_FALSE(result->dots);
   worker.start(withPoints(300));
   EXPECT_EQ(wait(worker)->problem, "") << "and goes on";
 }
@@ -85,7 +86,7 @@ TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
   worker.start(withPoints(301));
   const auto result = wait(worker);
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->samples->GetNumberOfPoints(), 301);
+  EXPECT_EQ(result->numberOfSamples, 301);
 }
 
 namespace
@@ -118,25 +119,24 @@ double unevenness(vtkPolyData* samples)
 
 TEST(SampleRelaxation, DotsAreSpread)
 {
-  PreviewWorker worker(8);
   const SamplingInput atlas = sphereAtlas(48);
   const SampleRelaxation relaxation(atlas.charts, atlas.graph);
-  worker.setAtlas(atlas);
+  Preview preview;
+  preview.setAtlas(atlas);
   Session session = withPoints(1500);
   session.set("importance", std::string("uniform"));
-  worker.start(session);
-  const auto result = wait(worker);
-  ASSERT_TRUE(result && result->samples);
-  const auto relaxed = relaxation.relax(result->samples);
+  ASSERT_TRUE(preview.update(session).ok());
+  vtkPolyData* samples = preview.samples();
+  const auto relaxed = relaxation.relax(samples);
   ASSERT_TRUE(relaxed);
   vtkPolyData* dots = relaxed->samples;
   ASSERT_EQ(dots->GetNumberOfPoints(), 1500);
-  EXPECT_LT(unevenness(dots), 0.6 * unevenness(result->samples));
+  EXPECT_LT(unevenness(dots), 0.6 * unevenness(samples));
   for (vtkIdType i = 0; i < 1500; ++i)
   {
     const Vec3 dot(dots->GetPoint(i));
     EXPECT_NEAR(dot.norm(), 0.5, 0.004) << "on the sphere";
-    EXPECT_LT((dot - Vec3(result->samples->GetPoint(i))).norm(), 0.05) << "near where it was";
+    EXPECT_LT((dot - Vec3(samples->GetPoint(i))).norm(), 0.05) << "near where it was";
   }
 }
 

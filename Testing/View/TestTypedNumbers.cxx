@@ -136,6 +136,22 @@ TEST(TypedNumber, WholeOnesAreWrittenInManyWays)
   }
 }
 
+TEST(TypedNumber, WhatIsNotTakenAsItIsTypedIsSaid)
+{
+  std::string said;
+  NumberField field("points", NumberField::Range{ 1, 10000000 }, [](double) {});
+  field.setTell([&said](const std::string& sentence) { said = sentence; });
+  for (const auto& [typed, sentence] : std::vector<std::pair<const char*, const char*>>{
+         { "12.5", "12.5 is taken as 13." }, { "1234.567", "1234.567 is taken as 1,235." },
+         { "12", "" }, { "2.5e3", "" }, { "1.2.3", "1.2.3 is no number." }, { "", "" } })
+  {
+    said.clear();
+    field.focus();
+    type(field, typed);
+    EXPECT_EQ(said, sentence) << typed;
+  }
+}
+
 TEST(TypedNumber, OutsideItsRangeIsSaid)
 {
   std::vector<double> taken;
