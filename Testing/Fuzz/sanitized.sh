@@ -10,7 +10,7 @@ sources=$1
 folder=$2
 mkdir -p "$folder"
 if ! cmake -S "$sources" -B "$folder" -G "$4" "-DCMAKE_CXX_COMPILER=$3" -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DSTIPPLE_SANITIZE=address,undefined -DSTIPPLE_WRAP_PYTHON=OFF \
+  -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DSTIPPLE_SANITIZE=address,undefined -DSTIPPLE_WRAP_PYTHON=OFF \
   -DCMAKE_UNITY_BUILD=ON >"$folder/configure.log" 2>&1; then
   cat "$folder/configure.log" >&2
   exit 1
