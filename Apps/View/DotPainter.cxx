@@ -100,6 +100,9 @@ struct Numbers
     const int low = static_cast<int>(std::max(0., std::ceil(at.y() - reachY - 0.5)));
     const int high =
       static_cast<int>(std::min(this->height - 1., std::floor(at.y() + reachY - 0.5)));
+    const double uu = m.E;
+    const double uv = m.F;
+    const double vv = m.G;
     const Texel texel = texelOf(number);
     // The margin, where it is the widest on the surface.
     const double limit = reach + Margin * std::sqrt(std::max(m.E, m.G));
@@ -108,7 +111,9 @@ struct Numbers
       for (int x = left; x <= right; ++x)
       {
         const std::size_t i = static_cast<std::size_t>(y) * this->width + x;
-        const double squared = m.squared(Vec2(x + 0.5 - at.x(), y + 0.5 - at.y()));
+        const double du = x + 0.5 - at.x();
+        const double dv = y + 0.5 - at.y();
+        const double squared = (uu * du + 2 * uv * dv) * du + vv * dv * dv;
         if (squared <= limit * limit &&
           (this->texels[i] == NoSample || squared < this->distances[i]))
         {

@@ -159,7 +159,10 @@ std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
     vtkPartitionedDataSetCollection* halftones = this->Sampling.halftones();
     result->dots = relaxed ? this->Painter->paint(*relaxed, halftones, stop)
                            : this->Painter->paint(samples, halftones, stop);
-    result->density = densityImages(this->Sampling.controls());
+    if (this->DensityWanted)
+    {
+      result->density = densityImages(this->Sampling.controls());
+    }
     result->controls = copyOfImages(this->Sampling.controls(), { "Control", "FaceIndex" });
   }
   std::string importance;

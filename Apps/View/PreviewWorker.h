@@ -20,7 +20,7 @@ struct PreviewResult
   std::string problem; ///< why there are no samples, a sentence; empty if there are
   vtkIdType numberOfSamples = 0;
   std::shared_ptr<const DotImages> dots;              ///< on the charts
-  std::vector<vtkSmartPointer<vtkImageData>> density; ///< densityImages()
+  std::vector<vtkSmartPointer<vtkImageData>> density; ///< densityImages(), if asked for
   /// Images with `Control` and `FaceIndex`.
   vtkSmartPointer<vtkPartitionedDataSetCollection> controls;
   std::vector<double> histogram; ///< Preview::importanceHistogram()
@@ -36,6 +36,8 @@ public:
 
   /// The charts and maps from now on; what is done for others is not handed over any more.
   void setAtlas(const SamplingInput& atlas);
+  /// Whether sessions that are started from now on are to have densities as well.
+  void setDensityWanted(bool wanted) { this->DensityWanted = wanted; }
   /// Samples for this next. What runs is finished, so that something moves while a slider does,
   /// unless it has taken long.
   void start(const Session& session);
@@ -66,8 +68,9 @@ private:
   std::unique_ptr<SamplingInput> Atlas; ///< the thread's, where it is another one
   std::unique_ptr<SamplingInput> NextAtlas;
   std::unique_ptr<PreviewResult> Done;
-  Clock::time_point Asked;         ///< the first session that nothing was handed over for
-  Clock::time_point Started;       ///< what runs
+  Clock::time_point Asked;   ///< the first session that nothing was handed over for
+  Clock::time_point Started; ///< what runs
+  std::atomic<bool> DensityWanted{ false };
   std::atomic<bool> Stop{ false }; ///< what runs, at its next report
 };
 }

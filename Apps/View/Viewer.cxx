@@ -283,6 +283,8 @@ void Viewer::tick()
     this->PreviewIsOld = false;
     if (this->pointsToAgree() == 0)
     {
+      // A frame has no time for what is not seen.
+      this->Sampler.setDensityWanted(this->View.display == Display::Density);
       this->Sampler.start(this->sampledSession());
     }
   }

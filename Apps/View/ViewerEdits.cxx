@@ -66,7 +66,10 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
 {
   const bool help = this->View.help;
   const MeshColoring coloring = this->View.coloring;
+  const Display display = this->View.display;
   change(this->View);
+  this->PreviewIsOld =
+    this->PreviewIsOld || (this->View.display != display && this->View.display == Display::Density);
   this->NextWorst = this->View.coloring == coloring ? this->NextWorst : 0; // of others
   if (this->View.help != help)
   {

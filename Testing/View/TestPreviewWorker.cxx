@@ -47,6 +47,21 @@ TEST(PreviewWorker, SamplesExactly)
   EXPECT_EQ(worker.waiting(), 0.);
 }
 
+TEST(PreviewWorker, PaintsDensitiesWhereTheyAreAskedFor)
+{
+  PreviewWorker worker(8);
+  worker.setAtlas(sphereAtlas(24));
+  worker.start(withPoints(321));
+  auto result = wait(worker);
+  ASSERT_TRUE(result && result->dots);
+  EXPECT_TRUE(result->density.empty());
+  worker.setDensityWanted(true);
+  worker.start(withPoints(321));
+  result = wait(worker);
+  ASSERT_TRUE(result && result->dots);
+  EXPECT_EQ(result->density.size(), result->dots->numbers.size());
+}
+
 TEST(PreviewWorker, TheLatestWins)
 {
   PreviewWorker worker(8);
