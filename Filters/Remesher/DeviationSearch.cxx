@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeviationSearch.h"
 
+#include "Geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
