@@ -130,7 +130,6 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     chart.actor->GetProperty()->SetBackfaceCulling(this->Solid);
     addPlainLight(chart.actor);
     chart.texture = vtkSmartPointer<vtkImageData>::New();
-    chart.texture->ShallowCopy(onePixel(SurfacePixel));
     vtkNew<vtkTexture> texture;
     texture->SetInputData(chart.texture);
     texture->SetColorModeToDirectScalars();

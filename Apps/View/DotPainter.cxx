@@ -314,10 +314,7 @@ DotPainter::DotPainter(vtkPartitionedDataSetCollection* charts)
   const AtlasSurface& surface = this->Charted->surface();
   this->Origin = originOf(surface);
   this->LargestDot = LargestShare * boxOf(surface).diagonal().norm();
-  for (const Face f : surface.faces())
-  {
-    this->SurfaceArea += surface.faceArea(f);
-  }
+  this->SurfaceArea = surface.area();
   this->Distances.resize(static_cast<std::size_t>(surface.numberOfCharts()));
 }
 

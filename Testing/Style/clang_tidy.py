@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 
+
 def sources_of(unit):
     """The sources of a unit of a unity build; a source is its own."""
     if unit.parent.name != "Unity":
