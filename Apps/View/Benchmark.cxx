@@ -58,12 +58,12 @@ private:
   std::vector<double> Processor;
 };
 
-/// From a changed session to the picture of its samples.
-Frame timePreview(Viewer& viewer)
+/// From a changed session to the picture of its samples: of the first, or of those that stay.
+Frame timePreview(Viewer& viewer, bool (Viewer::*isDone)())
 {
   const auto begin = std::chrono::steady_clock::now();
   const std::clock_t processor = std::clock();
-  while (!viewer.previewIsCurrent())
+  while (!(viewer.*isDone)())
   {
     viewer.tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -92,6 +92,7 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   viewer.settle();
 
   Times preview[2];
+  Times rested[2];
   Times sampling[2];
   for (const int smooth : { 0, 1 })
   {
@@ -101,8 +102,13 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
     {
       const double gamma = 0.1 + 1.4 * i / PreviewFrames;
       viewer.edit([gamma](Session& s) { s.set("gamma", gamma); }, false);
-      preview[smooth].add(timePreview(viewer));
+      preview[smooth].add(timePreview(viewer, &Viewer::previewIsShown));
       sampling[smooth].add({ viewer.previewSeconds(), 0 });
+      if (i % 3 == 0)
+      {
+        viewer.edit([gamma](Session& s) { s.set("gamma", gamma + 0.01); }, false);
+        rested[smooth].add(timePreview(viewer, &Viewer::previewIsCurrent));
+      }
     }
   }
 
@@ -143,8 +149,10 @@ Status runBenchmark(Viewer& viewer, const std::string& file)
   stream << "{\n  \"window\": [" << size[0] << ", " << size[1]
          << "],\n  \"points\": " << wanted.integer("points")
          << ",\n  \"preview_ms\": " << preview[0].json()
+         << ",\n  \"preview_at_rest_ms\": " << rested[0].json()
          << ",\n  \"preview_sampling_ms\": " << sampling[0].json()
          << ",\n  \"preview_with_gradation_ms\": " << preview[1].json()
+         << ",\n  \"preview_with_gradation_at_rest_ms\": " << rested[1].json()
          << ",\n  \"preview_with_gradation_sampling_ms\": " << sampling[1].json()
          << ",\n  \"frame_while_gradation_moves_ms\": " << gradation.json()
          << ",\n  \"camera_while_meshing_ms\": " << camera.json()

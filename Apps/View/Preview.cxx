@@ -24,14 +24,21 @@ namespace stipple
 {
 namespace
 {
-/// Of smoothing: a thousandth of a density is not seen. A third of the time on 26,000 points.
-constexpr double PreviewTolerance = 1e-3;
+/// Of smoothing: a thousandth of a density is not seen (a third of the time on 26,000 points), nor
+/// is a hundredth while it changes.
+constexpr double FinalTolerance = 1e-3;
+constexpr double DraftTolerance = 1e-2;
+
+/// Whether edges get shorter near features, as vtkGeometryRemesher has it.
+bool mayGrow(const Session& session)
+{
+  return session.text("preset") == "adaptive" && session.text("pattern") != "quads";
+}
 }
 
 Preview::Preview()
 {
-  this->Control->SetSmoothingTolerance(PreviewTolerance);
-  this->RawImportance->SetSmoothingTolerance(PreviewTolerance);
+  this->RawImportance->SetSmoothingTolerance(FinalTolerance);
   this->Sampler->SetInputConnection(0, this->Control->GetOutputPort(0));
 }
 
@@ -65,12 +72,18 @@ void Preview::observeProgress(vtkCommand* command)
   }
 }
 
-Status Preview::update(const Session& session)
+bool Preview::hasDraft(const Session& session)
+{
+  return mayGrow(session) && !pointsFollow(session);
+}
+
+Status Preview::update(const Session& session, PreviewStage stage)
 {
   applyOptions(session, this->Control);
-  // As vtkGeometryRemesher has it.
-  const bool mayGrow = session.text("preset") == "adaptive" && session.text("pattern") != "quads";
-  this->Control->SetInputDataObject(2, mayGrow ? this->Sampler->GetInputDataObject(2, 0) : nullptr);
+  const bool isDraft = stage == PreviewStage::Draft;
+  this->Control->SetSmoothingTolerance(isDraft ? DraftTolerance : FinalTolerance);
+  const bool grows = mayGrow(session) && !isDraft;
+  this->Control->SetInputDataObject(2, grows ? this->Sampler->GetInputDataObject(2, 0) : nullptr);
   const bool follows = pointsFollow(session);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);

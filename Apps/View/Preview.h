@@ -24,6 +24,14 @@ namespace stipple
 struct SamplingInput;
 struct Session;
 
+/// A draft is what can be had while something moves: the same number of samples, but without
+/// shorter edges near features and around what is thin, which take as long as all the rest.
+enum class PreviewStage
+{
+  Draft,
+  Final
+};
+
 class Preview
 {
 public:
@@ -37,8 +45,10 @@ public:
   /// Called while it works; it may set the AbortExecute of the filter that calls it.
   void observeProgress(vtkCommand* command);
 
+  /// Whether a draft of it is anything else.
+  [[nodiscard]] static bool hasDraft(const Session& session);
   /// Samples anew what changed.
-  [[nodiscard]] Status update(const Session& session);
+  [[nodiscard]] Status update(const Session& session, PreviewStage stage = PreviewStage::Final);
 
   /// Of the last update that succeeded.
   vtkPartitionedDataSetCollection* controls();

@@ -22,9 +22,10 @@ namespace
 /// What takes longer is left for a session that came after it.
 constexpr std::chrono::milliseconds Patience(500);
 
-/// Seconds of sampling, up to which samples are relaxed as well; a mean that the newest has so much
-/// of.
-constexpr double QuickPace = 0.02;
+/// After so long without another session, a draft is followed by what stays.
+constexpr std::chrono::milliseconds Rest(100);
+
+/// Seconds of sampling are a mean that the newest has so much of.
 constexpr double NewestShare = 0.25;
 
 /// Each image with copies of these arrays and no other.
@@ -52,8 +53,9 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> copyOfImages(
 }
 }
 
-PreviewWorker::PreviewWorker(int bars)
+PreviewWorker::PreviewWorker(int bars, double quickPace)
   : Bars(bars)
+  , QuickPace(quickPace)
 {
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
@@ -80,7 +82,7 @@ void PreviewWorker::start(const Session& session)
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const auto now = Clock::now();
   this->Asked = this->Busy ? this->Asked : now;
-  if (this->Busy && now - this->Started > Patience)
+  if (this->Busy && (this->HasDraft || now - this->Started > Patience))
   {
     this->Stop = true;
   }
@@ -109,6 +111,7 @@ void PreviewWorker::prepare(const Session&)
 {
   this->Atlas = std::move(this->NextAtlas);
   this->Stop = false;
+  this->HasDraft = false;
   this->Started = Clock::now();
 }
 
@@ -127,21 +130,37 @@ void PreviewWorker::perform(const Session& session)
     this->Painter = std::make_unique<DotPainter>(this->Atlas->charts);
     this->HistogramOf.clear();
   }
-  auto result = this->sample(session);
+  if (this->Pace > this->QuickPace && Preview::hasDraft(session))
+  {
+    if (auto draft = this->sample(session, PreviewStage::Draft); draft->problem.empty())
+    {
+      this->handOver(std::move(draft));
+      if (this->isFollowedWithin(Rest))
+      {
+        return;
+      }
+    }
+  }
+  this->handOver(this->sample(session, PreviewStage::Final));
+}
+
+void PreviewWorker::handOver(std::unique_ptr<PreviewResult> result)
+{
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (!this->Stop)
   {
     this->Done = std::move(result);
     this->Asked = Clock::now();
+    this->HasDraft = true;
   }
 }
 
-std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
+std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session, PreviewStage stage)
 {
   const auto begin = Clock::now();
   auto result = std::make_unique<PreviewResult>();
   result->session = session;
-  const Status status = this->Sampling.update(session);
+  const Status status = this->Sampling.update(session, stage);
   if (this->Stop)
   {
     return result;
@@ -152,9 +171,12 @@ std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session)
     vtkPolyData* samples = this->Sampling.samples();
     result->numberOfSamples = samples->GetNumberOfPoints();
     // Where a frame has time for it; one slow frame among others changes nothing.
-    const double own = std::chrono::duration<double>(Clock::now() - begin).count();
-    this->Pace += NewestShare * (own - this->Pace);
-    const auto relaxed = this->Pace < QuickPace ? this->Relaxation->relax(samples) : nullptr;
+    if (stage == PreviewStage::Final)
+    {
+      const double own = std::chrono::duration<double>(Clock::now() - begin).count();
+      this->Pace += NewestShare * (own - this->Pace);
+    }
+    const auto relaxed = this->Pace < this->QuickPace ? this->Relaxation->relax(samples) : nullptr;
     const stipple::Stop stop = [this] { return this->Stop.load(); };
     vtkPartitionedDataSetCollection* halftones = this->Sampling.halftones();
     result->dots = relaxed ? this->Painter->paint(*relaxed, halftones, stop)

@@ -30,16 +30,18 @@ struct PreviewResult
 class PreviewWorker : public SessionWorker
 {
 public:
-  /// Histograms have so many bars.
-  explicit PreviewWorker(int bars);
+  /// Histograms have so many bars. Where sampling takes fewer seconds than the second, samples are
+  /// relaxed as well; where it takes more, a draft comes first.
+  explicit PreviewWorker(int bars, double quickPace = 0.02);
   ~PreviewWorker() override; ///< stops what runs
 
   /// The charts and maps from now on; what is done for others is not handed over any more.
   void setAtlas(const SamplingInput& atlas);
   /// Whether sessions that are started from now on are to have densities as well.
   void setDensityWanted(bool wanted) { this->DensityWanted = wanted; }
-  /// Samples for this next. What runs is finished, so that something moves while a slider does,
-  /// unless it has taken long.
+  /// Samples for this next, a draft first where a frame has no time for more. What runs is
+  /// finished, so that something moves while a slider does, unless it has taken long or there is a
+  /// draft.
   void start(const Session& session);
   /// Nothing runs, and all that was done has been taken.
   [[nodiscard]] bool idle();
@@ -56,13 +58,16 @@ private:
   void prepare(const Session& session) override;
   void takeImage(vtkImageData* image) override;
   void perform(const Session& session) override;
-  std::unique_ptr<PreviewResult> sample(const Session& session);
+  std::unique_ptr<PreviewResult> sample(const Session& session, PreviewStage stage);
+  void handOver(std::unique_ptr<PreviewResult> result);
 
   Preview Sampling;                             ///< the thread's
   std::unique_ptr<SampleRelaxation> Relaxation; ///< the thread's
   std::unique_ptr<DotPainter> Painter;          ///< the thread's
   double Pace = 0;                              ///< the thread's: seconds that sampling takes
-  int Bars;
+  bool HasDraft = false;                        ///< of what runs
+  const int Bars;
+  const double QuickPace;
   std::string HistogramOf;              ///< the thread's: the importance of
   std::vector<double> Histogram;        ///< the thread's
   std::unique_ptr<SamplingInput> Atlas; ///< the thread's, where it is another one

@@ -48,6 +48,12 @@ void SessionWorker::setNext(const Session& session)
   this->Wake.notify_all();
 }
 
+bool SessionWorker::isFollowedWithin(std::chrono::milliseconds time)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  return this->Wake.wait_for(lock, time, [this] { return this->Next || this->Quit; });
+}
+
 void SessionWorker::work()
 {
   std::unique_lock<std::mutex> lock(this->Mutex);

@@ -8,6 +8,7 @@
 #include "Session.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -36,6 +37,9 @@ protected:
   void end();
   /// Works on this next. Under the mutex.
   void setNext(const Session& session);
+
+  /// In the thread: whether another session comes within this time, or the end.
+  bool isFollowedWithin(std::chrono::milliseconds time);
 
   /// Makes what runs end soon. Under the mutex.
   virtual void stop() = 0;

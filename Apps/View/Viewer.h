@@ -83,6 +83,8 @@ public:
   bool busy() const { return this->Worker.busy(); }
   /// The session's samples are shown, or why there are none.
   bool previewIsCurrent() { return this->HasAtlas && !this->PreviewIsOld && this->Sampler.idle(); }
+  /// Its samples are shown, perhaps a draft of them.
+  bool previewIsShown() { return this->Shown && this->Shown->session == this->sampledSession(); }
   /// That the samples took which are shown.
   double previewSeconds() const { return this->Shown ? this->Shown->seconds : 0; }
   ViewerWindow& window() { return this->Window; }

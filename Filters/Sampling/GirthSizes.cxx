@@ -19,6 +19,9 @@ namespace
 {
 using Constants = SamplingConstants;
 
+/// Places of a thread's turn.
+constexpr vtkIdType Grain = 256;
+
 /// Two walks from one place in opposite directions, step by step.
 class WalkBothWays
 {
@@ -84,38 +87,38 @@ public:
     // Two directions at right angles have the mean of all, and all but one go on straight on a
     // cylinder: nearly everywhere that is enough to know that there is none.
     const double farthest = 0.125 * longest;
-    double mean = 0;
-    for (const double angle : { 0., std::acos(0.) })
+    Spokes spokes;
+    for (const int i : { 0, 2 })
     {
-      WalkBothWays walk(this->Surface, this->IsFeature, place, directionAt(angle));
-      mean += walk.advance(farthest) ? 0.5 * walk.squaredRatio(farthest) : -1.; // no telling
+      spokes[i] = this->ratiosOf(place, directionAt(angleOf(i)), farthest);
+      if (!spokes[i].front())
+      {
+        return {};
+      }
     }
-    if (mean > 0.5 * (1. + Constants::BentChord * Constants::BentChord))
+    // Where a walk ends early there is no telling.
+    const auto last = [&](int i) { return spokes[i].back().value_or(-2.); };
+    if (0.5 * (last(0) + last(2)) > 0.5 * (1. + Constants::BentChord * Constants::BentChord))
     {
       return {};
     }
     // Where a loop is an eighth done both ways, the walks are nearer to one another than they have
     // walked. On a cylinder, (chord / walked)^2 = a + b cos 2 angle + c sin 2 angle, as with
     // Euler's normal curvatures, which four directions tell.
-    std::vector<WalkBothWays> walks;
-    for (int i = 0; i < 4; ++i)
+    for (const int i : { 1, 3 })
     {
-      walks.emplace_back(
-        this->Surface, this->IsFeature, place, directionAt(i * std::atan(1.))); // by 45 degrees
+      spokes[i] = this->ratiosOf(place, directionAt(angleOf(i)), farthest);
     }
-    double walked = 0;
-    for (double share : Constants::ProbesOfGirth)
+    for (std::size_t k = 0; k < Constants::ProbesOfGirth.size(); ++k)
     {
-      const double step = share * farthest - walked;
-      walked += step;
       std::array<double, 4> ratio;
       for (int i = 0; i < 4; ++i)
       {
-        if (!walks[i].advance(step))
+        if (!spokes[i][k])
         {
           return {};
         }
-        ratio[i] = walks[i].squaredRatio(walked);
+        ratio[i] = *spokes[i][k];
       }
       const double b = 0.5 * (ratio[0] - ratio[2]);
       const double c = 0.5 * (ratio[1] - ratio[3]);
@@ -123,6 +126,7 @@ public:
         0.25 * (ratio[0] + ratio[1] + ratio[2] + ratio[3]) - std::sqrt(b * b + c * c);
       if (least < Constants::BentChord * Constants::BentChord)
       {
+        const double walked = Constants::ProbesOfGirth[k] * farthest;
         return this->loop(place, directionAt(0.5 * std::atan2(-c, -b)), longest, 0.25 * walked);
       }
     }
@@ -130,6 +134,30 @@ public:
   }
 
 private:
+  /// The squares of (chord / walked) at the probes; none where a walk has ended.
+  using Ratios = std::array<std::optional<double>, Constants::ProbesOfGirth.size()>;
+  /// In four directions, 45 degrees apart.
+  using Spokes = std::array<Ratios, 4>;
+  static double angleOf(int spoke) { return 0.25 * Pi * spoke; }
+
+  Ratios ratiosOf(const SurfacePlace& place, const Vec3& direction, double farthest) const
+  {
+    Ratios ratios;
+    WalkBothWays walk(this->Surface, this->IsFeature, place, direction);
+    double walked = 0;
+    for (std::size_t k = 0; k < ratios.size(); ++k)
+    {
+      const double to = Constants::ProbesOfGirth[k] * farthest;
+      if (!walk.advance(to - walked))
+      {
+        break;
+      }
+      walked = to;
+      ratios[k] = walk.squaredRatio(walked);
+    }
+    return ratios;
+  }
+
   /// Walks both ways until the two pass each other.
   std::optional<double> loop(
     const SurfacePlace& place, const Vec3& direction, double longest, double step) const
@@ -174,12 +202,19 @@ std::vector<Probe> placesToLookAt(
   // Within a face, points of a sequence of low discrepancy (Roberts 2018: by the plastic number),
   // folded from the unit square into the triangle.
   constexpr double Plastic = 1.32471795724474602596;
+  const auto middleOf = [](int f) { return SurfacePlace{ f, Vec3::Constant(1. / 3.) }; };
+  std::vector<double> atMiddle(static_cast<std::size_t>(surface.numberOfFaces()));
+  vtkSMPTools::For(0, surface.numberOfFaces(), Grain, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType f = begin; f < end; ++f)
+    {
+      atMiddle[f] = spacing(middleOf(static_cast<int>(f)));
+    }
+  });
   std::vector<Probe> probes;
   double mass = 0.5;
   for (int f = 0; f < surface.numberOfFaces(); ++f)
   {
-    const SurfacePlace middle = { f, Vec3::Constant(1. / 3.) };
-    const double here = spacing(middle);
+    const double here = atMiddle[f];
     if (!(here > 0))
     {
       continue;
@@ -197,7 +232,8 @@ std::vector<Probe> placesToLookAt(
         s = 1. - s;
         t = 1. - t;
       }
-      const SurfacePlace place = { f, number == 1 ? middle.bary : Vec3(1. - s - t, s, t) };
+      const SurfacePlace place =
+        number == 1 ? middleOf(f) : SurfacePlace{ f, Vec3(1. - s - t, s, t) };
       const double at = spacing(place);
       if (at > 0)
       {
@@ -215,7 +251,6 @@ std::vector<FeatureSize> girthSizes(
   const std::vector<Probe> probes = placesToLookAt(atlas.surface(), spacing);
   const GirthSearch search(atlas);
   std::vector<double> size(probes.size(), 0.);
-  constexpr vtkIdType Grain = 256;
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(probes.size()), Grain, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end && !isAsked(stop); ++i)

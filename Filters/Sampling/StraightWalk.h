@@ -8,13 +8,13 @@
 #include "AtlasSurface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace stipple
 {
-/// A straight walk on the surface; it ends at the latest after so many faces.
+/// A straight walk on the surface; it ends at the latest after so many faces. The face that it is
+/// in lies in a plane of its own, one of its edges, the base, from (0, 0) to the right.
 class StraightWalk
 {
 public:
@@ -22,29 +22,54 @@ public:
   StraightWalk(const AtlasSurface& surface, int halfedge, const Vec3& bary, int mostFaces)
     : Surface(surface)
     , MostFaces(mostFaces)
-    , Face(halfedge / 3)
-    , Entry(halfedge % 3)
-    , Bary(bary)
+    , Halfedge(halfedge)
+    , Entered(true)
   {
-    this->setDirection(0., 1.);
+    this->layOut();
+    this->Place = { (1. - bary[halfedge % 3]) * this->Length, 0. };
+    this->Forward = { 0., 1. };
   }
   /// From inside a face along a unit vector in its plane.
   StraightWalk(
     const AtlasSurface& surface, int face, const Vec3& bary, const Vec3& direction, int mostFaces)
     : Surface(surface)
     , MostFaces(mostFaces)
-    , Face(face)
-    , Entry(-1)
-    , Bary(bary)
+    , Halfedge(3 * face)
+    , Entered(false)
   {
-    this->setDirection(direction);
+    this->layOut();
+    this->Place = { bary[1] * this->Length + bary[2] * this->Apex.x(), bary[2] * this->Apex.y() };
+    if (this->Valid)
+    {
+      const Axes axes = this->axes();
+      this->Forward = { direction.dot(axes.right), direction.dot(axes.up) };
+    }
   }
 
-  int face() const { return this->Face; }
-  const Vec3& bary() const { return this->Bary; }
-  Vec3 position() const { return this->Surface.position(this->Face, this->Bary); }
+  int face() const { return this->Halfedge / 3; }
+  Vec3 bary() const
+  {
+    const double apex = this->Valid ? this->Place.y() / this->Apex.y() : 0.;
+    const double head =
+      this->Length > 0 ? (this->Place.x() - apex * this->Apex.x()) / this->Length : 0.;
+    const int corner = this->Halfedge % 3;
+    Vec3 result;
+    result[corner] = 1. - apex - head;
+    result[(corner + 1) % 3] = head;
+    result[(corner + 2) % 3] = apex;
+    return clampedBarycentric(result);
+  }
+  Vec3 position() const { return this->Surface.position(this->face(), this->bary()); }
   /// In space, of unit length.
-  const Vec3& direction() const { return this->Direction; }
+  Vec3 direction() const
+  {
+    if (!this->Valid)
+    {
+      return Vec3::Zero();
+    }
+    const Axes axes = this->axes();
+    return this->Forward.x() * axes.right + this->Forward.y() * axes.up;
+  }
 
   /// Goes on by a length; calls crossed(halfedge, length left) for every edge on the way, which
   /// says whether it may be crossed, with the walk at the edge. False where the walk ends.
@@ -57,110 +82,113 @@ public:
       {
         return false;
       }
-      double reach = std::numeric_limits<double>::max();
-      int corner = -1;
-      for (int k = 0; k < 3; ++k)
-      {
-        // The edge opposite corner k is halfedge k + 1 of the face.
-        if (this->Rate[k] < 0 && (k + 1) % 3 != this->Entry)
-        {
-          const double t = std::max(0., -this->Bary[k] / this->Rate[k]);
-          if (t < reach)
-          {
-            reach = t;
-            corner = k;
-          }
-        }
-      }
-      if (corner < 0)
+      const Exit exit = this->exit();
+      if (!(exit.reach >= 0))
       {
         return false;
       }
-      if (length <= reach)
+      if (length <= exit.reach)
       {
-        this->Bary = clampedBarycentric(this->Bary + length * this->Rate);
+        this->Place += length * this->Forward;
         return true;
       }
-      length -= reach;
-      const int h = 3 * this->Face + (corner + 1) % 3;
-      const int twin = this->Surface.twin[h];
-      this->Bary = clampedBarycentric(this->Bary + reach * this->Rate);
-      if (!crossed(h, length) || twin < 0 || ++this->Crossed > this->MostFaces)
+      length -= exit.reach;
+      this->Place += exit.reach * this->Forward;
+      const int twin = this->Surface.twin[exit.halfedge];
+      if (!crossed(exit.halfedge, length) || twin < 0 || ++this->Crossed > this->MostFaces)
       {
         return false;
       }
-      const Vec3 edge =
-        (this->Surface.points[this->Surface.head(h)] - this->Surface.points[this->Surface.tail(h)])
-          .normalized();
-      const double along = std::clamp(this->Direction.dot(edge), -1., 1.);
-      const double atTail = this->Bary[h % 3];
-      this->Face = twin / 3;
-      this->Entry = twin % 3;
-      this->Bary = Vec3::Zero();
-      this->Bary[nextHalfedge(twin) % 3] = atTail;
-      this->Bary[twin % 3] = 1. - atTail;
-      // The new face's own direction along its edge is the opposite one.
-      this->setDirection(-along, std::sqrt(std::max(0., 1. - along * along)));
+      this->enter(twin, exit);
     }
   }
 
 private:
-  /// The corners of the face, and its normal, twice as long as its area.
-  struct Corners
+  /// Where the walk leaves its face, across an edge from `tail` by `edge`.
+  struct Exit
   {
-    std::array<Vec3, 3> opposite; ///< edges
-    Vec3 normal;
+    int halfedge;
+    double reach; ///< to there
+    Vec2 tail;
+    Vec2 edge;
   };
-  Corners corners() const
+  /// Of the face's plane, in space.
+  struct Axes
   {
-    const Vec3& a = this->Surface.point(this->Face, 0);
-    const Vec3& b = this->Surface.point(this->Face, 1);
-    const Vec3& c = this->Surface.point(this->Face, 2);
-    return { { { c - b, a - c, b - a } }, (b - a).cross(c - a) };
+    Vec3 right;
+    Vec3 up;
+  };
+
+  Axes axes() const
+  {
+    const Vec3& tail = this->Surface.points[this->Surface.tail(this->Halfedge)];
+    const Vec3 right =
+      (this->Surface.points[this->Surface.head(this->Halfedge)] - tail) / this->Length;
+    const Vec3 side = this->Surface.points[this->apexPoint()] - tail;
+    return { right, (side - this->Apex.x() * right) / this->Apex.y() };
+  }
+  int apexPoint() const { return this->Surface.tail(nextHalfedge(nextHalfedge(this->Halfedge))); }
+
+  /// Lays the face into its plane, by its base.
+  void layOut()
+  {
+    const Vec3& tail = this->Surface.points[this->Surface.tail(this->Halfedge)];
+    const Vec3 base = this->Surface.points[this->Surface.head(this->Halfedge)] - tail;
+    const Vec3 side = this->Surface.points[this->apexPoint()] - tail;
+    this->Length = base.norm();
+    // The height by the area: what Pythagoras leaves of a needle's is rounding.
+    this->Apex = Vec2(base.dot(side), base.cross(side).norm()) / this->Length;
+    this->Valid = this->Length > 0 && this->Apex.y() > 0;
   }
 
-  /// A direction in the face, by its parts along the edge of entry and away from it.
-  void setDirection(double along, double away)
+  /// The first edge on the way that is crossed from the inside; none if its reach is no number.
+  Exit exit() const
   {
-    const Corners corners = this->corners();
-    const double area = corners.normal.norm(); // twice
-    const Vec3& edge = corners.opposite[(this->Entry + 2) % 3];
-    const double length = edge.norm();
-    this->Valid = area > 0 && length > 0;
-    if (!this->Valid)
+    Exit first = { -1, std::numeric_limits<double>::quiet_NaN(), Vec2::Zero(), Vec2::Zero() };
+    const auto offer = [&](int halfedge, const Vec2& tail, const Vec2& edge) {
+      const double rate = cross2(this->Forward, edge);
+      if (rate > 0)
+      {
+        const double reach = std::max(0., cross2(tail - this->Place, edge) / rate);
+        if (!(reach >= first.reach))
+        {
+          first = { halfedge, reach, tail, edge };
+        }
+      }
+    };
+    const Vec2 head(this->Length, 0.);
+    const int next = nextHalfedge(this->Halfedge);
+    offer(next, head, this->Apex - head);
+    offer(nextHalfedge(next), this->Apex, -this->Apex);
+    if (!this->Entered)
     {
-      return;
+      offer(this->Halfedge, Vec2::Zero(), head);
     }
-    const Vec3 normal = corners.normal / area;
-    const Vec3 unit = edge / length;
-    this->setDirection(along * unit + away * normal.cross(unit), corners, normal, area);
+    return first;
   }
-  void setDirection(const Vec3& direction)
+
+  /// Over an edge into the next face, of which it is the base, run along the other way.
+  void enter(int twin, const Exit& exit)
   {
-    const Corners corners = this->corners();
-    const double area = corners.normal.norm();
-    this->Valid = area > 0;
-    if (this->Valid)
-    {
-      this->setDirection(direction, corners, corners.normal / area, area);
-    }
-  }
-  void setDirection(const Vec3& direction, const Corners& corners, const Vec3& normal, double area)
-  {
-    this->Direction = direction;
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Rate[k] = this->Direction.dot(normal.cross(corners.opposite[k])) / area;
-    }
+    const double square = exit.edge.squaredNorm();
+    const double share = std::clamp((this->Place - exit.tail).dot(exit.edge) / square, 0., 1.);
+    const Vec2 along = exit.edge / std::sqrt(square);
+    this->Forward = { -this->Forward.dot(along), std::max(0., cross2(this->Forward, along)) };
+    this->Halfedge = twin;
+    this->Entered = true;
+    this->layOut();
+    this->Place = { (1. - share) * this->Length, 0. };
   }
 
   const AtlasSurface& Surface;
   const int MostFaces;
-  int Face;
-  int Entry; // corner at which the edge of entry begins; -1 inside a face
-  Vec3 Bary;
-  Vec3 Direction = Vec3::Zero();
-  Vec3 Rate = Vec3::Zero(); // of the barycentric coordinates, per length
+  int Halfedge; // the base
+  bool Entered; // across the base, which is not an edge to leave by
+  // In the plane of the face:
+  double Length = 0; // of the base
+  Vec2 Apex = Vec2::Zero();
+  Vec2 Place = Vec2::Zero();
+  Vec2 Forward = Vec2::Zero(); // of unit length
   bool Valid = false;
   int Crossed = 0;
 };

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceRefinement.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -139,6 +142,35 @@ private:
   std::vector<char> NextIsSettled;
   int Face = -1;
 };
+
+/// By edge of a triangle.
+using EdgeMarks = std::array<bool, 3>;
+
+/// Which edges of triangles that are not settled are to be halved.
+std::vector<EdgeMarks> longEdges(const AtlasSurface& surface,
+  const std::vector<ControlImage>& images, const RefinedSurface& refined,
+  const std::vector<char>& isSettled,
+  const std::function<bool(const Vec3&, const Vec3&)>& isTooLong)
+{
+  std::vector<EdgeMarks> marks(refined.triangles.size());
+  constexpr vtkIdType Grain = 1024;
+  vtkSMPTools::For(0, refined.numberOfTriangles(), Grain, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType t = begin; t < end; ++t)
+    {
+      const Triangle& p = refined.triangles[t];
+      const ControlImage& image = images[surface.faceChart[refined.face[t]]];
+      const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
+      for (int k = 0; k < 3; ++k)
+      {
+        const int next = (k + 1) % 3;
+        const Vec2 e = (refined.uv[t][next] - refined.uv[t][k]).cwiseProduct(toPixel);
+        marks[t][k] = isSettled[t] == 0 && e.norm() > 2. &&
+          isTooLong(refined.points[p[k]], refined.points[p[next]]);
+      }
+    }
+  });
+  return marks;
+}
 }
 
 RefinedSurface refine(
@@ -163,26 +195,17 @@ RefinedSurface refine(const AtlasSurface& surface, const std::vector<ControlImag
   std::vector<char> isSettled(result.triangles.size(), 0);
   for (;;)
   {
+    const std::vector<EdgeMarks> tooLong = longEdges(surface, images, result, isSettled, isTooLong);
     Middles middles(result.points.size());
     for (int t = 0; t < result.numberOfTriangles(); ++t)
     {
-      if (isSettled[t] != 0)
-      {
-        continue;
-      }
       const Triangle& p = result.triangles[t];
-      const ControlImage& image = images[surface.faceChart[result.face[t]]];
-      const Vec2 toPixel(image.width / image.extent.x(), image.height / image.extent.y());
       for (int k = 0; k < 3; ++k)
       {
         const int q = p[(k + 1) % 3];
-        const Vec3& a = result.points[p[k]];
-        const Vec3& b = result.points[q];
-        const Vec2 e = (result.uv[t][(k + 1) % 3] - result.uv[t][k]).cwiseProduct(toPixel);
-        if (e.norm() > 2. && isTooLong(a, b) &&
-          middles.add(p[k], q, static_cast<int>(result.points.size())))
+        if (tooLong[t][k] && middles.add(p[k], q, static_cast<int>(result.points.size())))
         {
-          const Vec3 middle = 0.5 * (a + b);
+          const Vec3 middle = 0.5 * (result.points[p[k]] + result.points[q]);
           result.points.push_back(middle);
         }
       }
@@ -204,43 +227,64 @@ std::vector<PixelPlace> placePixels(
   const AtlasSurface& surface, const RefinedSurface& refined, int chart, const ControlImage& image)
 {
   const int firstFace = surface.chartBegin[chart];
-  const auto begin = static_cast<int>(
-    std::lower_bound(refined.face.begin(), refined.face.end(), firstFace) - refined.face.begin());
-  const auto end = static_cast<int>(
-    std::lower_bound(refined.face.begin(), refined.face.end(), surface.chartBegin[chart + 1]) -
-    refined.face.begin());
+  // The first triangle of each of the chart's faces, and where the last ends.
+  std::vector<int> first;
+  auto from = std::lower_bound(refined.face.begin(), refined.face.end(), firstFace);
+  for (int face = firstFace; face <= surface.chartBegin[chart + 1]; ++face)
+  {
+    from = std::find_if(from, refined.face.end(), [face](int f) { return f >= face; });
+    first.push_back(static_cast<int>(from - refined.face.begin()));
+  }
   std::vector<PixelPlace> places(static_cast<std::size_t>(image.numberOfPixels()));
   // How far inside its best triangle a pixel is so far: who owns a pixel is decided with rounded
   // coordinates, so that it may lie a little outside its face.
   std::vector<float> inside(places.size(), -1e30f);
-  for (int t = begin; t < end; ++t)
-  {
-    const auto& [a, b, c] = refined.uv[t];
+  const auto offer = [&](int pixel, int triangle) {
+    const auto& [a, b, c] = refined.uv[triangle];
     if (orient2(a, b, c) == 0.)
+    {
+      return;
+    }
+    const Vec3 bary = barycentric(image.centre(pixel), a, b, c);
+    const auto least = static_cast<float>(bary.minCoeff());
+    if (least > inside[pixel])
+    {
+      inside[pixel] = least;
+      const Vec3 clamped = clampedBarycentric(bary);
+      places[pixel].triangle = triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        places[pixel].bary[k] = static_cast<float>(clamped[k]);
+      }
+    }
+  };
+  // Most faces are whole: that needs no search.
+  for (int pixel = 0; pixel < image.numberOfPixels(); ++pixel)
+  {
+    const int face = std::max(0, image.faceIndex[pixel]);
+    if (first[face + 1] - first[face] == 1)
+    {
+      offer(pixel, first[face]);
+    }
+  }
+  for (std::size_t face = 0; face + 1 < first.size(); ++face)
+  {
+    if (first[face + 1] - first[face] == 1)
     {
       continue;
     }
-    const int face = refined.face[t] - firstFace;
-    const PixelBox box = image.pixelsAround(a, b, c);
-    for (int y = box.yBegin; y < box.yEnd; ++y)
+    for (int t = first[face]; t < first[face + 1]; ++t)
     {
-      for (int x = box.xBegin; x < box.xEnd; ++x)
+      const auto& [a, b, c] = refined.uv[t];
+      const PixelBox box = image.pixelsAround(a, b, c);
+      for (int y = box.yBegin; y < box.yEnd; ++y)
       {
-        const int pixel = y * image.width + x;
-        if (image.faceIndex[pixel] != face || inside[pixel] >= 0.f)
+        for (int x = box.xBegin; x < box.xEnd; ++x)
         {
-          continue;
-        }
-        const Vec3 bary = barycentric(image.centre(pixel), a, b, c);
-        const auto least = static_cast<float>(bary.minCoeff());
-        if (least > inside[pixel])
-        {
-          inside[pixel] = least;
-          const Vec3 clamped = clampedBarycentric(bary);
-          places[pixel].triangle = t;
-          for (int k = 0; k < 3; ++k)
+          const int pixel = y * image.width + x;
+          if (image.faceIndex[pixel] == static_cast<int>(face) && inside[pixel] < 0.f)
           {
-            places[pixel].bary[k] = static_cast<float>(clamped[k]);
+            offer(pixel, t);
           }
         }
       }
@@ -251,9 +295,7 @@ std::vector<PixelPlace> placePixels(
   {
     if (places[i].triangle < 0)
     {
-      const int face = firstFace + std::max(0, image.faceIndex[i]);
-      places[i].triangle = static_cast<int>(
-        std::lower_bound(refined.face.begin(), refined.face.end(), face) - refined.face.begin());
+      places[i].triangle = first[std::max(0, image.faceIndex[i])];
     }
   }
   return places;

@@ -27,7 +27,8 @@ struct STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface
 /// that has it.
 STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface refine(
   const AtlasSurface& surface, const std::vector<ControlImage>& images, double longest);
-/// The same with edges between two places that are too long by a rule of the caller's.
+/// The same with edges between two places that are too long by a rule of the caller's, which is
+/// asked on several threads.
 STIPPLEFILTERSSAMPLING_EXPORT RefinedSurface refine(const AtlasSurface& surface,
   const std::vector<ControlImage>& images,
   const std::function<bool(const Vec3&, const Vec3&)>& isTooLong);

@@ -37,9 +37,9 @@ inline vtkSmartPointer<vtkPolyData> sphere(int resolution)
   return closed->GetOutput();
 }
 
-inline SamplingInput sphereAtlas(int resolution)
+inline SamplingInput atlasOf(vtkPolyData* surface)
 {
-  MeshWorker worker(sphere(resolution));
+  MeshWorker worker(surface);
   worker.start(withPoints(500));
   std::unique_ptr<AtlasResult> atlas;
   while (!(atlas = worker.takeAtlas()))
@@ -47,6 +47,11 @@ inline SamplingInput sphereAtlas(int resolution)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return atlas->sampling;
+}
+
+inline SamplingInput sphereAtlas(int resolution)
+{
+  return atlasOf(sphere(resolution));
 }
 }
 

@@ -4,7 +4,12 @@
 #include "PreviewWorker.h"
 #include "SphereAtlas.h"
 
+#include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -17,18 +22,37 @@ namespace stipple
 {
 namespace
 {
-std::unique_ptr<PreviewResult> wait(PreviewWorker& worker)
+std::vector<std::unique_ptr<PreviewResult>> waitForAll(PreviewWorker& worker)
 {
-  std::unique_ptr<PreviewResult> last;
+  std::vector<std::unique_ptr<PreviewResult>> results;
   while (!worker.idle())
   {
     if (auto result = worker.take())
     {
-      last = std::move(result);
+      results.push_back(std::move(result));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  return last;
+  return results;
+}
+
+std::unique_ptr<PreviewResult> wait(PreviewWorker& worker)
+{
+  auto results = waitForAll(worker);
+  return results.empty() ? nullptr : std::move(results.back());
+}
+
+std::vector<float> valuesOf(vtkPartitionedDataSetCollection* controls)
+{
+  std::vector<float> values;
+  for (unsigned int c = 0; c < controls->GetNumberOfPartitionedDataSets(); ++c)
+  {
+    auto* image = vtkImageData::SafeDownCast(controls->GetPartitionAsDataObject(c, 0));
+    auto* control = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Control"));
+    values.insert(
+      values.end(), control->GetPointer(0), control->GetPointer(0) + control->GetNumberOfValues());
+  }
+  return values;
 }
 }
 
@@ -88,6 +112,43 @@ TEST(PreviewWorker, TellsWhyThereAreNoSamples)
   EXPECT_FALSE(result->dots);
   worker.start(withPoints(300));
   EXPECT_EQ(wait(worker)->problem, "") << "and goes on";
+}
+
+TEST(PreviewWorker, ADraftIsFollowedByWhatStays)
+{
+  // So thin that edges along its rim must be shorter than elsewhere.
+  vtkNew<vtkCubeSource> plate;
+  plate->SetZLength(0.05);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plate->GetOutputPort());
+  vtkNew<vtkCleanPolyData> closed;
+  closed->SetInputConnection(triangles->GetOutputPort());
+  closed->Update();
+  const SamplingInput atlas = atlasOf(closed->GetOutput());
+  Session session = withPoints(321);
+  session.set("importance", std::string("uniform"));
+  Preview preview;
+  preview.setAtlas(atlas);
+  ASSERT_TRUE(preview.update(session, PreviewStage::Draft).ok());
+  EXPECT_EQ(preview.samples()->GetNumberOfPoints(), 321);
+  const std::vector<float> draft = valuesOf(preview.controls());
+  ASSERT_TRUE(preview.update(session).ok());
+  const std::vector<float> last = valuesOf(preview.controls());
+  EXPECT_NE(draft, last);
+
+  PreviewWorker worker(8, 0.);
+  worker.setAtlas(atlas);
+  worker.start(withPoints(300)); // how long it takes is not known yet
+  EXPECT_EQ(waitForAll(worker).size(), 1U);
+  worker.start(session);
+  const auto results = waitForAll(worker);
+  ASSERT_FALSE(results.empty());
+  EXPECT_EQ(valuesOf(results.back()->controls), last);
+  if (results.size() > 1) // else this thread slept too long to see it
+  {
+    EXPECT_EQ(valuesOf(results.front()->controls), draft);
+    EXPECT_EQ(results.front()->numberOfSamples, 321);
+  }
 }
 
 TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
