@@ -24,9 +24,8 @@ public:
   SurfaceDiffusion();
   ~SurfaceDiffusion();
 
-  /// Takes the surface, and of the images (one a chart) their sizes, areaDistortion and faceIndex.
-  /// Nothing is borrowed.
-  /// The surface is borrowed.
+  /// Takes the surface, which is borrowed, and copies of the images' sizes, areaDistortion and
+  /// faceIndex (one image a chart).
   void setDomain(const AtlasSurface& surface, const std::vector<ControlImage>& images);
 
   /// The heat equation counts as solved where what is left is so small, over its right side. The

@@ -8,6 +8,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <ostream>
+
 class vtkPolyData;
 
 namespace shapes
@@ -30,6 +32,18 @@ stipple::TriangleSurface perforatedSlab(int nx, int ny, int m);
 stipple::TriangleSurface grid(int n, double height = 0.);
 /// The saddle z = x y over [-1, 1]^2 on an n x n grid.
 stipple::TriangleSurface saddle(int n);
+
+/// A shape, told by its name.
+struct Named
+{
+  const char* name;
+  stipple::TriangleSurface surface;
+  /// Or GoogleTest puts the bytes into the test's name.
+  friend std::ostream& operator<<(std::ostream& stream, const Named& shape)
+  {
+    return stream << shape.name;
+  }
+};
 
 /// To be cut into charts; every triangle comes from the cell of its number.
 stipple::CutSurface cutSurface(const stipple::TriangleSurface& surface);

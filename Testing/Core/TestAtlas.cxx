@@ -223,13 +223,13 @@ TEST(ChartRegions, NoChordRemains)
   }
 }
 
-class Partition : public testing::TestWithParam<std::pair<const char*, TriangleSurface>>
+class Partition : public testing::TestWithParam<shapes::Named>
 {
 };
 
 TEST_P(Partition, GivesFlatDisksOfBoundedDensity)
 {
-  const TriangleSurface& shape = GetParam().second;
+  const TriangleSurface& shape = GetParam().surface;
   for (int least : { 1, 5 })
   {
     CutSurface s = shapes::cutSurface(shape);
@@ -270,12 +270,12 @@ TEST_P(Partition, GivesFlatDisksOfBoundedDensity)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Partition,
-  testing::Values(std::make_pair("sphere", shapes::sphere(1, 3)),
-    std::make_pair("torus", shapes::torus(3, 1, 60, 20)), std::make_pair("cube", shapes::cube(8)),
-    std::make_pair("tube", shapes::cylinder(1, 20, 24, 120)),
-    std::make_pair("saddle", shapes::saddle(12)),
-    std::make_pair("icosahedron", shapes::sphere(1, 0))),
-  [](const auto& info) { return info.param.first; });
+  testing::Values(shapes::Named{ "sphere", shapes::sphere(1, 3) },
+    shapes::Named{ "torus", shapes::torus(3, 1, 60, 20) }, shapes::Named{ "cube", shapes::cube(8) },
+    shapes::Named{ "tube", shapes::cylinder(1, 20, 24, 120) },
+    shapes::Named{ "saddle", shapes::saddle(12) },
+    shapes::Named{ "icosahedron", shapes::sphere(1, 0) }),
+  [](const auto& info) { return info.param.name; });
 
 TEST(Partition, CanBeStopped)
 {

@@ -82,14 +82,14 @@ TEST(DensityCuts, OpenASleeveThatNoMapCanHold)
   }
 }
 
-class Slender : public testing::TestWithParam<std::pair<const char*, TriangleSurface>>
+class Slender : public testing::TestWithParam<shapes::Named>
 {
 };
 
 /// Splitting what is too dense went on for ever.
 TEST_P(Slender, PartitionComesToAnEnd)
 {
-  const TriangleSurface& shape = GetParam().second;
+  const TriangleSurface& shape = GetParam().surface;
   CutSurface s = shapes::cutSurface(shape);
   std::vector<FlatChart> charts;
   const Status status = partitionSurface(s, {}, charts, {});
@@ -105,10 +105,10 @@ TEST_P(Slender, PartitionComesToAnEnd)
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, Slender,
-  testing::Values(std::make_pair("ChimneyOfNeedles", shapes::cylinder(1, 300, 12, 12)),
-    std::make_pair("Chimney", shapes::cylinder(1, 300, 12, 150)),
-    std::make_pair("Spikes", shapes::cone(1, 500, 7, 20))),
-  [](const auto& info) { return info.param.first; });
+  testing::Values(shapes::Named{ "ChimneyOfNeedles", shapes::cylinder(1, 300, 12, 12) },
+    shapes::Named{ "Chimney", shapes::cylinder(1, 300, 12, 150) },
+    shapes::Named{ "Spikes", shapes::cone(1, 500, 7, 20) }),
+  [](const auto& info) { return info.param.name; });
 
 TEST(DensityCuts, AFlatStripIsOneChartHoweverSlender)
 {

@@ -252,7 +252,7 @@ TEST(SurfaceDiffusion, StopsWhenAskedTo)
 TEST(SurfaceDiffusion, AFactorizationIsLeftAloneWhenItIsStopped)
 {
   Pixels p;
-  p.builder.addGrid(420, 420, [](int i, int j) { return Vec3(i / 420., j / 420., 0); });
+  p.builder.addGrid(240, 240, [](int i, int j) { return Vec3(i / 240., j / 240., 0); });
   p.take(64);
   const auto step = [](const Vec3& x) { return x.x() < 0.5 ? 1. : 0.; };
   p.fill(step);
@@ -270,7 +270,7 @@ TEST(SurfaceDiffusion, AFactorizationIsLeftAloneWhenItIsStopped)
   p.smooth(0.1);
   const std::vector<std::vector<float>> after = p.values;
   Pixels fresh;
-  fresh.builder.addGrid(420, 420, [](int i, int j) { return Vec3(i / 420., j / 420., 0); });
+  fresh.builder.addGrid(240, 240, [](int i, int j) { return Vec3(i / 240., j / 240., 0); });
   fresh.take(64);
   fresh.fill(step);
   fresh.smooth(0.1);
