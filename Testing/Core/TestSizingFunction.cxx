@@ -85,6 +85,57 @@ TEST(StraightWalk, CrossesARimAndTellsWhereItIs)
   EXPECT_FALSE(refused.advance(0.5, [](int, double) { return false; }));
 }
 
+TEST(StraightWalk, GoesStraightOnAPlaneOfAnyTriangles)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0., 1.);
+  constexpr int Squares = 12;
+  for (const double height : { 1., 1e-5 }) // of needles, too
+  {
+    const auto jittered = [&](int i, int j) {
+      const auto moved = [&](int k) {
+        return (k > 0 && k < Squares ? k + 0.7 * (unit(random) - 0.5) : k) / Squares;
+      };
+      const double x = moved(i);
+      return Vec3(x, height * moved(j), 0.);
+    };
+    Builder builder;
+    builder.addGrid(Squares, Squares, jittered);
+    AtlasSurface s;
+    ASSERT_TRUE(readAtlas(builder.finish().charts, s).ok());
+    int inside = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const int face = static_cast<int>(unit(random) * s.numberOfFaces());
+      const double t = unit(random);
+      const Vec3 bary = clampedBarycentric({ t, (1. - t) * unit(random), 0.2 * unit(random) });
+      const Vec3 from = s.position(face, bary);
+      // To places all over the plane, also exactly through its vertices.
+      const Vec3 to = i % 4 == 0
+        ? s.points[static_cast<std::size_t>(unit(random) * static_cast<double>(s.points.size()))]
+        : Vec3(1.2 * unit(random) - 0.1, height * (1.2 * unit(random) - 0.1), 0.);
+      const double length = (to - from).norm();
+      const Vec3 direction = (to - from) / length;
+      StraightWalk walk(s, face, bary, direction, 1000);
+      const auto mayCross = [](int, double) { return true; };
+      if (to.x() > 1e-9 && to.x() < 1. - 1e-9 && to.y() > 1e-9 * height &&
+        to.y() < (1. - 1e-9) * height)
+      {
+        ++inside;
+        ASSERT_TRUE(walk.advance(0.3 * length, mayCross));
+        ASSERT_TRUE(walk.advance(0.7 * length, mayCross));
+        EXPECT_LT((walk.position() - to).norm(), 1e-10);
+        EXPECT_LT((walk.direction() - direction).norm(), 1e-10 / height);
+      }
+      else if (to.x() < 0 || to.x() > 1 || to.y() < 0 || to.y() > height)
+      {
+        EXPECT_FALSE(walk.advance(length, mayCross)) << "beyond the edge";
+      }
+    }
+    EXPECT_GT(inside, 1000);
+  }
+}
+
 TEST(FeatureSizes, FindsWhatIsNearerThanTheSpacing)
 {
   const Plate plate;
