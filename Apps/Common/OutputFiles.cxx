@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -83,6 +84,19 @@ Status OutputFiles::check(const std::string& target, bool isFolder)
   if (access((special || (exists && isFolder) ? fs::path(target) : parent).c_str(), W_OK) != 0)
   {
     return cannotWrite(target, std::error_code(errno, std::generic_category()));
+  }
+  // Where anybody may write by its permissions, as root in /proc, there may be no file all the
+  // same.
+  if (!special && !isFolder)
+  {
+    const std::string beside = besideName(followed(target));
+    const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0)
+    {
+      return cannotWrite(target, std::error_code(errno, std::generic_category()));
+    }
+    close(file);
+    unlink(beside.c_str());
   }
   return Status::success();
 }

@@ -3,6 +3,7 @@
 #include "FileChooser.h"
 
 #include "MeshFile.h"
+#include "OutputFiles.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -271,8 +272,14 @@ void FileChooser::acceptName()
     }
     return;
   }
+  if (const Status status = OutputFiles::check(file.string()); !status.ok())
+  {
+    this->Sentence = status.message();
+    return;
+  }
+  const bool isOurs = this->Wanted.isOurs && this->Wanted.isOurs(file.string());
   std::error_code error;
-  if (fs::exists(file, error) && !this->Confirmed)
+  if (fs::exists(file, error) && !isOurs && !this->Confirmed)
   {
     this->Confirmed = true;
     const bool isInput =

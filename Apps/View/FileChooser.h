@@ -29,6 +29,7 @@ public:
     std::filesystem::path begin;     ///< a folder, or, where it is saved, the file that is proposed
     std::filesystem::path input;     ///< the surface that is open: told before it is replaced
     std::vector<std::string> recent; ///< files that are offered first; nothing else if it saves
+    std::function<bool(const std::string&)> isOurs; ///< replaced unasked; none if empty
   };
   using Chosen = std::function<void(const std::string& file)>;
 

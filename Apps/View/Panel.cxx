@@ -342,7 +342,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
       : part                     ? "Points of the part"
                                  : "Number of points");
   const std::string hint = part ? "So many new points has the part, besides those on its border."
-                                : "Exactly so many points has the mesh.";
+                                : "The mesh has exactly so many points.";
   this->Number->setOld(follows && edge == 0);
   this->Number->setHint(hint + " Click or n, digits, Return.");
   this->PointsSlider->setHint(hint);

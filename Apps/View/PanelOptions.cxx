@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace stipple
@@ -161,7 +162,10 @@ void Panel::addInputs(Commands& commands)
   const auto band = [this, &commands](const char* label, int end) {
     auto* slider = this->make<Slider>(
       label, Slider::Range{ 0, 20, 2, false, 0.05 },
-      [](double value) { return value > 0 ? shortestText(value) + " %" : std::string("all"); },
+      [](double value) {
+        return value > 0 ? shortestText(std::round(100. * value) / 100.) + " %"
+                         : std::string("all");
+      },
       [&commands, end](double value, bool rests) {
         commands.edit([end, value](Session& s) { setBand(s, end, value); }, rests);
       });

@@ -40,7 +40,14 @@ double Slider::valueAt(double place) const
   const double p = std::clamp(place, 0., 1.);
   const double v = r.logarithmic ? r.low * std::pow(r.high / r.low, p)
                                  : r.low + (r.high - r.low) * std::pow(p, r.power);
-  return r.step > 0 ? std::clamp(std::round(v / r.step) * r.step, r.low, r.high) : v;
+  if (!(r.step > 0))
+  {
+    return v;
+  }
+  // Divided, not multiplied, by what is whole: 157 / 20 is the number nearest to 7.85.
+  const double steps = std::round(v / r.step);
+  const double rounded = r.step < 1 ? steps / std::round(1. / r.step) : steps * r.step;
+  return std::clamp(rounded, r.low, r.high);
 }
 
 void Slider::paint(Canvas& canvas)

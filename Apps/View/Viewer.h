@@ -160,8 +160,9 @@ private:
   void writeFigureFiles();
   /// Says whether it could be written.
   bool writeSessionFile();
-  /// Writes, after a question if the file is there and neither named by the user nor written from
-  /// here.
+  /// Named by the user, or written from here.
+  [[nodiscard]] bool isOurs(const std::string& file) const;
+  /// Writes, after a question if the file is there and not ours.
   void replaceFirst(const std::string& file, const std::function<void()>& write);
 
   // Pages over the window

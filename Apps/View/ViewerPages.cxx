@@ -122,13 +122,18 @@ void Viewer::forgetToSave()
   this->AfterSaving = nullptr;
 }
 
-void Viewer::replaceFirst(const std::string& file, const std::function<void()>& write)
+bool Viewer::isOurs(const std::string& file) const
 {
   const std::vector<std::string>& ours = this->Files.ours;
-  const bool isOurs = std::any_of(ours.begin(), ours.end(), [&file](const std::string& other) {
+  return std::any_of(ours.begin(), ours.end(), [&file](const std::string& other) {
     std::error_code error;
     return file == other || std::filesystem::equivalent(file, other, error);
   });
+}
+
+void Viewer::replaceFirst(const std::string& file, const std::function<void()>& write)
+{
+  const bool isOurs = this->isOurs(file);
   const auto replace = [this, file, write] {
     this->closePage();
     this->Files.ours.push_back(file);
@@ -230,6 +235,7 @@ void Viewer::saveMeshAs()
   wish.saves = true;
   wish.begin = this->Files.mesh;
   wish.input = this->Now.text("model");
+  wish.isOurs = [this](const std::string& file) { return this->isOurs(file); };
   this->show(std::make_shared<FileChooser>(
     std::move(wish),
     [this](const std::string& file) {

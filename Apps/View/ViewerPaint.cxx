@@ -86,7 +86,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
   }
   if (before ? this->BeforeSide.hidesEdges() : this->AfterSide.hidesEdges())
   {
-    detail += ", edges nearer";
+    detail += ", zoom in for edges";
   }
   const float y = view.top() - 18 * s;
   const TextLook bold{ 15, shades::Word, Align::Left, true };

@@ -72,6 +72,11 @@ TEST(MeshEdit, SwapsNeitherCreasesNorIntoFolds)
   const auto u = meshes::patch(4);
   u->edit.put(Vertex(18), u->pointAt(0.6, 0.6));
   EXPECT_FALSE(u->edit.swap(u->edgeBetween(12, 18)));
+  // Folded over on the line from 13 to 17, the vertex 12 would leave a triangle without an area for
+  // the fold: as many are sound then as before.
+  const auto w = meshes::patch(4);
+  w->edit.put(Vertex(12), w->pointAt(0.4, 0.85));
+  EXPECT_FALSE(w->edit.swap(w->edgeBetween(12, 18)));
 }
 
 TEST(MeshEdit, SlidesAtMostHalfTheWay)
