@@ -132,6 +132,8 @@ class BadInput(ProgramTest):
         self.fail_with(1, "it is a folder", cube, "-o", self.folder / "taken.ply")
         self.file("taken", "")
         self.fail_with(1, "it is no folder", cube, "-o", self.folder / "a.ply", "--save-maps", self.folder / "taken")
+        # Where there are no files, whoever asks; the name is the user's.
+        self.fail_with(1, "cannot write '/proc/out.ply': ", cube, "-o", "/proc/out.ply")
         if os.geteuid() != 0:
             locked = self.folder / "locked"
             locked.mkdir(mode=0o500)

@@ -256,6 +256,16 @@ class Files(ViewTest):
         self.play("Control+S", *names, *"a.doc", "Return", "Return", "Escape", model=part)
         self.assertFalse((self.work / "a.doc").exists())
 
+    def test_a_name_that_cannot_be_written_is_not_taken(self):
+        refused = "Control+S", "Control+a", *"/proc/a.off", "Return", "Return", "Escape"
+        self.play(*refused, "Control+s", model=("part.off", "--points", 300))
+        self.assertTrue((self.work / "part-remeshed.ply").exists(), "it is still the name")
+
+    def test_what_was_saved_from_here_is_saved_again_unasked(self):
+        save = "Control+S", "Control+a", *"a.off", "Return"
+        self.play(*save, *save, "Control+j", model=("part.off", "--points", 300))
+        self.assertTrue((self.work / "part-session.json").exists(), "no question is open")
+
     def test_the_proposed_name_keeps_its_ending(self):
         self.play("Control+S", *"mine", "Return", model=("part.off", "--points", 300))
         self.assertTrue((self.work / "mine.ply").exists())
