@@ -249,7 +249,7 @@ private:
       const double before = worst({ { a, b, c } }, { { b, a, d } });
       const double after = worst({ { d, c, a } }, { { c, d, b } });
       if ((after > before + Tuning::RoundingOfAngle || this->unfoldsBySwap(f, e)) &&
-        this->Edit.swap(e))
+        !this->makesFlat(e) && this->Edit.swap(e))
       {
         for (const Vertex v : this->Mesh.corners(f))
         {
@@ -275,6 +275,16 @@ private:
     };
     return area(d, c, a) + area(c, d, b) <
       (1. - Tuning::LeastGainOfArea) * (area(a, b, c) + area(b, a, d));
+  }
+  /// Whether a triangle without area comes of a swap. One that is folded by its normals may be
+  /// right after all, that never is; but where swaps alone take triangles away that lie over a
+  /// slot, the way leads over some.
+  bool makesFlat(Edge e) const
+  {
+    const auto [a, b, c, d] = this->Mesh.wing(e);
+    return this->MayMove &&
+      this->Mesh.isFlat({ { d, c, a } }) + this->Mesh.isFlat({ { c, d, b } }) >
+      this->Mesh.isFlat({ { a, b, c } }) + this->Mesh.isFlat({ { b, a, d } });
   }
   /// Joins a corner to more and more vertices beyond its opposite edge: about the tip of a slot,
   /// the triangles that close the gap on one side of it are to be found on the other. Only for

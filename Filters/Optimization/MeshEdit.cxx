@@ -19,17 +19,17 @@ bool MeshEdit::swap(Edge e)
     return false;
   }
   const auto [a, b, c, d] = mesh.wing(e);
-  const auto sound = [&mesh](const TriangleCorners& s, const TriangleCorners& t) {
-    return mesh.isSound(s) + mesh.isSound(t);
+  const int after = mesh.isSound({ { d, c, a } }) + mesh.isSound({ { c, d, b } });
+  if (after < 2 && after < mesh.isSound({ { a, b, c } }) + mesh.isSound({ { b, a, d } }))
+  {
+    return false;
+  }
+  // Edges of the boundary are not swapped: from a triangle without an area beside one, as at the
+  // tip of a slit, hardly a way leads on.
+  const auto isFlatAtBoundary = [&mesh](Halfedge corner, const TriangleCorners& triangle) {
+    return mesh.isBoundary(mesh.from(corner)) && mesh.isFlat(triangle);
   };
-  const auto flat = [&mesh](const TriangleCorners& s, const TriangleCorners& t) {
-    return mesh.isFlat(s) + mesh.isFlat(t);
-  };
-  // A triangle that is folded by its normals may be right after all; one without an area never is,
-  // and at the tip of a slit no swap leads on from it.
-  if (const int after = sound({ { d, c, a } }, { { c, d, b } }); after < 2 &&
-      (after < sound({ { a, b, c } }, { { b, a, d } }) ||
-        flat({ { d, c, a } }, { { c, d, b } }) > flat({ { a, b, c } }, { { b, a, d } })))
+  if (isFlatAtBoundary(a, { { d, c, a } }) || isFlatAtBoundary(b, { { c, d, b } }))
   {
     return false;
   }

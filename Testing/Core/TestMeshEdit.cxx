@@ -72,11 +72,12 @@ TEST(MeshEdit, SwapsNeitherCreasesNorIntoFolds)
   const auto u = meshes::patch(4);
   u->edit.put(Vertex(18), u->pointAt(0.6, 0.6));
   EXPECT_FALSE(u->edit.swap(u->edgeBetween(12, 18)));
-  // Folded over on the line from 13 to 17, the vertex 12 would leave a triangle without an area for
-  // the fold: as many are sound then as before.
+  // A triangle of the boundary's edges without an area would be left.
   const auto w = meshes::patch(4);
-  w->edit.put(Vertex(12), w->pointAt(0.4, 0.85));
-  EXPECT_FALSE(w->edit.swap(w->edgeBetween(12, 18)));
+  EXPECT_TRUE(w->edit.swap(w->edgeBetween(0, 6)));
+  EXPECT_TRUE(w->edit.swap(w->edgeBetween(1, 5)));
+  w->edit.put(Vertex(1), w->pointAt(1e-6, 0.));
+  EXPECT_FALSE(w->edit.swap(w->edgeBetween(0, 6)));
 }
 
 TEST(MeshEdit, SlidesAtMostHalfTheWay)
