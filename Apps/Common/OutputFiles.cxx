@@ -81,23 +81,23 @@ Status OutputFiles::check(const std::string& target, bool isFolder)
       "cannot write '" + target + "': it is " + (isFolder ? "no folder" : "a folder"));
   }
   const bool special = isSpecial(target);
-  if (access((special || (exists && isFolder) ? fs::path(target) : parent).c_str(), W_OK) != 0)
+  if (special || isFolder)
   {
-    return cannotWrite(target, std::error_code(errno, std::generic_category()));
-  }
-  // Where anybody may write by its permissions, as root in /proc, there may be no file all the
-  // same.
-  if (!special && !isFolder)
-  {
-    const std::string beside = besideName(followed(target));
-    const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0)
+    if (access((special || exists ? fs::path(target) : parent).c_str(), W_OK) != 0)
     {
       return cannotWrite(target, std::error_code(errno, std::generic_category()));
     }
-    close(file);
-    unlink(beside.c_str());
+    return Status::success();
   }
+  // Permissions do not tell: as root in /proc, anybody may write, and there can be no file.
+  const std::string beside = besideName(followed(target));
+  const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    return cannotWrite(target, std::error_code(errno, std::generic_category()));
+  }
+  close(file);
+  unlink(beside.c_str());
   return Status::success();
 }
 

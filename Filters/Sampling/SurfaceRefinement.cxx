@@ -261,8 +261,8 @@ std::vector<PixelPlace> placePixels(
   // Most faces are whole: that needs no search.
   for (int pixel = 0; pixel < image.numberOfPixels(); ++pixel)
   {
-    const int face = std::max(0, image.faceIndex[pixel]);
-    if (first[face + 1] - first[face] == 1)
+    const int face = image.faceIndex[pixel];
+    if (face >= 0 && first[face + 1] - first[face] == 1)
     {
       offer(pixel, first[face]);
     }
