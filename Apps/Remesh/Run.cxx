@@ -61,7 +61,9 @@ public:
     command->SetClientData(this);
     command->SetCallback([](vtkObject* caller, unsigned long, void* self, void*) {
       auto* filter = static_cast<vtkGeometryRemesher*>(caller);
-      static_cast<ProgressObserver*>(self)->Bar.show(filter->GetProgress(), "remeshing");
+      const int tried = filter->GetNumberOfPointsTried();
+      static_cast<ProgressObserver*>(self)->Bar.show(filter->GetProgress(),
+        tried > 0 ? "trying " + std::to_string(tried) + " points" : "remeshing");
       if (interrupted())
       {
         filter->SetAbortExecute(1);

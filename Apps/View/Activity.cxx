@@ -52,7 +52,9 @@ std::string Activity::sentence() const
     case Mesh::Charts:
       return "Cutting into charts; Esc stops it.";
     case Mesh::Making:
-      return "Meshing; Esc stops it.";
+      return this->tried > 0
+        ? "Trying " + grouped(this->tried) + " points for the distance; Esc stops it."
+        : "Meshing; Esc stops it.";
     case Mesh::Asks:
       return "Edges so short take some " + numberText(twoDigits(this->points)) +
         " points. Return makes the mesh.";
@@ -66,8 +68,8 @@ std::string Activity::sentence() const
 bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
-    return std::tie(a.reading, a.mesh, a.points, a.progress, a.savesMesh, a.sampling, a.samples,
-      a.meshFile, a.sampleProblem, a.meshProblem);
+    return std::tie(a.reading, a.mesh, a.points, a.tried, a.progress, a.savesMesh, a.sampling,
+      a.samples, a.meshFile, a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);
 }

@@ -25,6 +25,7 @@ struct Activity
 
   Mesh mesh = Mesh::Waiting;
   double points = 0;         ///< of the mesh that is asked about
+  int tried = 0;             ///< points, where their number is looked for
   double progress = 0;       ///< 0 to 1 of what showsBar()
   bool savesMesh = false;    ///< the mesh is written when it is done
   bool sampling = false;     ///< the samples on the left are not those of the session
@@ -40,6 +41,8 @@ struct Activity
   [[nodiscard]] std::string note() const;
   /// Beside the title of samples that are not there.
   [[nodiscard]] std::string sampleNote() const;
+  /// For Return.
+  [[nodiscard]] bool waits() const { return mesh == Mesh::Asks || mesh == Mesh::Stopped; }
   /// Something went wrong, or stays as it is until the user does something.
   [[nodiscard]] bool alarms() const;
   /// For the status line; empty if the mesh is current and nothing is wrong.

@@ -43,6 +43,12 @@ vtkSmartPointer<vtkImageData> onePixel(const Pixel& color)
   return image;
 }
 
+bool hasLines(vtkActor* actor)
+{
+  auto* lines = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+  return lines && lines->GetNumberOfLines() > 0;
+}
+
 /// The chart's surface with its parameters as texture coordinates in [0, 1].
 vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
 {
@@ -248,8 +254,7 @@ void BeforeScene::showRightActors()
   {
     const bool on =
       type == 2 ? this->View.seams || this->View.display == Display::Charts : this->View.features;
-    auto* lines = vtkPolyData::SafeDownCast(this->Lines[type]->GetMapper()->GetInput());
-    this->Lines[type]->SetVisibility(on && lines && lines->GetNumberOfLines() > 0);
+    this->Lines[type]->SetVisibility(on && hasLines(this->Lines[type]));
     this->Lines[type]->GetProperty()->SetLineWidth((type == 2 ? 1.5F : 2.5F) * this->LineWidth);
   }
   this->Edges->GetProperty()->SetLineWidth(4 * this->LineWidth);
@@ -337,6 +342,11 @@ void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radi
   }
   static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circle);
   this->Brush->SetVisibility(radius > 0);
+}
+
+bool BeforeScene::hasFeatures() const
+{
+  return hasLines(this->Lines[0]);
 }
 
 vtkActor* BeforeScene::points()

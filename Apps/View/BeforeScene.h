@@ -33,6 +33,9 @@ public:
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
+  int numberOfCharts() const { return static_cast<int>(this->Charts.size()); }
+  /// Whether sharp edges are known, those of the model or tagged.
+  bool hasFeatures() const;
   /// How dense samples are wanted, an image a chart (densityImages()).
   void setDensity(std::vector<vtkSmartPointer<vtkImageData>> density);
   /// The samples, or a mesh's vertices.

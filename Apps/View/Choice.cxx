@@ -92,6 +92,10 @@ void Choice::paint(Canvas& canvas)
 
 bool Choice::press(const Pointer& pointer)
 {
+  if (pointer.secondary && this->OnReset && this->wordAt(pointer) >= 0)
+  {
+    this->OnReset();
+  }
   this->Pressed = pointer.secondary ? -1 : this->wordAt(pointer);
   this->Under = this->Pressed;
   return this->Pressed >= 0;

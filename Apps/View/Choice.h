@@ -31,6 +31,8 @@ public:
   /// A hint a word, in their order.
   void setHints(const std::vector<std::string>& hints);
   void choose(int word); ///< One: this and no other
+  /// What the right button does, over a word that is enabled.
+  void setReset(std::function<void()> reset) { this->OnReset = std::move(reset); }
   int rows() const;
 
   void paint(Canvas& canvas) override;
@@ -54,6 +56,7 @@ private:
   std::vector<Cell> Cells;
   int Columns;
   Chosen OnChosen;
+  std::function<void()> OnReset;
   int Pressed = -1;
   int Under = -1; ///< the pointer
 };

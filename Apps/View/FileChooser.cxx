@@ -113,8 +113,8 @@ void FileChooser::list()
     return upperCase(entry.text).compare(0, filter.size(), filter) == 0;
   };
   std::sort(this->Entries.begin(), this->Entries.end(), [&begins](const Entry& a, const Entry& b) {
-    return std::make_tuple(!begins(a), !a.folder, a.text) <
-      std::make_tuple(!begins(b), !b.folder, b.text);
+    return std::make_tuple(!begins(a), !a.folder, upperCase(a.text), a.text) <
+      std::make_tuple(!begins(b), !b.folder, upperCase(b.text), b.text);
   });
   if (!error && folder.parent_path() != folder && filter.empty())
   {

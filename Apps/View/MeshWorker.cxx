@@ -126,6 +126,7 @@ void MeshWorker::prepare(const Session& session)
   this->Current = session;
   this->StopAsked = GoOn;
   this->Fraction = 0.;
+  this->Tried = 0;
 }
 
 void MeshWorker::takeImage(vtkImageData* image)
@@ -228,6 +229,7 @@ void MeshWorker::onEvent(vtkObject* caller, unsigned long event, void* data, voi
   auto* self = static_cast<MeshWorker*>(data);
   auto* remesher = static_cast<vtkGeometryRemesher*>(caller);
   self->Fraction = remesher->GetProgress();
+  self->Tried = remesher->GetNumberOfPointsTried();
   if (event == vtkGeometryRemesher::StageEndEvent &&
     *static_cast<int*>(callData) == vtkGeometryRemesher::MAPS)
   {

@@ -69,6 +69,8 @@ public:
   /// What runs has no maps yet.
   [[nodiscard]] bool makesCharts() const { return this->Busy && !this->MapsDone; }
   [[nodiscard]] double progress() const { return this->Fraction; }
+  /// The number of points that is tried, where one is looked for; else 0.
+  [[nodiscard]] int tried() const { return this->Busy ? this->Tried.load() : 0; }
 
   /// What is done since it was asked last; null if nothing.
   [[nodiscard]] std::unique_ptr<AtlasResult> takeAtlas();
@@ -102,6 +104,7 @@ private:
   std::atomic<int> StopAsked{ GoOn };
   std::atomic<bool> MapsDone{ false }; ///< of what runs
   std::atomic<double> Fraction{ 0. };
+  std::atomic<int> Tried{ 0 };
 };
 }
 

@@ -117,7 +117,11 @@ bool NumberField::key(const KeyStroke& stroke)
   {
     return false;
   }
-  if (end != TypedNumber::End::None)
+  if (end == TypedNumber::End::Refused)
+  {
+    this->tell(TypedNumber::leftOut(stroke));
+  }
+  else if (end != TypedNumber::End::None)
   {
     this->finish(end == TypedNumber::End::Accepted);
   }

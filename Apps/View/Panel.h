@@ -71,6 +71,7 @@ private:
   Choice* optionChoice(Commands& commands, const char* option, std::vector<std::string> words);
   NumberField* optionField(Commands& commands, const char* option, const char* label);
   Choice* arrayChoice(Commands& commands, const char* option, const char* label);
+  bool isThere(const std::string& option) const; ///< an array for it
   void showOptions(const Session& session);
   void heading(const std::string& text);
   void row(std::vector<Control*> controls, float height, float space = 4);
@@ -116,6 +117,7 @@ private:
   {
     std::string option;
     std::string label;
+    std::string hint;
     Choice* choice;
   };
   std::vector<std::pair<std::string, Choice*>> OptionChoices;

@@ -68,6 +68,13 @@ NumberField* Panel::optionField(Commands& commands, const char* option, const ch
   return field;
 }
 
+bool Panel::isThere(const std::string& option) const
+{
+  return option == "region_array" ? this->Input.regions
+    : option == "select_array"    ? this->Input.selections
+                                  : this->Input.arrays;
+}
+
 Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* label)
 {
   auto* choice = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ label }, 1,
@@ -75,15 +82,16 @@ Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* l
   const std::string name = option;
   const bool regions = name == "region_array";
   const bool selects = name == "select_array";
-  const bool isThere = regions ? this->Input.regions
-    : selects                  ? this->Input.selections
-                               : this->Input.arrays;
-  choice->setHints({ isThere ? hintOf(*findOption(option))
-      : regions              ? "The file has no array of its cells that could tell regions."
-      : selects              ? "The file has no array of its cells that could tell a part."
-                             : "The file has no array of numbers." });
-  choice->setEnabled(0, isThere);
-  this->ArrayChoices.push_back({ option, label, choice });
+  const bool isThere = this->isThere(name);
+  choice->setReset([this, &commands, name] {
+    commands.edit([this, name](Session& s) { setArray(s, name, "", this->Fixed); }, true);
+  });
+  const std::string hint = isThere ? hintOf(*findOption(option)) + " Right button: none."
+    : regions                      ? "The file has no array of its cells that could tell regions."
+    : selects                      ? "The file has no array of its cells that could tell a part."
+                                   : "The file has no array of numbers.";
+  choice->setHints({ hint });
+  this->ArrayChoices.push_back({ option, label, hint, choice });
   return choice;
 }
 
@@ -154,7 +162,7 @@ void Panel::addInputs(Commands& commands)
   this->row({ this->arrayChoice(commands, "importance_array", "importance from") }, FieldHeight);
   this->Picture = this->make<Choice>(Choice::Kind::Commands, std::vector<std::string>{ "" }, 1,
     [&commands](int) { commands.choosePicture(); });
-  this->Picture->setHints({ "A picture whose bright places attract samples: .png, .jpg, ..." });
+  this->Picture->setReset([&commands] { commands.edit(removePicture, true); });
   this->Projection =
     this->optionChoice(commands, "image_projection", { "pasted", "along x", "along y", "along z" });
   this->row({ this->Picture }, FieldHeight);
@@ -182,6 +190,11 @@ void Panel::addInputs(Commands& commands)
 
 void Panel::showOptions(const Session& s)
 {
+  const std::string why = whyImportanceRests(s);
+  const bool importanceCounts = why.empty();
+  const auto unlessItRests = [&why](const std::string& hint) {
+    return why.empty() ? hint : "Left out while " + why + ".";
+  };
   for (const auto& [option, choice] : this->OptionChoices)
   {
     choice->choose(indexOf(findOption(option)->choices, s.text(option)));
@@ -198,11 +211,14 @@ void Panel::showOptions(const Session& s)
     field->setValue(s.number(option));
     field->setEnabled(counts(*findOption(option), s));
   }
-  for (const auto& [option, label, choice] : this->ArrayChoices)
+  for (const auto& [option, label, hint, choice] : this->ArrayChoices)
   {
     const std::string& array = s.text(option);
     choice->setWord(0, label + ": " + (array.empty() ? "none" : array));
     choice->setOn(0, !array.empty());
+    const bool isImportance = option == "importance_array";
+    choice->setEnabled(0, this->isThere(option) && (importanceCounts || !isImportance));
+    choice->setHints({ isImportance ? unlessItRests(hint) : hint });
   }
   this->TextureSeams->setOn(0, s.flag("keep_uv_seams"));
   this->TextureSeams->setEnabled(0, this->Input.textures || s.flag("keep_uv_seams"));
@@ -210,9 +226,12 @@ void Panel::showOptions(const Session& s)
   this->Picture->setWord(0,
     "picture: " + (picture.empty() ? "none" : std::filesystem::path(picture).filename().string()));
   this->Picture->setOn(0, s.text("importance") == "image");
+  this->Picture->setEnabled(0, importanceCounts);
+  this->Picture->setHints({ unlessItRests(
+    "A picture whose bright places attract samples: .png, .jpg, ... Right button: none.") });
   for (int word = 0; word < 4; ++word)
   {
-    this->Projection->setEnabled(word, !picture.empty());
+    this->Projection->setEnabled(word, importanceCounts && !picture.empty());
   }
   const std::string none = "There is no picture yet: choose one above.";
   this->Projection->setHints(picture.empty()
@@ -220,7 +239,8 @@ void Panel::showOptions(const Session& s)
       : std::vector<std::string>{ "The picture lies in every chart.", "It is projected along x.",
           "It is projected along y.", "It is projected along z." });
   this->Finest->setValue(s.list("band_pass")[0]);
-  this->Finest->setEnabled(s.list("band_pass")[1] > 0);
+  this->Finest->setEnabled(importanceCounts && s.list("band_pass")[1] > 0);
   this->Coarsest->setValue(s.list("band_pass")[1]);
+  this->Coarsest->setEnabled(importanceCounts);
 }
 }

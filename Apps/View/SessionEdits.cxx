@@ -59,9 +59,19 @@ void setArray(Session& session, const std::string& option, const std::string& ar
   {
     session.set("points", array.empty() ? points : 0);
   }
-  else if (option == "importance_array")
+  else if (option == "importance_array" &&
+    (!array.empty() || session.text("importance") == "array"))
   {
     session.set("importance", std::string(array.empty() ? "uniform" : "array"));
+  }
+}
+
+void removePicture(Session& session)
+{
+  session.reset("importance_image");
+  if (session.text("importance") == "image")
+  {
+    session.set("importance", std::string("uniform"));
   }
 }
 

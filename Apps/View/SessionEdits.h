@@ -29,6 +29,9 @@ void setNumber(Session& session, const std::string& option, double value, int po
 /// The name of an array, empty for none; likewise.
 void setArray(Session& session, const std::string& option, const std::string& array, int points);
 
+/// No picture is the importance; likewise.
+void removePicture(Session& session);
+
 /// One end of the band, 0 (finest) or 1 (coarsest), in percent; without a coarsest there is none.
 void setBand(Session& session, int end, double value);
 

@@ -77,6 +77,11 @@ bool TypedNumber::isOpen(double low)
   return low == std::numeric_limits<double>::min();
 }
 
+std::string TypedNumber::leftOut(const KeyStroke& stroke)
+{
+  return std::string("\"") + stroke.letter + "\" is left out of the number.";
+}
+
 std::string TypedNumber::whyNot(double typed, double low, double high)
 {
   return typed < low && isOpen(low) ? "It has to be above 0."
@@ -101,7 +106,12 @@ bool TypedNumber::key(const KeyStroke& stroke, End& end)
   {
     return false;
   }
-  this->Touched = this->Touched || this->text() != before;
+  const bool changed = this->text() != before;
+  this->Touched = this->Touched || changed;
+  if (end == End::None && !changed && !stroke.control && stroke.letter > ' ')
+  {
+    end = End::Refused;
+  }
   return true;
 }
 }

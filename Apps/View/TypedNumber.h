@@ -16,6 +16,7 @@ public:
   enum class End
   {
     None,     ///< it goes on
+    Refused,  ///< it does, without a letter that no number has there
     Accepted, ///< Return, Tab
     GivenUp   ///< Esc
   };
@@ -38,6 +39,8 @@ public:
   bool key(const KeyStroke& stroke, End& end);
   /// Whether a range has no least number, but all above 0, as the table of options has it.
   static bool isOpen(double low);
+  /// What is said of a key that was refused.
+  static std::string leftOut(const KeyStroke& stroke);
   /// Why a number that was typed is not what is taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
 

@@ -117,7 +117,6 @@ Viewer::Viewer(
     "surface. Left adds and drags, right removes.");
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
                         "Lost feature edges of the input are violet in the views.");
-  this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->Window.setTitle(std::filesystem::path(document.session.text("model")).filename().string());
   this->connect();
@@ -368,6 +367,7 @@ void Viewer::takeResults()
     this->AtlasIsNewer = false;
     this->AfterSide.setMesh(this->Mesh->mesh, this->Mesh->lines, this->Mesh->colors);
     this->AfterSide.setLost(this->Mesh->lost);
+    this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
     this->BeforeSide.setMissed(this->Mesh->colors);
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
@@ -479,6 +479,7 @@ Activity Viewer::activity()
   // Maps of another number of points say nothing about this one, and there may be others soon.
   now.sampleProblem = works || this->MeshWanted || this->Stopped ? "" : this->PreviewProblem;
   now.points = this->pointsToAgree();
+  now.tried = this->Worker.tried();
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
     : this->MeshWanted                     ? Mesh::Waiting
@@ -498,6 +499,7 @@ void Viewer::showActivity()
   }
   // Progress is shown at once; the rest after a preview, where one is drawn.
   const bool note = now.note() != this->Doing.note();
+  const bool tries = now.tried != this->Doing.tried;
   if (!this->Shown && now.sampleNote() != this->Doing.sampleNote())
   {
     this->Window.touch(ViewerWindow::Before);
@@ -505,6 +507,11 @@ void Viewer::showActivity()
   this->Doing = now;
   this->StaleIsOld = this->StaleIsOld || note;
   this->Window.touch(ViewerWindow::Status);
+  if (tries)
+  {
+    this->PreviewIsOld = true;
+    this->showSession();
+  }
 }
 
 void Viewer::makeMesh()
@@ -537,9 +544,11 @@ double Viewer::pointsToAgree() const
 Session Viewer::sampledSession() const
 {
   Session session = this->Now;
-  if (session.number("max_deviation") > 0 && this->Mesh)
+  if (session.number("max_deviation") > 0 && (this->Doing.tried > 0 || this->Mesh))
   {
-    session.set("points", static_cast<double>(this->Mesh->mesh->GetNumberOfPoints()));
+    session.set("points",
+      this->Doing.tried > 0 ? this->Doing.tried
+                            : static_cast<double>(this->Mesh->mesh->GetNumberOfPoints()));
   }
   return session;
 }
@@ -571,7 +580,9 @@ void Viewer::changed(bool rests)
 
 void Viewer::showSession()
 {
-  const int points = this->Shown ? static_cast<int>(this->Shown->numberOfSamples) : 0;
+  const int points = this->Doing.tried > 0 ? this->Doing.tried
+    : this->Shown                          ? static_cast<int>(this->Shown->numberOfSamples)
+                                           : 0;
   // Of equilateral triangles that are alike, as many as the mesh has.
   const vtkIdType number = this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0;
   this->Controls.show(this->Now, this->View, points,

@@ -70,6 +70,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
       ? countOf(this->Picker->numberOfPoints(), "point", ", ") +
         countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "face")
       : this->View.display == Display::Density ? ""
+      : this->View.display == Display::Charts  ? countOf(this->BeforeSide.numberOfCharts(), "chart")
       : this->showsVertices() && this->View.display == Display::Samples &&
         this->Now.text("select_array").empty()
       ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "sample", ", as the mesh has them")
@@ -228,6 +229,10 @@ void Viewer::paintStatus(Canvas& canvas)
   std::string words = (this->Doing.alarms() && !this->MessageAlarm) || this->Message.empty()
     ? this->Doing.sentence()
     : this->Message;
+  if (!this->Message.empty() && words == this->Message && this->Doing.waits())
+  {
+    words += " " + this->Doing.sentence();
+  }
   if (words.empty())
   {
     words = this->Hint;

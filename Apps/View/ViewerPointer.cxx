@@ -347,6 +347,10 @@ void Viewer::fillRegion(bool erases)
     return;
   }
   this->addStrokes(place.position, 0, erases ? 0 : this->View.brushStrength, true);
+  if (this->HasAtlas && !this->BeforeSide.hasFeatures())
+  {
+    this->say("There are no features to stop at: all that hangs together here.");
+  }
 }
 
 void Viewer::togglePoint(const PickedPlace& place)

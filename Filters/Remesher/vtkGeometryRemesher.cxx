@@ -655,6 +655,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   int mesh = 0; // of so many points is the last one
   const auto run = [&](int points) {
     s.Points = points;
+    this->NumberOfPointsTried = points;
     s.ProgressFrom = s.ProgressTo;
     s.ProgressTo = 0.5 * (1. + s.ProgressTo);
     if (!this->RunStagesAndCheck())
@@ -719,6 +720,7 @@ int vtkGeometryRemesher::RequestData(
   s.ProgressFrom = 0.;
   s.ProgressTo = 1.;
   this->Deviation = 0.;
+  this->NumberOfPointsTried = 0;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
@@ -728,6 +730,7 @@ int vtkGeometryRemesher::RequestData(
     (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
         ? this->SearchNumberOfPoints(input)
         : this->RunStagesAndCheck());
+  this->NumberOfPointsTried = 0;
   if (done)
   {
     vtkAlgorithm* last = s.last(this->Pattern);
@@ -903,6 +906,7 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
   os << indent << "MaximumDeviationLength: " << this->MaximumDeviationLength << "\n";
   os << indent << "Deviation: " << this->Deviation << "\n";
+  os << indent << "NumberOfPointsTried: " << this->NumberOfPointsTried << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
   os << indent
      << "SelectionArrayName: " << (this->SelectionArrayName ? this->SelectionArrayName : "(none)")

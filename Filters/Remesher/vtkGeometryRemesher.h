@@ -96,6 +96,9 @@ public:
   /// After an update with either of them: what no place deviates by more than, in percent as above;
   /// else 0.
   vtkGetMacro(Deviation, double);
+  /// While a number is looked for, as observers of progress are told: the one that is tried; else
+  /// 0.
+  vtkGetMacro(NumberOfPointsTried, int);
   ///@}
 
   ///@{
@@ -279,6 +282,7 @@ private:
   double MaximumDeviation = 0.;
   double MaximumDeviationLength = 0.;
   double Deviation = 0.;
+  int NumberOfPointsTried = 0;
   int Pattern = TRIANGLES;
   char* SelectionArrayName = nullptr;
   struct Internals;

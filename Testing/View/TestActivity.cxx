@@ -50,6 +50,16 @@ TEST(Activity, ManyPointsAreAskedAbout)
   EXPECT_EQ(a.note(), "not up to date");
 }
 
+TEST(Activity, TellsTheNumberThatIsTried)
+{
+  Activity a = of(Mesh::Making);
+  EXPECT_EQ(a.sentence(), "Meshing; Esc stops it.");
+  const Activity before = a;
+  a.tried = 3412;
+  EXPECT_NE(a, before);
+  EXPECT_EQ(a.sentence(), "Trying 3,412 points for the distance; Esc stops it.");
+}
+
 TEST(Activity, TellsWhatWillBeWritten)
 {
   Activity a = of(Mesh::Making);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -58,5 +59,36 @@ TEST(MeshWorker, RestsAfterSessionsThatWereTakenBack)
   }
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->mesh->GetNumberOfPoints(), 100);
+}
+
+TEST(MeshWorker, TellsTheNumbersThatAreTriedForADistance)
+{
+  MeshWorker worker(sphere(32));
+  Session session = withPoints(100);
+  session.set("max_deviation", 1.);
+  worker.start(session);
+  std::set<int> tried;
+  std::unique_ptr<MeshResult> mesh;
+  while (!worker.idle())
+  {
+    tried.insert(worker.tried());
+    const auto atlas = worker.takeAtlas();
+    if (auto done = worker.takeMesh())
+    {
+      mesh = std::move(done);
+    }
+    ASSERT_TRUE(worker.takeError().empty());
+  }
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(tried.count(static_cast<int>(mesh->mesh->GetNumberOfPoints())), 1);
+  EXPECT_GE(tried.size(), 3) << "none yet, and more than one";
+  EXPECT_EQ(worker.tried(), 0);
+  // The number does not stay from one session to the next.
+  worker.start(withPoints(100));
+  while (!worker.idle())
+  {
+    const auto done = worker.takeMesh();
+    EXPECT_EQ(worker.tried(), 0);
+  }
 }
 }

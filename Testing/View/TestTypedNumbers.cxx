@@ -152,6 +152,30 @@ TEST(TypedNumber, WhatIsNotTakenAsItIsTypedIsSaid)
   }
 }
 
+TEST(TypedNumber, WhatIsNoPartOfANumberIsSaid)
+{
+  std::vector<std::string> said;
+  const auto tell = [&said](const std::string& sentence) { said.push_back(sentence); };
+  NumberField field("points", NumberField::Range{ 1, 10000000 }, [](double) {});
+  field.setTell(tell);
+  field.focus();
+  type(field, "12k");
+  EXPECT_EQ(said, std::vector<std::string>{ "\"k\" is left out of the number." });
+  said.clear();
+  Slider slider(
+    "gamma", Slider::Range{ 0, 3, 1, false, 0.01 },
+    [](double value) { return std::to_string(value); }, [](double, bool) {});
+  slider.setTell(tell);
+  slider.setBox({ 0, 0, 100, 30 });
+  Pointer pointer;
+  pointer.x = 90;
+  pointer.y = 25;
+  slider.press(pointer);
+  ASSERT_TRUE(slider.wantsKeys());
+  type(slider, "1x");
+  EXPECT_EQ(said, std::vector<std::string>{ "\"x\" is left out of the number." });
+}
+
 TEST(TypedNumber, OutsideItsRangeIsSaid)
 {
   std::vector<double> taken;

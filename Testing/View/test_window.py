@@ -124,7 +124,7 @@ class Views(ViewTest):
             self.assertGreater(min(dots), 0.4 * dots[0], dots)
 
     def test_points_do_not_cut_off_the_model(self):
-        """Where the mesh is not there yet, the right view has nothing but them."""
+        """Before there is a mesh the right view is empty: the range of depths is that of the left one."""
         left = self.folder / "points.json"
         self.view(FANDISK, "--points", 300, "--save-session", left, *self.recorded("Control+j"))
         session = json.loads(left.read_text())

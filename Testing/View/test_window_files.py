@@ -62,6 +62,7 @@ class Files(ViewTest):
 
     def test_files_are_opened_by_keys(self):
         (self.work / "apart").mkdir()  # has what is typed in it, but does not begin with it
+        shutil.copyfile(FANDISK, self.work / "Part2.off")  # follows, whatever letters are capitals
         self.play("o", *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 

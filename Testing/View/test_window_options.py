@@ -197,14 +197,14 @@ class Options(ViewTest):
         points = {tuple(p) for p in vtk_to_numpy(reader.GetOutput().GetPoints().GetData())}
         self.assertGreater(len(below), 900)
         self.assertLessEqual(below, points)
-        self.assertEqual(self.play(*click(ONLY_THE_PART), "1", *click(ONLY_THE_PART), "0")["select_array"], "")
+        self.assertEqual(self.play(*click(ONLY_THE_PART), "1", *click(ONLY_THE_PART, "Right"))["select_array"], "")
 
     def test_importance_rests_while_lengths_are_given(self):
         """Per turn or by an array: the words, the sliders and the curve look it, and do nothing."""
         away, sharper, uniform = ("MouseMoveEvent", 1000, 790), (1200, 578), (1051, 653)
         up = [("MouseWheelForwardEvent", 1150, 300)] * 20
         for given in ((*click(TURN), "2", "0", "Return"), (*click(LENGTHS_FROM), "1")):
-            session = self.play(*given, *up, *click(sharper), *click(uniform))
+            session = self.play(*given, *click(IMPORTANCE_FROM), "1", *up, *click(sharper), *click(uniform))
             self.assertEqual((session["importance"], session["gamma"]), ("total", 0.5))
             counts, rests = self.shots((self.ball, "--points", 700), self.recorded(*DOWN, *up, away), self.recorded(*DOWN, *given, *up, away))
             for part in (np.s_[520:660, 1020:1270], np.s_[215:235, 500:660]):
@@ -288,6 +288,8 @@ class Options(ViewTest):
         self.assertGreater(lengths[x < -0.1].mean(), 1.5 * lengths[x > 0.1].mean(), "bright attracts")
         session = self.play(*chosen, "Control+z", "Control+z")
         self.assertEqual((session["importance"], session["importance_image"]), ("total", ""))
+        session = self.play(*chosen, *click(PICTURE, "Right"))
+        self.assertEqual((session["importance"], session["importance_image"]), ("uniform", ""))
         (self.folder / "none.png").write_text("no picture")
         self.assertEqual(self.play(*click(PICTURE), *"none", "Return")["importance"], "total")
 
