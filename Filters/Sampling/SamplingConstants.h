@@ -134,8 +134,6 @@ struct SamplingConstants
   static constexpr int HeatSteps = 6;
   /// Factorizations that are kept: a band-pass needs two.
   static constexpr std::size_t KeptSolvers = 2;
-  /// Points from which on a factorization takes so long that an abort does not wait for it.
-  static constexpr std::size_t ManyPoints = 50000;
 };
 }
 

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceDiffusion.h"
 
+#include "ConjugateGradients.h"
 #include "SamplingConstants.h"
+#include "SparseCholesky.h"
 
 #include "vtkSMPTools.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <deque>
-#include <future>
+#include <numeric>
+#include <utility>
 
 namespace stipple
 {
@@ -21,9 +20,9 @@ namespace
 {
 using Constants = SamplingConstants;
 
+constexpr vtkIdType PointGrain = 1024; ///< points or pixels a task
+
 using SparseMatrix = Eigen::SparseMatrix<double>;
-using Cholesky = Eigen::SimplicialLDLT<SparseMatrix>;
-using ConjugateGradient = Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper>;
 
 /// One implicit step, made ready for a sigma. With few points within a kernel the matrix is close
 /// to the diagonal one, and conjugate gradients need some ten rounds; with many a factorization is
@@ -31,33 +30,45 @@ using ConjugateGradient = Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | 
 struct StepSolver
 {
   double sigma = 0;
-  SparseMatrix matrix;
-  std::unique_ptr<Cholesky> cholesky;
-  std::unique_ptr<ConjugateGradient> iterative;
+  std::unique_ptr<SparseCholesky> direct;
+  std::unique_ptr<ConjugateGradients> iterative;
 
-  bool compute(double pointsInKernel)
+  Status compute(SparseMatrix matrix, double pointsInKernel, const Stop& stop)
   {
-    if (pointsInKernel > 30.)
+    if (pointsInKernel <= 30.)
     {
-      this->cholesky = std::make_unique<Cholesky>();
-      this->cholesky->compute(this->matrix);
-      return this->cholesky->info() == Eigen::Success;
+      this->iterative = std::make_unique<ConjugateGradients>(std::move(matrix));
+      return Status::success();
     }
-    this->iterative = std::make_unique<ConjugateGradient>();
-    this->iterative->compute(this->matrix);
-    return this->iterative->info() == Eigen::Success;
+    this->direct = std::make_unique<SparseCholesky>();
+    return this->direct->factorize(matrix.triangularView<Eigen::Lower>(), stop) ? Status::success()
+      : isAsked(stop)                                                           ? Status::aborted()
+                                                                                : failure();
   }
-  bool solve(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& u) const
+  Status solve(
+    const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& u, const Stop& stop) const
   {
-    if (this->cholesky)
+    if (this->direct)
     {
-      u = this->cholesky->solve(right);
-      return true;
+      u = this->direct->solve(right);
+      return Status::success();
     }
-    this->iterative->setTolerance(tolerance);
-    u = this->iterative->solveWithGuess(right, u).eval();
-    return this->iterative->info() == Eigen::Success;
+    const Status status = this->iterative->solve(right, tolerance, u, stop);
+    return status.ok() || status.isAbort() ? status : failure();
   }
+  static Status failure()
+  {
+    return Status::error("The heat equation on this surface could not be solved: lower Gradation "
+                         "or BandPass.");
+  }
+};
+
+/// A pixel that a point takes its value from, as much as this weight is of the sum of all its
+/// pixels'.
+struct PixelShare
+{
+  int pixel = 0; ///< of all charts' images, one after another
+  double weight = 0;
 };
 
 /// Mass (a third of the triangles around a point) and stiffness (cotangent weights) of linear
@@ -106,20 +117,17 @@ struct SurfaceDiffusion::Internals
   double longest = -1; ///< that it was made with; -1: there is none yet
   RefinedSurface refined;
   std::vector<std::vector<PixelPlace>> places; ///< by chart and pixel
+  std::vector<PixelShare> shares;              ///< by point
+  std::vector<std::size_t> shareBegin;         ///< of each point, and the end
   Eigen::VectorXd mass;
   SparseMatrix stiffness;
   std::deque<std::unique_ptr<StepSolver>> solvers;
 
-  /// What is computed beside this thread, also after a run that was stopped; the future waits for
-  /// it when it is destroyed.
-  std::unique_ptr<StepSolver> pendingSolver;
-  double pendingLongest = -1; ///< of the refinement that it is for
-  std::future<bool> pending;
-
   Status setRefinement(double sigma, const Progress& progress);
-  Status findSolver(double sigma, const Progress& progress, const StepSolver*& found);
-  Status waitForPending(const Progress& progress);
-  const StepSolver* keep(std::unique_ptr<StepSolver> solver);
+  Status findSolver(double sigma, const Stop& stop, const StepSolver*& found);
+  template <typename Visit>
+  void forEachShare(const Visit& visit) const;
+  void gatherShares();
   Eigen::VectorXd pixelsToPoints(const std::vector<float*>& values) const;
   void pointsToPixels(const Eigen::VectorXd& u, const std::vector<float*>& values) const;
 };
@@ -154,37 +162,14 @@ Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& 
     return Status::aborted();
   }
   assemble(this->refined, this->mass, this->stiffness);
+  this->gatherShares();
   this->longest = wanted;
   return Status::success();
 }
 
-Status SurfaceDiffusion::Internals::waitForPending(const Progress& progress)
-{
-  while (this->pending.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-  {
-    if (!report(progress, 0.3))
-    {
-      return Status::aborted();
-    }
-  }
-  return Status::success();
-}
-
-const StepSolver* SurfaceDiffusion::Internals::keep(std::unique_ptr<StepSolver> solver)
-{
-  if (this->solvers.size() >= Constants::KeptSolvers)
-  {
-    this->solvers.pop_front();
-  }
-  this->solvers.push_back(std::move(solver));
-  return this->solvers.back().get();
-}
-
-/// Null is found if the system cannot be solved.
 Status SurfaceDiffusion::Internals::findSolver(
-  double sigma, const Progress& progress, const StepSolver*& found)
+  double sigma, const Stop& stop, const StepSolver*& found)
 {
-  found = nullptr;
   for (const auto& solver : this->solvers)
   {
     if (solver->sigma == sigma)
@@ -193,63 +178,46 @@ Status SurfaceDiffusion::Internals::findSolver(
       return Status::success();
     }
   }
-  if (this->pending.valid())
-  {
-    if (Status status = this->waitForPending(progress); !status.ok())
-    {
-      return status;
-    }
-    const bool done = this->pending.get();
-    if (done && this->pendingSolver->sigma == sigma && this->pendingLongest == this->longest)
-    {
-      found = this->keep(std::move(this->pendingSolver));
-      return Status::success();
-    }
-  }
-  auto solver = std::make_unique<StepSolver>();
-  solver->sigma = sigma;
-  solver->matrix = (0.5 * sigma * sigma / Constants::HeatSteps) * this->stiffness;
-  solver->matrix.diagonal() += this->mass;
+  SparseMatrix matrix = (0.5 * sigma * sigma / Constants::HeatSteps) * this->stiffness;
+  matrix.diagonal() += this->mass;
   const double pointsInKernel =
     sigma * sigma * static_cast<double>(this->refined.points.size()) / this->mass.sum();
-  if (this->refined.points.size() < Constants::ManyPoints)
-  {
-    found = solver->compute(pointsInKernel) ? this->keep(std::move(solver)) : nullptr;
-    return Status::success();
-  }
-  // Eigen's factorization cannot be interrupted, but it can be left alone.
-  this->pendingSolver = std::move(solver);
-  this->pendingLongest = this->longest;
-  this->pending = std::async(std::launch::async,
-    [work = this->pendingSolver.get(), pointsInKernel] { return work->compute(pointsInKernel); });
-  if (Status status = this->waitForPending(progress); !status.ok())
+  auto solver = std::make_unique<StepSolver>();
+  solver->sigma = sigma;
+  if (Status status = solver->compute(std::move(matrix), pointsInKernel, stop); !status.ok())
   {
     return status;
   }
-  found = this->pending.get() ? this->keep(std::move(this->pendingSolver)) : nullptr;
+  if (this->solvers.size() >= Constants::KeptSolvers)
+  {
+    this->solvers.pop_front();
+  }
+  this->solvers.push_back(std::move(solver));
+  found = this->solvers.back().get();
   return Status::success();
 }
 
 /// Every point takes the mean of the pixels around it, by area and nearness; a point that no pixel
-/// is near to takes the pixel that it lies in.
-Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<float*>& values) const
+/// is near to takes the pixel that it lies in. visit(point, pixel, weight).
+template <typename Visit>
+void SurfaceDiffusion::Internals::forEachShare(const Visit& visit) const
 {
-  const auto n = static_cast<Eigen::Index>(this->refined.points.size());
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(n);
-  for (std::size_t c = 0; c < values.size(); ++c)
+  constexpr double OwnPixel = 1e-3;
+  std::vector<int> firstPixel;
+  int numberOfPixels = 0;
+  for (std::size_t c = 0; c < this->images.size(); ++c)
   {
+    firstPixel.push_back(numberOfPixels);
+    numberOfPixels += this->images[c].numberOfPixels();
     const double pixelArea = this->images[c].pixelArea();
     for (std::size_t i = 0; i < this->places[c].size(); ++i)
     {
       const PixelPlace& place = this->places[c][i];
-      const double v = values[c][i] > 0 ? values[c][i] : 0.;
       const double area = this->area[c][i] > 0 ? this->area[c][i] * pixelArea : 0.;
       for (int k = 0; k < 3; ++k)
       {
-        const int p = this->refined.triangles[place.triangle][k];
-        sum[p] += place.bary[k] * area * v;
-        weight[p] += place.bary[k] * area;
+        visit(this->refined.triangles[place.triangle][k], firstPixel[c] + static_cast<int>(i),
+          place.bary[k] * area);
       }
     }
   }
@@ -259,22 +227,63 @@ Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<fl
     for (int k = 0; k < 3; ++k)
     {
       const int p = this->refined.triangles[t][k];
-      const float v = values[c][this->images[c].pixelAt(this->refined.uv[t][k])];
-      sum[p] += 1e-3 * this->mass[p] * (v > 0 ? v : 0.);
-      weight[p] += 1e-3 * this->mass[p];
+      visit(p, firstPixel[c] + this->images[c].pixelAt(this->refined.uv[t][k]),
+        OwnPixel * this->mass[p]);
     }
   }
-  return sum.array() / weight.array().max(1e-300);
+}
+
+void SurfaceDiffusion::Internals::gatherShares()
+{
+  this->shareBegin.assign(this->refined.points.size() + 1, 0);
+  this->forEachShare([this](int point, int, double weight) {
+    this->shareBegin[point + 1] += weight > 0 ? 1 : 0;
+  });
+  std::partial_sum(this->shareBegin.begin(), this->shareBegin.end(), this->shareBegin.begin());
+  this->shares.resize(this->shareBegin.back());
+  std::vector<std::size_t> next = this->shareBegin;
+  this->forEachShare([&](int point, int pixel, double weight) {
+    if (weight > 0)
+    {
+      this->shares[next[point]++] = { pixel, weight };
+    }
+  });
+}
+
+Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<float*>& values) const
+{
+  std::vector<float> all;
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    all.insert(all.end(), values[c], values[c] + this->images[c].numberOfPixels());
+  }
+  Eigen::VectorXd means(static_cast<Eigen::Index>(this->refined.points.size()));
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(means.size()), PointGrain, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        double sum = 0;
+        double weight = 0;
+        for (std::size_t s = this->shareBegin[p]; s < this->shareBegin[p + 1]; ++s)
+        {
+          const float v = all[this->shares[s].pixel];
+          sum += this->shares[s].weight * (v > 0.F ? static_cast<double>(v) : 0.);
+          weight += this->shares[s].weight;
+        }
+        means[p] = weight > 0 ? sum / weight : 0.;
+      }
+    });
+  return means;
 }
 
 void SurfaceDiffusion::Internals::pointsToPixels(
   const Eigen::VectorXd& u, const std::vector<float*>& values) const
 {
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(values.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType c = begin; c < end; ++c)
-      {
-        for (std::size_t i = 0; i < this->places[c].size(); ++i)
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->places[c].size()), PointGrain,
+      [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
         {
           const PixelPlace& place = this->places[c][i];
           const Triangle& t = this->refined.triangles[place.triangle];
@@ -282,8 +291,8 @@ void SurfaceDiffusion::Internals::pointsToPixels(
             place.bary[0] * u[t[0]] + place.bary[1] * u[t[1]] + place.bary[2] * u[t[2]];
           values[c][i] = static_cast<float>(v);
         }
-      }
-    });
+      });
+  }
 }
 
 SurfaceDiffusion::SurfaceDiffusion() = default;
@@ -329,17 +338,12 @@ Status SurfaceDiffusion::smooth(
   {
     return Status::aborted();
   }
-  const Status failure =
-    Status::error("The heat equation on this surface could not be solved: lower Gradation or "
-                  "BandPass.");
+  double done = 0.3;
+  const Stop stop = [&] { return !report(progress, done); };
   const StepSolver* solver = nullptr;
-  if (Status status = d.findSolver(sigma, progress, solver); !status.ok())
+  if (Status status = d.findSolver(sigma, stop, solver); !status.ok())
   {
     return status;
-  }
-  if (!solver)
-  {
-    return failure;
   }
   Eigen::VectorXd u = d.pixelsToPoints(values);
   // Obtuse triangles make weights negative, and results a little wider than the values that went
@@ -348,14 +352,15 @@ Status SurfaceDiffusion::smooth(
   const double high = u.maxCoeff();
   for (int k = 0; k < Constants::HeatSteps; ++k)
   {
-    if (!report(progress, 0.6 + 0.35 * k / Constants::HeatSteps))
+    done = 0.6 + 0.35 * k / Constants::HeatSteps;
+    if (stop())
     {
       return Status::aborted();
     }
     const Eigen::VectorXd right = d.mass.cwiseProduct(u);
-    if (!solver->solve(right, this->Tolerance, u))
+    if (Status status = solver->solve(right, this->Tolerance, u, stop); !status.ok())
     {
-      return failure;
+      return status;
     }
     u = u.cwiseMax(low).cwiseMin(high);
   }

@@ -13,14 +13,14 @@ using namespace synthetic;
 
 namespace
 {
-constexpr int Size = 8;
+constexpr int PixelsAcross = 8;
 
 /// A cube with side 2 as six charts of 8 x 8 squares, and constraints on it.
 struct Cube
 {
   Builder builder;
   SamplingDomain domain;
-  Cube() { cube(this->builder, Size, false); }
+  Cube() { cube(this->builder, PixelsAcross, false); }
   Status read(const std::vector<ConstraintPoint>& constraints = {})
   {
     this->builder.Result.graph.constraints = constraints;
@@ -59,7 +59,7 @@ TEST(SamplingDomain, SortsConstraints)
     places += d.fixedPlaces[b].size();
     for (const double s : d.fixedPlaces[b])
     {
-      EXPECT_NEAR(std::min(s, d.traces()[b].length() - s), 0.25 * 2. / Size, 1e-12);
+      EXPECT_NEAR(std::min(s, d.traces()[b].length() - s), 0.25 * 2. / PixelsAcross, 1e-12);
       const Sample x = d.backboneSample(static_cast<int>(b), s);
       EXPECT_EQ(x.kind, SampleKind::Backbone);
       EXPECT_EQ(x.backbone, static_cast<int>(b));
@@ -83,7 +83,7 @@ TEST(SamplingDomain, MeasuresParametersAndBackbones)
     EXPECT_NEAR(m.squared(Vec2(1., 0.)), 4., 1e-5);
     EXPECT_NEAR(m.dot(Vec2(1., 0.), Vec2(0., 1.)), 0., 1e-5);
   }
-  EXPECT_EQ(std::count(d.onBackbone.begin(), d.onBackbone.end(), 1), 12 * Size * 2);
+  EXPECT_EQ(std::count(d.onBackbone.begin(), d.onBackbone.end(), 1), 12 * PixelsAcross * 2);
   const BackbonePlaces places(12, { 0.5, 1.5 });
   EXPECT_EQ(d.interval(places, 3, 0), (std::array<double, 2>{ { 0., 0.5 } }));
   EXPECT_EQ(d.interval(places, 3, 1), (std::array<double, 2>{ { 0.5, 1.5 } }));
@@ -94,7 +94,7 @@ TEST(SamplingDomain, RefusesAGraphOfOtherCharts)
 {
   Cube c;
   EXPECT_EQ(
-    c.read({ constraint(2, 2 * Size * Size, Vec3(1., 0., 0.)) }).code(), StatusCode::BadInput);
+    c.read({ constraint(2, 2 * PixelsAcross * PixelsAcross, Vec3(1., 0., 0.)) }).code(), StatusCode::BadInput);
   Cube open;
   open.builder.Result.graph.backbones.clear();
   const Status status = open.read();
