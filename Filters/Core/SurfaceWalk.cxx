@@ -21,13 +21,16 @@ SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, const std::vector<char>
 
 SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, bool passWalls) const
 {
-  // A walk about a vertex may pass many faces without getting on: the bound only ends what would go
-  // on for ever.
-  constexpr int MaximumNumberOfCrossings = 10000;
   SurfacePlace place = from;
   Vec3 left = vector;
   int cameThrough = -1;
-  for (int crossing = 0; crossing < MaximumNumberOfCrossings; ++crossing)
+  // A shortest way meets no face twice: what comes back winds about a wire or a tip. One face is
+  // looked for, a later one each time that the number of crossings has doubled (R. Brent, An
+  // Improved Monte Carlo Factorization Algorithm, 1980), so that the first face of a circle of n is
+  // met again after less than 3 n crossings, or what came before it was longer.
+  int known = from.face;
+  std::size_t next = 1;
+  for (std::size_t crossing = 1; crossing <= this->Faces.size(); ++crossing)
   {
     const FaceData& face = this->Faces[place.face];
     const auto& p = face.point;
@@ -87,6 +90,15 @@ SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, boo
     place.face = g / 3;
     place.bary = bary;
     cameThrough = previousHalfedge(g) % 3;
+    if (place.face == known)
+    {
+      break;
+    }
+    if (crossing == next)
+    {
+      known = place.face;
+      next *= 2;
+    }
   }
   return place;
 }

@@ -24,8 +24,8 @@ public:
   explicit SurfaceWalk(const TriangleSurface& surface, const std::vector<char>& wall = {});
 
   /// Goes from a place along a vector of space: the vector is projected on the face and unfolded at
-  /// every edge that is crossed. Ends early at the surface's boundary and, unless told to pass, at
-  /// a wall.
+  /// every edge that is crossed. Ends early at the surface's boundary, unless told to pass at a
+  /// wall, and where it comes back to a face, which no shortest way does.
   SurfacePlace walk(const SurfacePlace& from, const Vec3& vector, bool passWalls = false) const;
 
   /// Unit normal of a face; zero if it is degenerate.

@@ -135,3 +135,41 @@ TEST(SurfaceWalk, EndsAtAWallUnlessToldToPass)
   EXPECT_NEAR(position(s, walk.walk(start, Vec3(0.3, 0., 0.))).x(), 0.5, 1e-12);
   EXPECT_NEAR(position(s, walk.walk(start, Vec3(0.3, 0., 0.), true)).x(), 0.7, 1e-12);
 }
+
+TEST(SurfaceWalk, EndsWhereItWindsAboutAWire)
+{
+  constexpr int Sides = 12;
+  TriangleSurface s;
+  for (int i = 0; i < Sides; ++i)
+  {
+    const double angle = 2. * 3.14159265358979323846 * i / Sides;
+    s.points.emplace_back(std::cos(angle), std::sin(angle), 0.);
+    s.points.emplace_back(std::cos(angle), std::sin(angle), 1000.);
+  }
+  for (int i = 0; i < Sides; ++i)
+  {
+    const int p = 2 * i;
+    const int q = 2 * ((i + 1) % Sides);
+    s.triangles.push_back({ p, q, q + 1 });
+    s.triangles.push_back({ p, q + 1, p + 1 });
+  }
+  s.connect();
+  const SurfaceWalk walk(s);
+  const SurfacePlace start{ 0, Vec3(0.25, 0.25, 0.5) }; // half way up
+  const double from = position(s, start).z();
+  const Vec3 around = (s.points[2] - s.points[0]).normalized();
+  const double turn = Sides * (s.points[2] - s.points[0]).norm();
+  // Half a turn is a shortest way; a helix of many turns is none, and ends in its third turn at
+  // the latest.
+  const auto rise = [&](double turns) {
+    const Vec3 step = turns * turn * around + Vec3(0., 0., turns);
+    return position(s, walk.walk(start, step)).z() - from;
+  };
+  EXPECT_NEAR(rise(0.5), 0.5, 1e-9);
+  EXPECT_NEAR(rise(-0.5), -0.5, 1e-9);
+  for (const double turns : { 20., -20., 1e4 })
+  {
+    EXPECT_GT(std::abs(rise(turns)), 0.5);
+    EXPECT_LT(std::abs(rise(turns)), 3.);
+  }
+}
