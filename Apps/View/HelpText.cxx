@@ -28,7 +28,7 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
     { "l, m", "feature lines (violet: lost in the mesh), seams" },
     { "o", "both in one view, with a line to drag between them" },
     { "c", "mesh colored by smallest angle, quality, deviation, not" },
-    { "g", "go to the worst triangle, by its color or its angle; then to the next" },
+    { "g", "go to the worst triangle by color or angle; then to the next" },
     { "Files", "" }, { "Ctrl+O", "open a surface or a session" },
     { "Ctrl+S, Ctrl+Shift+S", "save the mesh; under a name" },
     { "Ctrl+P, Ctrl+E", "save a picture of the window; figures of both views" },
