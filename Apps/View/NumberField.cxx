@@ -11,10 +11,10 @@
 namespace stipple
 {
 NumberField::NumberField(std::string label, const Range& range, Commit commit)
-  : Label(std::move(label))
+  : NumberControl(range.whole)
+  , Label(std::move(label))
   , Limits(range)
   , OnCommit(std::move(commit))
-  , Typed(range.whole)
 {
 }
 
@@ -108,23 +108,5 @@ void NumberField::finish(bool accept)
   {
     this->tell(text + " is taken as " + grouped(static_cast<long long>(value)) + ".");
   }
-}
-
-bool NumberField::key(const KeyStroke& stroke)
-{
-  TypedNumber::End end;
-  if (!this->Typed.on() || !this->Typed.key(stroke, end))
-  {
-    return false;
-  }
-  if (end == TypedNumber::End::Refused)
-  {
-    this->tell(TypedNumber::leftOut(stroke));
-  }
-  else if (end != TypedNumber::End::None)
-  {
-    this->finish(end == TypedNumber::End::Accepted);
-  }
-  return true;
 }
 }

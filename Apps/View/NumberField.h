@@ -10,7 +10,7 @@
 namespace stipple
 {
 /// A number that is typed: a click, the digits, Return. Escape gives up.
-class NumberField : public Control
+class NumberField : public NumberControl
 {
 public:
   struct Range
@@ -37,19 +37,15 @@ public:
 
   void paint(Canvas& canvas) override;
   bool press(const Pointer& pointer) override;
-  bool wantsKeys() const override { return this->Typed.on(); }
-  bool key(const KeyStroke& stroke) override;
-  void blur() override { this->finish(true); }
 
 private:
-  void finish(bool accept);
+  void finish(bool accept) override;
 
   std::string Label;
   Range Limits;
   Commit OnCommit;
   double Value = 0;
   std::string Automatic;
-  TypedNumber Typed;
   bool Enabled = true;
   bool Old = false;
 };

@@ -18,7 +18,8 @@ constexpr float ValueHeight = 18;
 }
 
 Slider::Slider(std::string label, const Range& range, Format format, Change change)
-  : Label(std::move(label))
+  : NumberControl(false)
+  , Label(std::move(label))
   , Limits(range)
   , Text(std::move(format))
   , Changed(std::move(change))
@@ -152,23 +153,5 @@ void Slider::finish(bool accept)
   {
     this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
   }
-}
-
-bool Slider::key(const KeyStroke& stroke)
-{
-  TypedNumber::End end;
-  if (!this->Typed.on() || !this->Typed.key(stroke, end))
-  {
-    return false;
-  }
-  if (end == TypedNumber::End::Refused)
-  {
-    this->tell(TypedNumber::leftOut(stroke));
-  }
-  else if (end != TypedNumber::End::None)
-  {
-    this->finish(end == TypedNumber::End::Accepted);
-  }
-  return true;
 }
 }

@@ -13,7 +13,7 @@ namespace stipple
 {
 /// A value along a line: its name above on the left, the value on the right. A press on the value
 /// lets it be typed (Return takes it, Esc gives up), the right button resets it.
-class Slider : public Control
+class Slider : public NumberControl
 {
 public:
   struct Range
@@ -42,9 +42,6 @@ public:
   bool press(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
-  bool wantsKeys() const override { return this->Typed.on(); }
-  bool key(const KeyStroke& stroke) override;
-  void blur() override { this->finish(true); }
 
 protected:
   bool isHandled() const override { return this->Enabled; }
@@ -54,7 +51,7 @@ private:
   double valueAt(double place) const;
 
   bool isOverValue(const Pointer& pointer) const;
-  void finish(bool accept);
+  void finish(bool accept) override;
 
   std::string Label;
   Range Limits;
@@ -63,7 +60,6 @@ private:
   double Value = 0;
   std::optional<double> Default;
   bool Held = false;
-  TypedNumber Typed{ false };
   bool Enabled = true;
   float Scale = 1; ///< of the last painting
 };

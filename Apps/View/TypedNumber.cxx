@@ -77,11 +77,6 @@ bool TypedNumber::isOpen(double low)
   return low == std::numeric_limits<double>::min();
 }
 
-std::string TypedNumber::leftOut(const KeyStroke& stroke)
-{
-  return std::string("\"") + stroke.letter + "\" is left out of the number.";
-}
-
 std::string TypedNumber::whyNot(double typed, double low, double high)
 {
   return typed < low && isOpen(low) ? "It has to be above 0."
@@ -111,6 +106,24 @@ bool TypedNumber::key(const KeyStroke& stroke, End& end)
   if (end == End::None && !changed && !stroke.control && stroke.letter > ' ')
   {
     end = End::Refused;
+  }
+  return true;
+}
+
+bool NumberControl::key(const KeyStroke& stroke)
+{
+  TypedNumber::End end;
+  if (!this->Typed.on() || !this->Typed.key(stroke, end))
+  {
+    return false;
+  }
+  if (end == TypedNumber::End::Refused)
+  {
+    this->tell(std::string("\"") + stroke.letter + "\" is left out of the number.");
+  }
+  else if (end != TypedNumber::End::None)
+  {
+    this->finish(end == TypedNumber::End::Accepted);
   }
   return true;
 }

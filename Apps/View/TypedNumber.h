@@ -39,8 +39,6 @@ public:
   bool key(const KeyStroke& stroke, End& end);
   /// Whether a range has no least number, but all above 0, as the table of options has it.
   static bool isOpen(double low);
-  /// What is said of a key that was refused.
-  static std::string leftOut(const KeyStroke& stroke);
   /// Why a number that was typed is not what is taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
 
@@ -49,6 +47,25 @@ private:
   bool On = false;
   bool Touched = false;
   TypedText Line;
+};
+
+/// A control with a number that can be typed.
+class NumberControl : public Control
+{
+public:
+  explicit NumberControl(bool whole)
+    : Typed(whole)
+  {
+  }
+  bool wantsKeys() const override { return this->Typed.on(); }
+  bool key(const KeyStroke& stroke) override;
+  void blur() override { this->finish(true); }
+
+protected:
+  /// The typing ends; what was typed counts, or does not.
+  virtual void finish(bool accept) = 0;
+
+  TypedNumber Typed;
 };
 }
 
