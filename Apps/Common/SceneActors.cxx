@@ -71,8 +71,14 @@ void setSurfaceLook(vtkProperty* property)
 {
   property->SetColor(Clay[0], Clay[1], Clay[2]);
   property->SetInterpolationToFlat();
-  property->SetAmbient(0.08);
-  property->SetDiffuse(0.92);
+  setShading(property, false);
+}
+
+void setShading(vtkProperty* property, bool hasLegend)
+{
+  const double evenly = hasLegend ? 0.6 : 0.08;
+  property->SetAmbient(evenly);
+  property->SetDiffuse(1. - evenly);
 }
 
 void setEdgeLook(vtkProperty* property, double pixels, double scale)

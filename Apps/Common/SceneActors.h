@@ -44,6 +44,8 @@ constexpr double ViewAngle = 24; ///< degrees
 
 /// Flat shading in the colour of clay.
 void setSurfaceLook(vtkProperty* property);
+/// How strong that is: fainter where colours stand for values, which are to be those of the legend.
+void setShading(vtkProperty* property, bool hasLegend);
 
 /// Edges if they are more than some pixels long, the fainter the shorter; a line is as wide as
 /// `scale` pixels, or half of that for short edges.

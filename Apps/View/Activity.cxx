@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Activity.h"
 
+#include "SamplingConstants.h"
 #include "SceneActors.h"
 
 #include <tuple>
@@ -56,8 +57,10 @@ std::string Activity::sentence() const
         ? "Trying " + grouped(this->tried) + " points for the distance; Esc stops it."
         : "Meshing; Esc stops it.";
     case Mesh::Asks:
-      return "Edges so short take some " + numberText(twoDigits(this->points)) +
-        " points. Return makes the mesh.";
+      return "Edges so short take some " + numberText(twoDigits(this->points)) + " points" +
+        (this->points > SamplingConstants::MostSamples
+            ? ": there can be " + grouped(SamplingConstants::MostSamples) + "."
+            : ". Return makes the mesh.");
     case Mesh::Stopped:
       return "Stopped. Return makes the mesh.";
     default:

@@ -86,12 +86,11 @@ vtkActor* AfterScene::lost()
 void AfterScene::paintTriangles()
 {
   auto* mapper = static_cast<vtkPolyDataMapper*>(this->Mesh->GetMapper());
+  const std::vector<float> none;
+  const std::vector<float>& values =
+    this->Colors ? valuesOf(*this->Colors, this->View.coloring) : none;
+  setShading(this->Mesh->GetProperty(), !values.empty());
   mapper->ScalarVisibilityOff();
-  if (!this->Colors)
-  {
-    return;
-  }
-  const std::vector<float>& values = valuesOf(*this->Colors, this->View.coloring);
   if (values.empty())
   {
     return;

@@ -184,6 +184,7 @@ void BeforeScene::showTextures()
   for (std::size_t c = 0; c < this->Charts.size(); ++c)
   {
     vtkImageData* texture = this->Charts[c].texture;
+    setShading(this->Charts[c].actor->GetProperty(), density);
     if (density)
     {
       texture->ShallowCopy(this->Density[c]);
@@ -207,6 +208,7 @@ void BeforeScene::paintMissed()
   auto* mapper = static_cast<vtkPolyDataMapper*>(this->Surface->GetMapper());
   const bool shown = showsMissed(this->View) && this->Missed && !this->Missed->missed.empty();
   mapper->SetScalarVisibility(shown);
+  setShading(this->Surface->GetProperty(), shown);
   if (!shown)
   {
     return;

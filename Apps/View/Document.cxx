@@ -80,7 +80,7 @@ Session openingSession()
 {
   Session session;
   // Something to see when gamma is moved.
-  session.set("importance", "total");
+  session.set("importance", std::string(FirstImportance));
   session.set("gamma", 0.5);
   return session;
 }

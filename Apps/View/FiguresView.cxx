@@ -75,8 +75,10 @@ void FiguresView::paint(Canvas& canvas)
   }
   const Shade words = this->Stale ? shades::Faint : shades::Word;
   const MeshQuality& q = this->Figures.quality;
+  const vtkIdType quads = this->Figures.quads;
   std::vector<std::pair<const char*, std::string>> rows = { { "points", grouped(q.numberOfPoints) },
-    { this->Figures.halves ? "halves of quads" : "triangles", grouped(q.numberOfTriangles) },
+    { quads > 0 ? "quads + triangles" : "triangles",
+      (quads > 0 ? grouped(quads) + " + " : "") + grouped(q.numberOfTriangles - 2 * quads) },
     { "quality, mean", printed("%.3f", q.averageQ) },
     { "angle, least", printed("%.1f\u00b0", q.minimumAngle) },
     { "angle, mean least", printed("%.1f\u00b0", q.averageMinimumAngle) },

@@ -16,7 +16,7 @@ MeshFigures measureFigures(vtkPolyData* mesh)
   MeshFigures figures;
   const TriangleSurface surface = fromPolyData(mesh);
   figures.quality = measureQuality(surface);
-  figures.halves = mesh->GetNumberOfPolys() < surface.numberOfFaces();
+  figures.quads = surface.numberOfFaces() - mesh->GetNumberOfPolys();
   constexpr double Degrees = 57.29577951308232;
   std::vector<int> valence(surface.points.size(), 0);
   for (int f = 0; f < surface.numberOfFaces(); ++f)

@@ -21,7 +21,7 @@ struct MeshFigures
   std::array<double, 18> angles = {};  ///< the triangles' angles, 10 degrees a bar
   int lostFeatureEdges = 0;            ///< of the input, that the mesh has no room for
   vtkIdType cutEdges = 0;              ///< of the input, of more than two triangles
-  bool halves = false;                 ///< the triangles are halves of quads
+  vtkIdType quads = 0;                 ///< two of the triangles each
 };
 
 [[nodiscard]] MeshFigures measureFigures(vtkPolyData* mesh);

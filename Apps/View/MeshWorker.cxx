@@ -161,6 +161,7 @@ void MeshWorker::perform(const Session& session)
   result->session = session;
   result->mesh = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(0));
   result->lines = copyOf<vtkPolyData>(this->Remesher->GetOutputDataObject(1));
+  result->deviation = this->Remesher->GetDeviation();
   result->figures = measureFigures(result->mesh);
   result->figures.cutEdges = this->Remesher->GetAtlas()->GetNumberOfSplitEdges();
   result->lost = lostFeatures(this->Remesher);

@@ -45,6 +45,7 @@ struct MeshResult
   MeshFigures figures;
   MeshColors colors;
   std::shared_ptr<const DotImages> dots; ///< its vertices, on the charts that were handed over last
+  double deviation = 0; ///< of no place is it more, in % of the diagonal; 0: nobody asked
   double seconds = 0;
 };
 

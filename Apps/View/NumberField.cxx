@@ -60,9 +60,9 @@ bool NumberField::press(const Pointer& pointer)
   }
   if (pointer.secondary)
   {
-    if (this->Limits.automatic && this->Value != 0)
+    if (this->Default && *this->Default != this->Value)
     {
-      this->OnCommit(0);
+      this->OnCommit(*this->Default);
     }
     return false;
   }
@@ -96,7 +96,7 @@ void NumberField::finish(bool accept)
   const double value = this->Limits.whole ? std::round(typed) : typed;
   const double within =
     this->Limits.automatic && value == 0 ? 0 : std::clamp(value, low, this->Limits.high);
-  if (within == value || !TypedNumber::isOpen(low)) // or nothing is next to it
+  if (within == value || TypedNumber::hasNearest(value, low))
   {
     this->OnCommit(within);
   }

@@ -6,6 +6,7 @@
 #include "TypedNumber.h"
 
 #include <functional>
+#include <optional>
 
 namespace stipple
 {
@@ -18,8 +19,7 @@ public:
     double low = 0;
     double high = 0;
     bool whole = true;
-    /// 0, or nothing typed, is outside the range and means something else; the right button goes
-    /// back to it.
+    /// 0, or nothing typed, is outside the range and means something else.
     bool automatic = false;
   };
   using Commit = std::function<void(double)>;
@@ -27,6 +27,8 @@ public:
   NumberField(std::string label, const Range& range, Commit commit);
 
   void setValue(double value) { this->Value = value; }
+  /// What the right button goes back to.
+  void setDefault(double value) { this->Default = value; }
   void setEnabled(bool enabled) { this->Enabled = enabled; }
   /// The number is an old one, and another is to come.
   void setOld(bool old) { this->Old = old; }
@@ -45,6 +47,7 @@ private:
   Range Limits;
   Commit OnCommit;
   double Value = 0;
+  std::optional<double> Default;
   std::string Automatic;
   bool Enabled = true;
   bool Old = false;

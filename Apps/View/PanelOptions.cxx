@@ -62,8 +62,14 @@ NumberField* Panel::optionField(Commands& commands, const char* option, const ch
         [this, name, value](Session& s) { setNumber(s, name, value, this->Fixed); }, true);
     });
   field->setAutomatic(o.automatic);
-  field->setHint(
-    hintOf(o) + (o.automatic.empty() ? "" : " Right button, or empty: " + o.automatic + "."));
+  const double usual = Session().number(name);
+  field->setDefault(usual);
+  const bool isAutomatic = usual == 0 && !o.automatic.empty();
+  field->setHint(hintOf(o) + " Right button" +
+    (isAutomatic
+        ? ", or empty: " + o.automatic
+        : ": " + shortestText(usual) + (o.automatic.empty() ? "" : "; empty: " + o.automatic)) +
+    ".");
   this->OptionFields.emplace_back(option, field);
   return field;
 }

@@ -62,7 +62,7 @@ void setArray(Session& session, const std::string& option, const std::string& ar
   else if (option == "importance_array" &&
     (!array.empty() || session.text("importance") == "array"))
   {
-    session.set("importance", std::string(array.empty() ? "uniform" : "array"));
+    session.set("importance", std::string(array.empty() ? FirstImportance : "array"));
   }
 }
 
@@ -71,7 +71,7 @@ void removePicture(Session& session)
   session.reset("importance_image");
   if (session.text("importance") == "image")
   {
-    session.set("importance", std::string("uniform"));
+    session.set("importance", std::string(FirstImportance));
   }
 }
 

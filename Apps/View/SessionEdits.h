@@ -17,6 +17,9 @@ namespace stipple
 /// from nothing.
 [[nodiscard]] double pointsOfLength(const Session& session, double area);
 
+/// The importance that a model opens with in the window, so that there is something to see.
+constexpr const char* FirstImportance = "total";
+
 /// Why the mesh does not follow importance and paint, as in "while ..."; empty if it does.
 [[nodiscard]] std::string whyImportanceRests(const Session& session);
 

@@ -139,19 +139,28 @@ bool Slider::isOverValue(const Pointer& pointer) const
 
 void Slider::finish(bool accept)
 {
-  double value = 0;
-  const bool typed =
-    this->Typed.on() && accept && this->Typed.touched() && this->Typed.value(value);
+  const bool isTyped = this->Typed.on() && accept && this->Typed.touched();
   this->Typed.finish();
-  const double within = std::clamp(value, this->Limits.low, this->Limits.high);
-  if (typed && within != this->Value)
+  if (!isTyped || this->Typed.text().empty())
+  {
+    return;
+  }
+  double value = 0;
+  if (!this->Typed.value(value))
+  {
+    this->tell(this->Typed.text() + " is no number.");
+    return;
+  }
+  const double low = this->Limits.low;
+  const double within = std::clamp(value, low, this->Limits.high);
+  if (within != this->Value && (within == value || TypedNumber::hasNearest(value, low)))
   {
     this->Value = within;
     this->Changed(within, true);
   }
-  if (typed && within != value)
+  if (within != value)
   {
-    this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
+    this->tell(TypedNumber::whyNot(value, low, this->Limits.high));
   }
 }
 }

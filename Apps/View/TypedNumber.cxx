@@ -12,7 +12,7 @@ namespace stipple
 {
 namespace
 {
-constexpr std::size_t MostLetters = 12;
+constexpr std::size_t MostLetters = 24;
 
 /// Without what stands between thousands, if it does: in "12,345" and "1.000.000", not in "2.5".
 std::string withoutGroups(const std::string& text)
@@ -43,12 +43,10 @@ std::string withoutGroups(const std::string& text)
 TypedNumber::TypedNumber(bool whole)
   : Whole(whole)
   , Line([whole](const std::string& rest, char letter) {
-    // As many people write it; in a whole number it may be between thousands.
+    // As many people write it; in a whole number it may be between thousands. What is no number is
+    // told once it is all there: without the letter, 12k would be 12.
     const char sign = letter == ',' && !whole ? '.' : letter;
-    const bool isExponent = sign == 'e' && !rest.empty() && rest.find('e') == std::string::npos;
-    const bool isPart = (sign >= '0' && sign <= '9') || isExponent || sign == '.' ||
-      (whole ? sign == ',' : sign == '-');
-    return isPart && rest.size() < MostLetters ? sign : '\0';
+    return letter > ' ' && rest.size() < MostLetters ? sign : '\0';
   })
 {
 }
@@ -101,12 +99,7 @@ bool TypedNumber::key(const KeyStroke& stroke, End& end)
   {
     return false;
   }
-  const bool changed = this->text() != before;
-  this->Touched = this->Touched || changed;
-  if (end == End::None && !changed && !stroke.control && stroke.letter > ' ')
-  {
-    end = End::Refused;
-  }
+  this->Touched = this->Touched || this->text() != before;
   return true;
 }
 
@@ -117,11 +110,7 @@ bool NumberControl::key(const KeyStroke& stroke)
   {
     return false;
   }
-  if (end == TypedNumber::End::Refused)
-  {
-    this->tell(std::string("\"") + stroke.letter + "\" is left out of the number.");
-  }
-  else if (end != TypedNumber::End::None)
+  if (end != TypedNumber::End::None)
   {
     this->finish(end == TypedNumber::End::Accepted);
   }

@@ -16,12 +16,11 @@ public:
   enum class End
   {
     None,     ///< it goes on
-    Refused,  ///< it does, without a letter that no number has there
     Accepted, ///< Return, Tab
     GivenUp   ///< Esc
   };
 
-  /// Whole numbers have no sign; 1e4, 2.5e3 and 12,345 are some.
+  /// 1e4, 2.5e3 and 12,345 are whole numbers, too.
   explicit TypedNumber(bool whole);
 
   /// Begins with a number that the first letter replaces, or with none.
@@ -41,6 +40,12 @@ public:
   static bool isOpen(double low);
   /// Why a number that was typed is not what is taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
+  /// Whether the nearest number of a range may be taken for one that was typed: it may not for a
+  /// sign that was not meant so, nor where none is the nearest.
+  static bool hasNearest(double typed, double low)
+  {
+    return !TypedNumber::isOpen(low) && (typed >= 0 || low < 0);
+  }
 
 private:
   bool Whole;

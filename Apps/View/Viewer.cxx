@@ -373,6 +373,13 @@ void Viewer::takeResults()
     this->Figures.setFigures(this->Mesh->figures);
     this->showSession();
     this->Problem.clear();
+    if (this->Mesh->deviation > 0 && this->meshIsCurrent())
+    {
+      char percent[32];
+      std::snprintf(percent, sizeof(percent), "%.3g", this->Mesh->deviation);
+      this->say("With " + grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points " +
+        "no place is farther from the input than " + percent + " % of its diagonal.");
+    }
     this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
     {

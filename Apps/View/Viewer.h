@@ -171,12 +171,13 @@ private:
   void giveUpReading();
   /// Whether there is paint, points, edges or a curve that is in no session's file.
   [[nodiscard]] bool hasHandMade() const;
-  /// Does it, after a question if there is unsaved work. `title` is the question.
-  void askFirst(
-    const std::string& title, const std::string& answer, const std::function<void()>& action);
+  /// Does it, after a question if there is unsaved work. `title` is the question, `opened` a file
+  /// that is read then.
+  void askFirst(const std::string& title, const std::string& answer,
+    const std::function<void()>& action, const std::string& opened = "");
   /// The same if a mesh is still to be written. True: it was asked.
-  bool askToWait(
-    const std::string& title, const std::string& answer, const std::function<void()>& action);
+  bool askToWait(const std::string& title, const std::string& answer,
+    const std::function<void()>& action, const std::string& opened);
   void forgetToSave();
   void quit();
 

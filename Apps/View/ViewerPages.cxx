@@ -54,10 +54,10 @@ bool Viewer::hasUnsavedWork() const
   return this->hasHandMade() || (this->Now != this->Saved && this->Now != this->Written);
 }
 
-void Viewer::askFirst(
-  const std::string& title, const std::string& answer, const std::function<void()>& action)
+void Viewer::askFirst(const std::string& title, const std::string& answer,
+  const std::function<void()>& action, const std::string& opened)
 {
-  if (this->askToWait(title, answer, action))
+  if (this->askToWait(title, answer, action, opened))
   {
     return;
   }
@@ -79,21 +79,33 @@ void Viewer::askFirst(
     this->closePage();
     action();
   };
-  this->show(std::make_shared<Question>(title,
-    this->hasHandMade() ? "Paint, picked points, edges or the transfer function are in no file yet."
-                        : "Neither these settings nor their mesh are in a file yet.",
-    std::vector<Question::Answer>{ { "Save, then " + answer, "Return", save },
-      { "Do not save", "d", leave }, { "Stay", "Escape", [this] { this->closePage(); } } }));
+  const char* why = this->hasHandMade()
+    ? "Paint, picked points, edges or the transfer function are in no file yet."
+    : "Neither these settings nor their mesh are in a file yet.";
+  const Question::Answer stay{ "Stay", "Escape", [this] { this->closePage(); } };
+  const Question::Answer doNotSave{ "Do not save", "d", leave };
+  // What is to be opened must not be written over before.
+  std::error_code error;
+  const bool isOpened =
+    !opened.empty() && std::filesystem::equivalent(opened, this->Files.session, error);
+  this->show(std::make_shared<Question>(title, why,
+    isOpened ? std::vector<Question::Answer>{ { "Save under another name", "Return",
+                                                [this] { this->saveMeshAs(); } },
+                 doNotSave, stay }
+             : std::vector<Question::Answer>{
+                 { "Save, then " + answer, "Return", save }, doNotSave, stay }));
 }
 
-bool Viewer::askToWait(
-  const std::string& title, const std::string& answer, const std::function<void()>& action)
+bool Viewer::askToWait(const std::string& title, const std::string& answer,
+  const std::function<void()>& action, const std::string& opened)
 {
   if (!this->SaveWhenDone || this->meshIsCurrent())
   {
     return false;
   }
-  const auto goOn = [this, title, answer, action] { this->askFirst(title, answer, action); };
+  const auto goOn = [this, title, answer, action, opened] {
+    this->askFirst(title, answer, action, opened);
+  };
   const auto wait = [this, goOn] {
     this->closePage();
     this->AfterSaving = goOn;
@@ -159,10 +171,13 @@ void Viewer::askToQuit()
 
 void Viewer::askToOpen(const std::string& file)
 {
-  this->askFirst("Open another file without saving the session?", "open", [this, file] {
-    this->closePage();
-    this->WantedFile = file;
-  });
+  this->askFirst(
+    "Open another file without saving the session?", "open",
+    [this, file] {
+      this->closePage();
+      this->WantedFile = file;
+    },
+    file);
 }
 
 std::string Viewer::takeWantedFile()

@@ -80,10 +80,13 @@ void Viewer::paintView(Canvas& canvas, bool before)
   else
   {
     title = "mesh";
-    detail = this->Mesh ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
-        countOf(this->Mesh->mesh->GetNumberOfPolys(),
-          this->Mesh->session.text("pattern") == "quads" ? "face" : "triangle")
-                        : "";
+    if (this->Mesh)
+    {
+      const vtkIdType quads = this->Mesh->figures.quads;
+      detail = countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
+        (quads > 0 ? countOf(quads, "quad", ", ") : "") +
+        countOf(this->Mesh->mesh->GetNumberOfPolys() - quads, "triangle");
+    }
   }
   if (before ? this->BeforeSide.hidesEdges() : this->AfterSide.hidesEdges())
   {
@@ -224,14 +227,13 @@ void Viewer::paintStatus(Canvas& canvas)
   const float y = bar.y + 0.5F * bar.h;
   canvas.fill(bar, { 228, 231, 236 });
   canvas.rule(bar.x, bar.top() - 1, bar.right(), bar.top() - 1, shades::Line);
-  // What the user asked for is answered; what goes on is told otherwise, and problems always.
+  // What the user asked for is answered; what goes on, what Return does and problems follow.
   const bool alarm = this->Doing.alarms() || this->MessageAlarm;
-  std::string words = (this->Doing.alarms() && !this->MessageAlarm) || this->Message.empty()
-    ? this->Doing.sentence()
-    : this->Message;
-  if (!this->Message.empty() && words == this->Message && this->Doing.waits())
+  std::string words = this->Message;
+  const std::string doing = this->Doing.sentence();
+  if (words.empty() || this->Doing.alarms() || this->Doing.waits() || this->Doing.works())
   {
-    words += " " + this->Doing.sentence();
+    words += words.empty() || doing.empty() ? doing : " " + doing;
   }
   if (words.empty())
   {

@@ -75,8 +75,11 @@ int DeviationSearch::more(const Trial& before)
     this->Stalls = slope < LeastSlope ? this->Stalls + 1 : 0;
   }
   const double ratio = now.deviation / (Aim * this->Wanted);
-  const bool isHopeless = std::isfinite(ratio) && now.points * ratio > this->Most;
-  if (this->Stalls == 2 || isHopeless || now.points >= this->Most)
+  if (std::isfinite(ratio) && now.points * ratio > this->Most)
+  {
+    this->TooMany = now.points * ratio;
+  }
+  if (this->Stalls == 2 || this->TooMany > 0 || now.points >= this->Most)
   {
     return 0;
   }

@@ -26,6 +26,8 @@ public:
 
   /// The fewest points that do; 0 if none did.
   int found() const { return this->Good.points; }
+  /// How many it would take, if that is why the search is over; else 0.
+  double tooMany() const { return this->TooMany; }
   /// Of the trial with the least deviation.
   double nearest() const { return this->Nearest; }
 
@@ -45,6 +47,7 @@ private:
   int Next;
   int Trials = 0;
   int Stalls = 0;
+  double TooMany = 0;
   double Nearest;
   Trial Bad;  ///< the most points that do not
   Trial Good; ///< the fewest that do

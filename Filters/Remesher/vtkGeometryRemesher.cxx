@@ -649,9 +649,10 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   // No more than the input has, which may be flat.
   const double first = std::min(
     stipple::pointsOfSphere(diagonal, wanted), static_cast<double>(reference.points.size()));
-  stipple::DeviationSearch search(wanted, first, pointsOf(s.ControlMap->GetSizeMaximum(), 1., 1.01),
-    std::min<double>(this->GetNumberOfPointsMaxValue(),
-      pointsOf(s.ControlMap->GetSizeMinimum(), this->GetNumberOfPointsMaxValue(), 0.99)));
+  const double all = this->GetNumberOfPointsMaxValue();
+  const double most = std::min(all, pointsOf(s.ControlMap->GetSizeMinimum(), all, 0.99));
+  stipple::DeviationSearch search(
+    wanted, first, pointsOf(s.ControlMap->GetSizeMaximum(), 1., 1.01), most);
   int mesh = 0; // of so many points is the last one
   const auto run = [&](int points) {
     s.Points = points;
@@ -700,8 +701,13 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     std::ostringstream sentence;
     sentence << "No mesh that was tried deviates from the input by at most "
              << 100. * wanted / diagonal << " % of its diagonal, the nearest one does by "
-             << 100. * search.nearest() / diagonal
-             << " %: allow a larger deviation, or shorter edges.";
+             << 100. * search.nearest() / diagonal << " %";
+    if (search.tooMany() > 0.)
+    {
+      sentence << ", and it takes some " << std::setprecision(2) << search.tooMany() / 1e6
+               << " million points, of which there can be " << static_cast<int>(most);
+    }
+    sentence << ": allow a larger deviation" << (most < all ? ", or shorter edges." : ".");
     return fail(sentence.str());
   }
   this->Deviation = 100. * reached / diagonal;

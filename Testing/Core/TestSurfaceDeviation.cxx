@@ -204,6 +204,7 @@ struct Found
   int trials = 0;
   int largest = 0;
   double nearest = 0;
+  double tooMany = 0;
 };
 
 /// Of a surface with this deviation by number; no mesh has fewer than `fewest` points.
@@ -221,6 +222,7 @@ Found search(double wanted, double first, const std::function<double(int)>& of, 
   }
   result.points = s.found();
   result.nearest = s.nearest();
+  result.tooMany = s.tooMany();
   return result;
 }
 }
@@ -253,9 +255,11 @@ TEST(DeviationSearch, EndsWhereThereAreNoFewerAndWhereMoreDoNotHelp)
   EXPECT_EQ(stalled.points, 0);
   EXPECT_EQ(stalled.nearest, 0.2);
   EXPECT_LT(stalled.largest, 100000);
+  EXPECT_EQ(stalled.tooMany, 0.) << "no number does";
   const Found far = search(1e-9, 500., [](int n) { return 50. / n; });
   EXPECT_EQ(far.points, 0);
   EXPECT_EQ(far.trials, 1) << "far more than there may be";
+  EXPECT_NEAR(far.tooMany / 5e10, 1., 0.1);
   const double none = std::numeric_limits<double>::infinity();
   const Found raised = search(0.2, 10., [&](int n) { return n < 100 ? none : 10. / n; });
   EXPECT_GE(raised.points, 100) << "no mesh of fewer";

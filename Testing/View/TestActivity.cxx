@@ -48,6 +48,8 @@ TEST(Activity, ManyPointsAreAskedAbout)
   EXPECT_EQ(a.sentence(), "Edges so short take some 840,000 points. Return makes the mesh.");
   EXPECT_FALSE(a.alarms());
   EXPECT_EQ(a.note(), "not up to date");
+  a.points = 1.4e18;
+  EXPECT_EQ(a.sentence(), "Edges so short take some 1.4e+18 points: there can be 10,000,000.");
 }
 
 TEST(Activity, TellsTheNumberThatIsTried)

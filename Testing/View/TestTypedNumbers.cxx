@@ -85,7 +85,7 @@ TEST(TypedNumber, IsEditedInItsMiddle)
   {
     field.key({ symbol });
   }
-  type(field, "12x-"); // letters are none of a number's
+  type(field, "12");
   EXPECT_EQ(taken, std::vector<double>{ 51200 });
 }
 
@@ -152,28 +152,61 @@ TEST(TypedNumber, WhatIsNotTakenAsItIsTypedIsSaid)
   }
 }
 
-TEST(TypedNumber, WhatIsNoPartOfANumberIsSaid)
+TEST(TypedNumber, WhatIsNoNumberIsRefusedWhole)
 {
-  std::vector<std::string> said;
-  const auto tell = [&said](const std::string& sentence) { said.push_back(sentence); };
-  NumberField field("points", NumberField::Range{ 1, 10000000 }, [](double) {});
+  std::string said;
+  int taken = 0;
+  const auto tell = [&said](const std::string& sentence) { said = sentence; };
+  NumberField field("points", NumberField::Range{ 1, 10000000 }, [&taken](double) { ++taken; });
   field.setTell(tell);
-  field.focus();
-  type(field, "12k");
-  EXPECT_EQ(said, std::vector<std::string>{ "\"k\" is left out of the number." });
-  said.clear();
   Slider slider(
     "gamma", Slider::Range{ 0, 3, 1, false, 0.01 },
-    [](double value) { return std::to_string(value); }, [](double, bool) {});
+    [](double value) { return std::to_string(value); }, [&taken](double, bool) { ++taken; });
   slider.setTell(tell);
   slider.setBox({ 0, 0, 100, 30 });
-  Pointer pointer;
-  pointer.x = 90;
-  pointer.y = 25;
-  slider.press(pointer);
-  ASSERT_TRUE(slider.wantsKeys());
-  type(slider, "1x");
-  EXPECT_EQ(said, std::vector<std::string>{ "\"x\" is left out of the number." });
+  Pointer value;
+  value.x = 90;
+  value.y = 25;
+  for (const char* typed : { "12k", "x", "1e", "--5" })
+  {
+    field.focus();
+    type(field, typed);
+    EXPECT_EQ(said, std::string(typed) + " is no number.");
+    said.clear();
+    slider.press(value);
+    ASSERT_TRUE(slider.wantsKeys());
+    type(slider, typed);
+    EXPECT_EQ(said, std::string(typed) + " is no number.");
+    said.clear();
+  }
+  // A sign that a range has no place for is not left out either.
+  field.focus();
+  type(field, "-5");
+  EXPECT_EQ(said, "1 is the least here.");
+  slider.press(value);
+  type(slider, "-1");
+  EXPECT_EQ(said, "0 is the least here.");
+  EXPECT_EQ(taken, 0);
+}
+
+TEST(NumberField, TheRightButtonGoesBackToTheDefault)
+{
+  std::vector<double> taken;
+  NumberField field("growth", NumberField::Range{ 1, 10, false, true },
+    [&taken](double value) { taken.push_back(value); });
+  Pointer right;
+  right.secondary = true;
+  field.setValue(3);
+  field.press(right);
+  EXPECT_TRUE(taken.empty()) << "it has none";
+  field.setDefault(1.5);
+  field.press(right);
+  field.setValue(1.5);
+  field.press(right); // it is there
+  field.focus();
+  field.key({ "BackSpace" });
+  field.key({ "Return" });
+  EXPECT_EQ(taken, (std::vector<double>{ 1.5, 0 })) << "nothing typed is 0, not the default";
 }
 
 TEST(TypedNumber, OutsideItsRangeIsSaid)

@@ -337,8 +337,9 @@ class Sliders(ViewTest):
         np.testing.assert_array_equal(taken, before)
 
     def test_keys_that_are_typed_do_nothing_else(self):
-        """q and 3 among them."""
-        self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 3)
+        """q and c among them; they make no number of what is there."""
+        self.assertEqual(self.session(*self.click(self.value), "q", "3", "c", "Return")["gamma"], 0.5)
+        self.assertEqual(self.session(*self.click(self.value), "q", "BackSpace", "3", "Return")["gamma"], 3)
 
     def test_the_right_button_resets(self):
         """To what a model opens with."""

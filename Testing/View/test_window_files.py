@@ -287,6 +287,19 @@ class Files(ViewTest):
                 time.sleep(0.05)
         self.assertEqual(mesh_check(mesh, FANDISK)["points"], 300)
 
+    def test_a_session_that_is_opened_is_not_written_over_before(self):
+        """It is a way back to what it has."""
+        to_uniform = "LeftButtonPressEvent", 1050, 654
+        back = "Control+o", *"part-session", "Return"
+        kept = "Control+j", to_uniform, ("LeftButtonReleaseEvent", 1050, 654), *back
+        self.play(*kept, "d", "Control+j", model=("part.off", "--points", 300))
+        self.assertEqual(self.session_of("part")["importance"], "total")
+        (self.work / "part-session.json").unlink()
+        # Return leads to a page for another name.
+        self.play(*kept, "Return", "Control+a", *"other.json", "Return", model=("part.off", "--points", 300))
+        self.assertEqual(self.session_of("part")["importance"], "total")
+        self.assertEqual(json.loads((self.work / "other.json").read_text())["importance"], "uniform")
+
     def test_a_session_is_saved_under_a_name_and_opened_as_a_file(self):
         names = ["Control+a"]
         paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)

@@ -289,7 +289,7 @@ class Options(ViewTest):
         session = self.play(*chosen, "Control+z", "Control+z")
         self.assertEqual((session["importance"], session["importance_image"]), ("total", ""))
         session = self.play(*chosen, *click(PICTURE, "Right"))
-        self.assertEqual((session["importance"], session["importance_image"]), ("uniform", ""))
+        self.assertEqual((session["importance"], session["importance_image"]), ("total", ""), "as at first")
         (self.folder / "none.png").write_text("no picture")
         self.assertEqual(self.play(*click(PICTURE), *"none", "Return")["importance"], "total")
 
