@@ -179,21 +179,23 @@ class LiveWindow:
         X11.XDestroyImage(ctypes.c_void_p(image))
         return np.frombuffer(raw, np.uint8).reshape(height, width, 4)[..., :3].astype(int)
 
-    def settle(self, after=None, rest=None, limit=LIMIT, seen=None):
-        """Waits until the picture is not all of one color, differs from that of before, if given, shows no progress of
-        a mesh, and has not changed for so many seconds (as long as this machine needs); the picture. What is seen on
-        the way is added to a list, if one is given."""
+    def settle(self, after=None, rest=None, limit=LIMIT, seen=None, until=None):
+        """Waits until the picture is not all of one color, differs from that of before, if given, is what `until` says
+        True of, if given, shows no progress of a mesh, and has not changed for so many seconds (as long as this machine
+        needs); the picture. What is seen on the way is added to a list, if one is given."""
         rest = self.rest if rest is None else rest
         end = time.monotonic() + limit
         picture, since = self.picture(), time.monotonic()
         while (
             np.ptp(picture) == 0
             or (after is not None and not (picture != after).any())
+            or (until is not None and not until(picture))
             or (picture[-STATUS_ROWS:] == PROGRESS).all(axis=2).any()
             or time.monotonic() - since < rest
         ):
             if time.monotonic() > end:
-                raise TimeoutError("the window does not come to rest" if after is None else "the window stays as it was")
+                still = after is None and until is None
+                raise TimeoutError("the window does not come to rest" if still else "the window stays as it was")
             time.sleep(0.05)
             new = self.picture()
             if (new != picture).any():

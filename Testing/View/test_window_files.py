@@ -157,6 +157,10 @@ class Files(ViewTest):
     def test_a_file_that_takes_long_is_waited_for_by_nobody(self):
         """A pipe that nothing has been written to is read: the camera turns, Esc gives it up, and the model comes once
         all is written."""
+        def another_model(before):
+            """Another one's control map is seen; the line that tells of reading is gone before."""
+            return lambda picture: (picture != before)[600:760, 20:370].any(axis=2).mean() > 0.05
+
         slow = self.work / "slow.off"
         os.mkfifo(slow)
         with LiveWindow(VIEW, self.work / "part.off", "--points", 300) as window:
@@ -178,8 +182,7 @@ class Files(ViewTest):
                     self.assertEqual(np.abs(window.picture() - again).max(), 0)
             before = window.settle()
             with self.fed(slow, CUBE.encode()):
-                after = window.settle(after=before)
-            self.assertGreater((after != before)[600:760, 20:370].any(axis=2).mean(), 0.05, "another model's control map")
+                after = window.settle(until=another_model(before))
             # A page that was opened meanwhile stays, with what is typed there.
             for key in ("Control_L+o", *"slow", "Return"):
                 window.key(key)
@@ -193,8 +196,7 @@ class Files(ViewTest):
                 time.sleep(1)
                 self.assertEqual(np.abs(window.picture() - typed)[100:600, 300:900].max(), 0)
                 window.key("Escape")
-                model = window.settle(after=typed)
-            self.assertGreater((model != after)[600:760, 20:370].any(axis=2).mean(), 0.05, "then it comes")
+                window.settle(until=another_model(after))
 
     def test_a_file_that_takes_long_is_waited_for_on_a_page(self):
         """Where it is named on the command line; what cannot be read ends the program as ever."""

@@ -142,7 +142,9 @@ class Options(ViewTest):
         session = self.play(*click(SHORTEST), ".", "0", "2", "Return", *click(LONGEST), ".", "2", "Return",
             *click(GROWTH), "1", ".", "2", "Return")
         self.assertEqual([session[key] for key in ("size_minimum", "size_maximum", "growth")], [0.02, 0.2, 1.2])
-        self.assertEqual(self.play(*click(GROWTH, "Right"))["growth"], 0)
+        self.assertEqual(self.play(*click(GROWTH), "BackSpace", "Return")["growth"], 0)
+        self.assertEqual(self.play(*click(GROWTH), "3", "Return", *click(GROWTH, "Right"))["growth"], 1.5, "as at first")
+        self.assertEqual(self.play(*click(ROUNDS), "7", "Return", *click(ROUNDS, "Right"))["iterations"], 42)
 
     def test_lengths_of_an_array(self):
         session = self.play(*click(LENGTHS_FROM), "1")
