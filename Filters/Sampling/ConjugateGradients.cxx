@@ -5,7 +5,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace stipple
@@ -56,8 +55,8 @@ double timesRow(const ConjugateGradients::Matrix& matrix, Index row, const Vecto
 }
 }
 
-ConjugateGradients::ConjugateGradients(Matrix matrix)
-  : System(std::move(matrix))
+ConjugateGradients::ConjugateGradients(const Matrix& matrix)
+  : System(matrix)
   , InverseDiagonal(this->System.diagonal().cwiseInverse())
 {
 }

@@ -21,7 +21,7 @@ public:
   using Matrix = Eigen::SparseMatrix<double>;
 
   /// Symmetric and positive definite, both triangles.
-  explicit ConjugateGradients(Matrix matrix);
+  explicit ConjugateGradients(const Matrix& matrix);
 
   /// Makes matrix * u = right from the guess u, until the residual is at most `tolerance` (above 0)
   /// of the right side. An error if so many rounds as twice the number of rows do not.

@@ -33,11 +33,11 @@ struct StepSolver
   std::unique_ptr<SparseCholesky> direct;
   std::unique_ptr<ConjugateGradients> iterative;
 
-  Status compute(SparseMatrix matrix, double pointsInKernel, const Stop& stop)
+  Status compute(const SparseMatrix& matrix, double pointsInKernel, const Stop& stop)
   {
     if (pointsInKernel <= 30.)
     {
-      this->iterative = std::make_unique<ConjugateGradients>(std::move(matrix));
+      this->iterative = std::make_unique<ConjugateGradients>(matrix);
       return Status::success();
     }
     this->direct = std::make_unique<SparseCholesky>();
@@ -184,7 +184,7 @@ Status SurfaceDiffusion::Internals::findSolver(
     sigma * sigma * static_cast<double>(this->refined.points.size()) / this->mass.sum();
   auto solver = std::make_unique<StepSolver>();
   solver->sigma = sigma;
-  if (Status status = solver->compute(std::move(matrix), pointsInKernel, stop); !status.ok())
+  if (Status status = solver->compute(matrix, pointsInKernel, stop); !status.ok())
   {
     return status;
   }
@@ -236,9 +236,8 @@ void SurfaceDiffusion::Internals::forEachShare(const Visit& visit) const
 void SurfaceDiffusion::Internals::gatherShares()
 {
   this->shareBegin.assign(this->refined.points.size() + 1, 0);
-  this->forEachShare([this](int point, int, double weight) {
-    this->shareBegin[point + 1] += weight > 0 ? 1 : 0;
-  });
+  this->forEachShare(
+    [this](int point, int, double weight) { this->shareBegin[point + 1] += weight > 0 ? 1 : 0; });
   std::partial_sum(this->shareBegin.begin(), this->shareBegin.end(), this->shareBegin.begin());
   this->shares.resize(this->shareBegin.back());
   std::vector<std::size_t> next = this->shareBegin;
