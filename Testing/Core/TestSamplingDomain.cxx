@@ -93,8 +93,8 @@ TEST(SamplingDomain, MeasuresParametersAndBackbones)
 TEST(SamplingDomain, RefusesAGraphOfOtherCharts)
 {
   Cube c;
-  EXPECT_EQ(
-    c.read({ constraint(2, 2 * PixelsAcross * PixelsAcross, Vec3(1., 0., 0.)) }).code(), StatusCode::BadInput);
+  EXPECT_EQ(c.read({ constraint(2, 2 * PixelsAcross * PixelsAcross, Vec3(1., 0., 0.)) }).code(),
+    StatusCode::BadInput);
   Cube open;
   open.builder.Result.graph.backbones.clear();
   const Status status = open.read();
