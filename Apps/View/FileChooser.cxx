@@ -87,6 +87,7 @@ void FileChooser::list()
   const bool path = !this->Wanted.saves && this->typesPath();
   const fs::path typed = this->typedPath();
   const fs::path folder = path ? typed.parent_path() : this->Folder;
+  this->Listed = folder;
   const std::string filter =
     this->Wanted.saves ? "" : upperCase(path ? typed.filename().string() : this->Typed.text());
   const auto passes = [&filter](const std::string& name) {
@@ -146,7 +147,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   const float inner = width - 2 * pad;
   canvas.text(box.x + pad, box.top() - 26 * s, this->Wanted.title, title);
   canvas.text(
-    box.x + pad, box.top() - 50 * s, canvas.fitted(this->Folder.string(), inner, quiet), quiet);
+    box.x + pad, box.top() - 50 * s, canvas.fitted(this->Listed.string(), inner, quiet), quiet);
   const Rect field{ box.x + pad, box.top() - 92 * s, inner, 28 * s };
   canvas.box(field, shades::Card, shades::Accent, 4, 1.5F);
   this->Field = field;

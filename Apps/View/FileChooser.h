@@ -64,6 +64,7 @@ private:
   Chosen OnChosen;
   std::function<void()> OnGivenUp;
   std::filesystem::path Folder;
+  std::filesystem::path Listed; ///< the same, or that of the path that is typed
   TypedText Typed;
   std::string Sentence; ///< what is wrong, or asked
   std::vector<Entry> Entries;
