@@ -78,6 +78,11 @@ fs::path FileChooser::typedPath() const
   return path.lexically_normal();
 }
 
+fs::path FileChooser::listed() const
+{
+  return !this->Wanted.saves && this->typesPath() ? this->typedPath().parent_path() : this->Folder;
+}
+
 void FileChooser::list()
 {
   this->Entries.clear();
@@ -86,8 +91,7 @@ void FileChooser::list()
   this->Under = -1;
   const bool path = !this->Wanted.saves && this->typesPath();
   const fs::path typed = this->typedPath();
-  const fs::path folder = path ? typed.parent_path() : this->Folder;
-  this->Listed = folder;
+  const fs::path folder = this->listed();
   const std::string filter =
     this->Wanted.saves ? "" : upperCase(path ? typed.filename().string() : this->Typed.text());
   const auto passes = [&filter](const std::string& name) {
@@ -147,7 +151,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   const float inner = width - 2 * pad;
   canvas.text(box.x + pad, box.top() - 26 * s, this->Wanted.title, title);
   canvas.text(
-    box.x + pad, box.top() - 50 * s, canvas.fitted(this->Listed.string(), inner, quiet), quiet);
+    box.x + pad, box.top() - 50 * s, canvas.fitted(this->listed().string(), inner, quiet), quiet);
   const Rect field{ box.x + pad, box.top() - 92 * s, inner, 28 * s };
   canvas.box(field, shades::Card, shades::Accent, 4, 1.5F);
   this->Field = field;

@@ -56,6 +56,7 @@ private:
   /// Where what is typed leads: from the folder, from home, or from the root.
   std::filesystem::path typedPath() const;
   bool typesPath() const;
+  std::filesystem::path listed() const; ///< the folder, or that of the path that is typed
   /// Proposes a name.
   void propose(const std::string& name);
   int entryAt(const Pointer& pointer) const; ///< -1: none
@@ -64,7 +65,6 @@ private:
   Chosen OnChosen;
   std::function<void()> OnGivenUp;
   std::filesystem::path Folder;
-  std::filesystem::path Listed; ///< the same, or that of the path that is typed
   TypedText Typed;
   std::string Sentence; ///< what is wrong, or asked
   std::vector<Entry> Entries;

@@ -84,12 +84,8 @@ void NumberField::finish(bool accept)
   }
   const std::string& text = this->Typed.text();
   double typed = 0;
-  if (!this->Typed.value(typed) && (!text.empty() || !this->Limits.automatic))
+  if (!this->takeTyped(typed) && (!text.empty() || !this->Limits.automatic))
   {
-    if (!text.empty())
-    {
-      this->tell(text + " is no number.");
-    }
     return;
   }
   const double low = this->Limits.low;

@@ -96,7 +96,6 @@ Choice* Panel::arrayChoice(Commands& commands, const char* option, const char* l
     : regions                      ? "The file has no array of its cells that could tell regions."
     : selects                      ? "The file has no array of its cells that could tell a part."
                                    : "The file has no array of numbers.";
-  choice->setHints({ hint });
   this->ArrayChoices.push_back({ option, label, hint, choice });
   return choice;
 }

@@ -141,14 +141,9 @@ void Slider::finish(bool accept)
 {
   const bool isTyped = this->Typed.on() && accept && this->Typed.touched();
   this->Typed.finish();
-  if (!isTyped || this->Typed.text().empty())
-  {
-    return;
-  }
   double value = 0;
-  if (!this->Typed.value(value))
+  if (!isTyped || !this->takeTyped(value))
   {
-    this->tell(this->Typed.text() + " is no number.");
     return;
   }
   const double low = this->Limits.low;

@@ -103,6 +103,16 @@ bool TypedNumber::key(const KeyStroke& stroke, End& end)
   return true;
 }
 
+bool NumberControl::takeTyped(double& value) const
+{
+  const bool isNumber = this->Typed.value(value);
+  if (!isNumber && !this->Typed.text().empty())
+  {
+    this->tell(this->Typed.text() + " is no number.");
+  }
+  return isNumber;
+}
+
 bool NumberControl::key(const KeyStroke& stroke)
 {
   TypedNumber::End end;

@@ -69,6 +69,8 @@ public:
 protected:
   /// The typing ends; what was typed counts, or does not.
   virtual void finish(bool accept) = 0;
+  /// What was typed; false, and it is told, if that is no number. Nothing is not told.
+  bool takeTyped(double& value) const;
 
   TypedNumber Typed;
 };

@@ -15,7 +15,6 @@
 #include <map>
 #include <random>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -54,21 +53,9 @@ struct Mesh
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// A file's text without comments, from # to the ends of lines.
-std::istringstream withoutComments(const char* file)
-{
-  std::ifstream stream(file);
-  std::string text;
-  for (std::string line; std::getline(stream, line);)
-  {
-    text += line.substr(0, line.find('#')) + "\n";
-  }
-  return std::istringstream(text);
-}
-
 Mesh read(const char* file)
 {
-  std::istringstream stream = withoutComments(file);
+  std::ifstream stream(file);
   std::string word;
   int points = 0;
   int faces = 0;

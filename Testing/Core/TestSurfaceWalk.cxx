@@ -142,7 +142,7 @@ TEST(SurfaceWalk, EndsWhereItWindsAboutAWire)
   TriangleSurface s;
   for (int i = 0; i < Sides; ++i)
   {
-    const double angle = 2. * 3.14159265358979323846 * i / Sides;
+    const double angle = 2. * Pi * i / Sides;
     s.points.emplace_back(std::cos(angle), std::sin(angle), 0.);
     s.points.emplace_back(std::cos(angle), std::sin(angle), 1000.);
   }
