@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace stipple
 {
@@ -75,55 +77,92 @@ double areaOf(const FirstFundamentalForm& m)
   return std::sqrt(std::max(0., static_cast<double>(m.E) * m.G - static_cast<double>(m.F) * m.F));
 }
 
+/// A dot in an image: the texels that are within `reach` of it on the surface, and around these.
+struct Spot
+{
+  Vec2 at; ///< in texels
+  FirstFundamentalForm metric;
+  double limit; ///< of distances on the surface, the margin in
+  double reachX;
+  int low; ///< first and last row of the image, if it has them
+  int high;
+  int number;
+};
+
+/// A place of the plane, in texels, where the metric by steps of these is m.
+Spot spotAt(const Vec2& at, const FirstFundamentalForm& m, double reach, int number)
+{
+  constexpr double Margin = 1.; // texels: the one at a pixel of the screen has its middle elsewhere
+  const double both = static_cast<double>(m.E) * m.G;
+  const double determinant = std::max(both - static_cast<double>(m.F) * m.F, 1e-12 * both);
+  const bool flat = !(determinant > 0); // a face without an area
+  const double reachY = flat ? Margin : reach * std::sqrt(m.E / determinant) + Margin;
+  // The margin, where it is the widest on the surface.
+  const double limit = reach + Margin * std::sqrt(std::max(m.E, m.G));
+  constexpr double Beyond = 1e9; // of rows: more than there are
+  return { at, m, limit, flat ? Margin : reach * std::sqrt(m.G / determinant) + Margin,
+    static_cast<int>(std::clamp(std::ceil(at.y() - reachY - 0.5), -Beyond, Beyond)),
+    static_cast<int>(std::clamp(std::floor(at.y() + reachY - 0.5), -Beyond, Beyond)), number };
+}
+
 /// An image of numbered dots that is painted.
 struct Numbers
 {
   int width;
   int height;
   Texel* texels;
-  float* distances; ///< squared; those of texels that have a number
+  float* distances; ///< squared, to the nearest dot
 
-  /// Marks the texels that are within `reach` on the surface of a place of the plane, in texels, if
-  /// no other sample is nearer to them.
-  void mark(const Vec2& at, const FirstFundamentalForm& m, double reach, int number)
+  /// The rows from one on, before another, are without dots.
+  void clear(int begin, int end)
   {
-    constexpr double Margin = 1.; // texels: the one at a pixel of the screen has its middle
-                                  // elsewhere
-    const double both = static_cast<double>(m.E) * m.G;
-    const double determinant = std::max(both - static_cast<double>(m.F) * m.F, 1e-12 * both);
-    const bool flat = !(determinant > 0); // a face without an area
-    const double reachX = flat ? Margin : reach * std::sqrt(m.G / determinant) + Margin;
-    const double reachY = flat ? Margin : reach * std::sqrt(m.E / determinant) + Margin;
-    const int left = static_cast<int>(std::max(0., std::ceil(at.x() - reachX - 0.5)));
+    const std::size_t first = static_cast<std::size_t>(begin) * this->width;
+    const std::size_t n = static_cast<std::size_t>(end - begin) * this->width;
+    std::fill_n(this->texels + first, n, NoSample);
+    std::fill_n(this->distances + first, n, std::numeric_limits<float>::infinity());
+  }
+
+  /// Marks a spot's texels in these rows, if no other sample is nearer to them.
+  void mark(const Spot& spot, int begin, int end)
+  {
+    const int left = static_cast<int>(std::max(0., std::ceil(spot.at.x() - spot.reachX - 0.5)));
     const int right =
-      static_cast<int>(std::min(this->width - 1., std::floor(at.x() + reachX - 0.5)));
-    const int low = static_cast<int>(std::max(0., std::ceil(at.y() - reachY - 0.5)));
-    const int high =
-      static_cast<int>(std::min(this->height - 1., std::floor(at.y() + reachY - 0.5)));
-    const double uu = m.E;
-    const double uv = m.F;
-    const double vv = m.G;
-    const Texel texel = texelOf(number);
-    // The margin, where it is the widest on the surface.
-    const double limit = reach + Margin * std::sqrt(std::max(m.E, m.G));
-    for (int y = low; y <= high; ++y)
+      static_cast<int>(std::min(this->width - 1., std::floor(spot.at.x() + spot.reachX - 0.5)));
+    const double uu = spot.metric.E;
+    const double uv = spot.metric.F;
+    const double vv = spot.metric.G;
+    const Texel texel = texelOf(spot.number);
+    const double limit = spot.limit * spot.limit;
+    const int high = std::min(end - 1, spot.high);
+    for (int y = std::max(begin, spot.low); y <= high; ++y)
     {
+      const std::size_t row = static_cast<std::size_t>(y) * this->width;
+      const double dv = y + 0.5 - spot.at.y();
       for (int x = left; x <= right; ++x)
       {
-        const std::size_t i = static_cast<std::size_t>(y) * this->width + x;
-        const double du = x + 0.5 - at.x();
-        const double dv = y + 0.5 - at.y();
+        const double du = x + 0.5 - spot.at.x();
         const double squared = (uu * du + 2 * uv * dv) * du + vv * dv * dv;
-        if (squared <= limit * limit &&
-          (this->texels[i] == NoSample || squared < this->distances[i]))
+        if (squared <= limit && squared < this->distances[row + x])
         {
-          this->distances[i] = static_cast<float>(squared);
-          this->texels[i] = texel;
+          this->distances[row + x] = static_cast<float>(squared);
+          this->texels[row + x] = texel;
         }
       }
     }
   }
 };
+
+/// Calls f(i) for i from 0 to n - 1, on all threads.
+template <typename F>
+void forEach(std::size_t n, const F& f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      f(i);
+    }
+  });
+}
 
 /// How many texels along a pixel, of which each has so many samples.
 int finenessOf(std::vector<double>& samplesPerPixel)
@@ -212,9 +251,8 @@ public:
   }
   double numberOfPixels() const { return static_cast<double>(this->Columns) * this->Rows; }
 
-  /// Its own samples, on an image of so many texels along a pixel.
-  void paint(double fine, const std::vector<int>& own, vtkImageData* numbers,
-    std::vector<float>& distances, const Stop& stop)
+  /// Prepares an image of so many texels along a pixel for spots.
+  void begin(double fine, vtkImageData* numbers, std::vector<float>& distances)
   {
     const int width = std::max(1, static_cast<int>(fine * this->Columns));
     const int height = std::max(1, static_cast<int>(fine * this->Rows));
@@ -226,28 +264,28 @@ public:
     distances.resize(std::max(distances.size(), size));
     this->Image = { width, height, static_cast<Texel*>(numbers->GetScalarPointer()),
       distances.data() };
-    std::fill_n(this->Image.texels, size, NoSample);
-    for (std::size_t k = 0; k < own.size(); ++k)
-    {
-      if (isTimeToAsk(k) && isAsked(stop))
-      {
-        return;
-      }
-      this->mark(own[k], this->Dots[own[k]].face, this->Dots[own[k]].uv);
-    }
   }
 
-  void mark(int i, Face face, const Vec2& uv)
+  void add(int i, Face face, const Vec2& uv)
   {
     const Vec2& texel = this->TexelSize;
     // The metric is another one a triangle further.
     constexpr double Slack = 1.3;
-    this->Image.mark(uv.cwiseQuotient(texel),
-      scaled(this->Charted.metric()[face], texel.x(), texel.y()), Slack * this->Dots[i].radius, i);
+    this->Spots.push_back(spotAt(uv.cwiseQuotient(texel),
+      scaled(this->Charted.metric()[face], texel.x(), texel.y()), Slack * this->Dots[i].radius, i));
+  }
+
+  /// Its own samples.
+  void addOwn(const std::vector<int>& own)
+  {
+    for (const int i : own)
+    {
+      this->add(i, this->Dots[i].face, this->Dots[i].uv);
+    }
   }
 
   /// What is black besides is a seam's sample that belongs to the chart on the other side.
-  void markOthers(const std::vector<int>& own, const Lines& lines, const Stop& stop)
+  void addOthers(const std::vector<int>& own, const Lines& lines, const Stop& stop)
   {
     auto* black =
       vtkUnsignedCharArray::SafeDownCast(this->Halftone->GetPointData()->GetArray("Halftone"));
@@ -288,12 +326,44 @@ public:
       const int i = lines.nearest(surface.position(face, bary));
       if (i >= 0)
       {
-        this->mark(i, face, uv);
+        this->add(i, face, uv);
       }
     }
   }
 
+  /// Deals the spots out to strips of rows.
+  void makeStrips()
+  {
+    this->Strips.assign(static_cast<std::size_t>((this->Image.height - 1) / StripRows + 1), {});
+    for (std::size_t i = 0; i < this->Spots.size(); ++i)
+    {
+      const int low = std::max(0, this->Spots[i].low);
+      const int high = std::min(this->Image.height - 1, this->Spots[i].high);
+      for (int strip = low / StripRows; low <= high && strip <= high / StripRows; ++strip)
+      {
+        this->Strips[static_cast<std::size_t>(strip)].push_back(static_cast<int>(i));
+      }
+    }
+  }
+  std::size_t numberOfStrips() const { return this->Strips.size(); }
+  void paintStrip(std::size_t strip, const Stop& stop)
+  {
+    const int begin = static_cast<int>(strip) * StripRows;
+    const int end = std::min(this->Image.height, begin + StripRows);
+    this->Image.clear(begin, end);
+    for (const int i : this->Strips[strip])
+    {
+      if (isAsked(stop))
+      {
+        return;
+      }
+      this->Image.mark(this->Spots[static_cast<std::size_t>(i)], begin, end);
+    }
+  }
+
 private:
+  static constexpr int StripRows = 64; // a job for a thread
+
   const Atlas& Charted;
   int Number;
   vtkImageData* Halftone;
@@ -303,6 +373,8 @@ private:
   Vec2 Pixel; ///< of the halftone, in the chart's plane
   Vec2 TexelSize;
   Numbers Image{};
+  std::vector<Spot> Spots;
+  std::vector<std::vector<int>> Strips; ///< spots that reach into it
 };
 
 DotPainter::DotPainter(vtkPartitionedDataSetCollection* charts)
@@ -418,21 +490,30 @@ std::shared_ptr<const DotImages> DotPainter::paint(vtkPolyData* samples,
     images->numbers.push_back(vtkSmartPointer<vtkImageData>::New());
   }
   const double share = std::min(1., std::sqrt(MostTexels / texels));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(n), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+  forEach(n, [&](std::size_t c) {
+    ChartPainter& chart = charts[c];
+    chart.begin(share * fine[c], images->numbers[c], this->Distances[c]);
+    chart.addOwn(own[c]);
+    for (const DotBeyond* other : others[c])
     {
-      ChartPainter& chart = charts[c];
-      chart.paint(share * fine[c], own[c], images->numbers[c], this->Distances[c], stop);
-      for (const DotBeyond* other : others[c])
-      {
-        chart.mark(other->dot, Face(other->face), other->uv);
-      }
-      if (!beyond)
-      {
-        chart.markOthers(own[c], lines, stop);
-      }
+      chart.add(other->dot, Face(other->face), other->uv);
     }
+    if (!beyond)
+    {
+      chart.addOthers(own[c], lines, stop);
+    }
+    chart.makeStrips();
   });
+  std::vector<std::pair<std::size_t, std::size_t>> strips; // chart, strip
+  for (std::size_t c = 0; c < n; ++c)
+  {
+    for (std::size_t strip = 0; strip < charts[c].numberOfStrips(); ++strip)
+    {
+      strips.emplace_back(c, strip);
+    }
+  }
+  forEach(strips.size(),
+    [&](std::size_t i) { charts[strips[i].first].paintStrip(strips[i].second, stop); });
   return isAsked(stop) ? nullptr : images;
 }
 }

@@ -5,6 +5,8 @@
 #include "BackboneBand.h"
 #include "SamplingConstants.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -292,18 +294,21 @@ void BandMask::close(const ControlImage& image, const std::vector<BackboneDensit
   const Control control = this->controlOf(image, densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
-  for (int y = 0; y < image.height && !isAsked(stop); ++y)
-  {
-    for (int x = 0; x < image.width; ++x)
+  constexpr int Strip = 16; // rows: a job for a thread
+  vtkSMPTools::For(0, image.height, Strip, [&](vtkIdType begin, vtkIdType end) {
+    for (auto y = static_cast<int>(begin); y < end && !isAsked(stop); ++y)
     {
-      const int i = y * image.width + x;
-      if (Band band; this->isInBand(control, i, band))
+      for (int x = 0; x < image.width; ++x)
       {
-        this->closePixel(
-          i, band, { firstColumn[x], firstColumn[x + 1], firstRow[y], firstRow[y + 1] }, raster);
+        const int i = y * image.width + x;
+        if (Band band; this->isInBand(control, i, band))
+        {
+          this->closePixel(
+            i, band, { firstColumn[x], firstColumn[x + 1], firstRow[y], firstRow[y + 1] }, raster);
+        }
       }
     }
-  }
+  });
 }
 
 void BandMask::closePixel(

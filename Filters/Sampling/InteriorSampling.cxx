@@ -6,9 +6,13 @@
 #include "ErrorDiffusion.h"
 #include "SamplingConstants.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -17,6 +21,10 @@ namespace stipple
 namespace
 {
 using Constants = SamplingConstants;
+
+// Jobs for a thread: rows of a raster, places.
+constexpr int Strip = 16;
+constexpr int PlacesAtOnce = 256;
 
 struct Ranked
 {
@@ -162,7 +170,6 @@ void InteriorSampler::prepare(double factor, const BandMask& bands,
   r.row = nearestPixels(this->Image.height, r.height);
   this->Columns = overlaps(this->Image.width, r.width);
   this->Rows = overlaps(this->Image.height, r.height);
-  this->EnlargedRow = { { -1, -1 } };
   r.part.assign(static_cast<std::size_t>(r.width) * r.height, InteriorRaster::Whole);
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
@@ -180,43 +187,105 @@ void InteriorSampler::release()
   std::vector<unsigned char>().swap(this->Raster.part);
 }
 
-const float* InteriorSampler::enlargedRow(int row)
+/// Fills rows; a thread has its own.
+class InteriorSampler::RowFiller
 {
-  // Rows of an enlarged image come several times, two at a time.
-  std::vector<float>& enlarged = this->Enlarged[row % 2];
-  if (this->EnlargedRow[row % 2] != row)
+public:
+  explicit RowFiller(const InteriorSampler& sampler)
+    : Sampler(sampler)
   {
-    this->EnlargedRow[row % 2] = row;
-    const InteriorRaster& r = this->Raster;
-    enlarged.resize(static_cast<std::size_t>(r.width));
-    const float* in = this->Image.control + static_cast<std::size_t>(row) * this->Image.width;
+  }
+
+  void fill(int y, float* out)
+  {
+    const InteriorRaster& r = this->Sampler.Raster;
+    const Overlap& rows = this->Sampler.Rows[y];
+    const float* first = this->enlarged(rows.first);
+    const float* second = this->enlarged(rows.second);
+    const unsigned char* part = r.part.data() + static_cast<std::size_t>(y) * r.width;
     for (int x = 0; x < r.width; ++x)
     {
-      const Overlap& o = this->Columns[x];
-      enlarged[x] =
-        (o.part * std::max(0.f, in[o.first]) + (1.f - o.part) * std::max(0.f, in[o.second])) *
-        r.toWanted;
+      const float v = rows.part * first[x] + (1.f - rows.part) * second[x];
+      constexpr float toShare = 1.f / InteriorRaster::Whole;
+      const float share = toShare * static_cast<float>(part[x] % InteriorRaster::Blocked);
+      out[x] = part[x] < InteriorRaster::Blocked ? share * v : -share * v;
     }
   }
-  return enlarged.data();
-}
 
-void InteriorSampler::fillRow(int y, std::vector<float>& wanted)
-{
-  const InteriorRaster& r = this->Raster;
-  const Overlap& rows = this->Rows[y];
-  const float* first = this->enlargedRow(rows.first);
-  const float* second = this->enlargedRow(rows.second);
-  const unsigned char* part = r.part.data() + static_cast<std::size_t>(y) * r.width;
-  float* out = wanted.data();
-  for (int x = 0; x < r.width; ++x)
+private:
+  const float* enlarged(int row)
   {
-    const float v = rows.part * first[x] + (1.f - rows.part) * second[x];
-    constexpr float toShare = 1.f / InteriorRaster::Whole;
-    const float share = toShare * static_cast<float>(part[x] % InteriorRaster::Blocked);
-    out[x] = part[x] < InteriorRaster::Blocked ? share * v : -share * v;
+    // Rows of an enlarged image come several times, two at a time.
+    std::vector<float>& result = this->Enlarged[row % 2];
+    if (this->EnlargedRow[row % 2] != row)
+    {
+      this->EnlargedRow[row % 2] = row;
+      const InteriorRaster& r = this->Sampler.Raster;
+      const ControlImage& image = this->Sampler.Image;
+      result.resize(static_cast<std::size_t>(r.width));
+      const float* in = image.control + static_cast<std::size_t>(row) * image.width;
+      for (int x = 0; x < r.width; ++x)
+      {
+        const Overlap& o = this->Sampler.Columns[x];
+        result[x] =
+          (o.part * std::max(0.f, in[o.first]) + (1.f - o.part) * std::max(0.f, in[o.second])) *
+          r.toWanted;
+      }
+    }
+    return result.data();
   }
-}
+
+  const InteriorSampler& Sampler;
+  // What the raster's pixels want in two rows of the image, an even and an odd one.
+  std::array<std::vector<float>, 2> Enlarged;
+  std::array<int, 2> EnlargedRow = { { -1, -1 } };
+};
+
+/// Rows in ascending order, filled ahead on all threads.
+class InteriorSampler::WantedRows
+{
+public:
+  explicit WantedRows(const InteriorSampler& sampler)
+    : Sampler(sampler)
+  {
+  }
+
+  const float* row(int y)
+  {
+    if (y < this->Begin || y >= this->End)
+    {
+      this->fill(y);
+    }
+    return this->at(y);
+  }
+
+private:
+  void fill(int begin)
+  {
+    const InteriorRaster& r = this->Sampler.Raster;
+    this->Begin = begin;
+    this->End = std::min(r.height, begin + Ahead);
+    this->Values.resize(static_cast<std::size_t>(Ahead) * r.width);
+    vtkSMPTools::For(begin, this->End, Strip, [&](vtkIdType first, vtkIdType last) {
+      RowFiller filler(this->Sampler);
+      for (auto y = static_cast<int>(first); y < last; ++y)
+      {
+        filler.fill(y, this->at(y));
+      }
+    });
+  }
+  float* at(int y)
+  {
+    return this->Values.data() +
+      static_cast<std::size_t>(y - this->Begin) * this->Sampler.Raster.width;
+  }
+
+  static constexpr int Ahead = 128;
+  const InteriorSampler& Sampler;
+  int Begin = 0;
+  int End = 0;
+  std::vector<float> Values;
+};
 
 void InteriorSampler::maskOutside()
 {
@@ -304,26 +373,30 @@ void InteriorSampler::maskSegment(const Vec2& a, const Vec2& b)
 void InteriorSampler::sumLeft(const Stop& stop)
 {
   InteriorRaster& r = this->Raster;
-  r.left = 0;
-  std::vector<float> row(static_cast<std::size_t>(r.width));
-  for (int y = 0; y < r.height && !isAsked(stop); ++y)
-  {
-    this->fillRow(y, row);
-    std::array<float, 4> sum = { { 0, 0, 0, 0 } };
-    int x = 0;
-    for (; x + 4 <= r.width; x += 4)
+  std::vector<double> sums(static_cast<std::size_t>(r.height), 0.); // by row: added up in order
+  vtkSMPTools::For(0, r.height, Strip, [&](vtkIdType first, vtkIdType last) {
+    RowFiller filler(*this);
+    std::vector<float> row(static_cast<std::size_t>(r.width));
+    for (auto y = static_cast<int>(first); y < last && !isAsked(stop); ++y)
     {
-      for (int k = 0; k < 4; ++k)
+      filler.fill(y, row.data());
+      std::array<float, 4> sum = { { 0, 0, 0, 0 } };
+      int x = 0;
+      for (; x + 4 <= r.width; x += 4)
       {
-        sum[k] += std::abs(row[x + k]);
+        for (int k = 0; k < 4; ++k)
+        {
+          sum[k] += std::abs(row[x + k]);
+        }
       }
+      for (; x < r.width; ++x)
+      {
+        sum[0] += std::abs(row[x]);
+      }
+      sums[y] = (static_cast<double>(sum[0]) + sum[1]) + (static_cast<double>(sum[2]) + sum[3]);
     }
-    for (; x < r.width; ++x)
-    {
-      sum[0] += std::abs(row[x]);
-    }
-    r.left += (static_cast<double>(sum[0]) + sum[1]) + (static_cast<double>(sum[2]) + sum[3]);
-  }
+  });
+  r.left = std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, const Stop& stop)
@@ -341,11 +414,8 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, con
     options.method = method;
     options.stop = stop;
     std::vector<int> trial;
-    std::vector<float> row(static_cast<std::size_t>(this->Raster.width));
-    const WantedRow wanted = [&](int y) {
-      this->fillRow(y, row);
-      return row.data();
-    };
+    WantedRows rows(*this);
+    const WantedRow wanted = [&](int y) { return rows.row(y); };
     for (int pass = 0; pass < 4; ++pass)
     {
       diffuseErrors(wanted, this->Raster.width, this->Raster.height, options, trial);
@@ -372,9 +442,23 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, con
     places.push_back(this->centre(pixel));
   }
   const ChordDistance chords(this->Domain.surface(), this->Graph, this->Samples);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](const Vec2& uv) { return this->isTooNear(chords, uv); }),
-    places.end());
+  std::vector<char> tooNear(places.size(), 0);
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(places.size()), PlacesAtOnce, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        tooNear[i] = this->isTooNear(chords, places[i]);
+      }
+    });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (!tooNear[i])
+    {
+      places[kept++] = places[i];
+    }
+  }
+  places.resize(kept);
   const int missing = count - static_cast<int>(places.size());
   if (missing > 0)
   {
@@ -431,10 +515,10 @@ void InteriorSampler::add(const ChordDistance& chords, std::vector<Vec2>& places
   const double step =
     r.left / std::min(6. * (static_cast<double>(places.size()) + count), 100. * count);
   double sum = 0;
-  std::vector<float> row(static_cast<std::size_t>(r.width));
+  WantedRows rows(*this);
   for (int y = 0; y < r.height && r.left > 0; ++y)
   {
-    this->fillRow(y, row);
+    const float* row = rows.row(y);
     constexpr int run = 16; // added up side by side; only few runs pass a step
     for (int begin = 0; begin < r.width; begin += run)
     {

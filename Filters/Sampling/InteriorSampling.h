@@ -12,7 +12,6 @@
 #include "ReportingThread.h"
 #include "SamplingDomain.h"
 
-#include <array>
 #include <vector>
 
 namespace stipple
@@ -59,9 +58,9 @@ private:
     float part; ///< of the pixel that is the first's
   };
   static std::vector<Overlap> overlaps(int n, int enlarged);
-  const float* enlargedRow(int row);
-  /// What the pixels of a row want; negative where it is for those beside them.
-  void fillRow(int y, std::vector<float>& wanted);
+  /// What the pixels of the raster want, row by row; negative where it is for those beside them.
+  class RowFiller;
+  class WantedRows;
   Vec2 centre(int pixel) const;
   double control(const Vec2& uv) const;
   bool isTooNear(const ChordDistance& chords, const Vec2& uv) const;
@@ -84,9 +83,6 @@ private:
   InteriorRaster Raster;
   std::vector<Overlap> Columns;
   std::vector<Overlap> Rows;
-  // What the raster's pixels want in two rows of the image, an even and an odd one.
-  std::array<std::vector<float>, 2> Enlarged;
-  std::array<int, 2> EnlargedRow = { { -1, -1 } };
 };
 
 /// The triangle of a chart that a parameter lies in, walking from a face of the chart, and its
