@@ -48,6 +48,8 @@ std::string Activity::sentence() const
   {
     return this->meshFile + " will be written when the mesh is done.";
   }
+  const std::string makes = "Return makes the mesh" +
+    (this->savesMesh ? " and writes " + this->meshFile : std::string()) + ".";
   switch (this->mesh)
   {
     case Mesh::Charts:
@@ -57,12 +59,13 @@ std::string Activity::sentence() const
         ? "Trying " + grouped(this->tried) + " points for the distance; Esc stops it."
         : "Meshing; Esc stops it.";
     case Mesh::Asks:
-      return "Edges so short take some " + numberText(twoDigits(this->points)) + " points" +
+      return (this->byLevels ? "So many levels make some " : "Edges so short take some ") +
+        numberText(twoDigits(this->points)) + " points" +
         (this->points > SamplingConstants::MostSamples
             ? ": there can be " + grouped(SamplingConstants::MostSamples) + "."
-            : ". Return makes the mesh.");
+            : ". " + makes);
     case Mesh::Stopped:
-      return "Stopped. Return makes the mesh.";
+      return "Stopped. " + makes;
     default:
       return this->sampling ? "Sampling ..." : "";
   }
@@ -71,8 +74,8 @@ std::string Activity::sentence() const
 bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
-    return std::tie(a.reading, a.mesh, a.points, a.tried, a.progress, a.savesMesh, a.sampling,
-      a.samples, a.meshFile, a.sampleProblem, a.meshProblem);
+    return std::tie(a.reading, a.mesh, a.points, a.byLevels, a.tried, a.progress, a.savesMesh,
+      a.sampling, a.samples, a.meshFile, a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);
 }

@@ -25,6 +25,7 @@ struct Activity
 
   Mesh mesh = Mesh::Waiting;
   double points = 0;         ///< of the mesh that is asked about
+  bool byLevels = false;     ///< they follow from levels of subdivision, else from a length
   int tried = 0;             ///< points, where their number is looked for
   double progress = 0;       ///< 0 to 1 of what showsBar()
   bool savesMesh = false;    ///< the mesh is written when it is done

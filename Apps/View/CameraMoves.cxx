@@ -3,14 +3,84 @@
 #include "CameraMoves.h"
 
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkGenericCell.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stipple
 {
+namespace
+{
+/// Three corners of a cell.
+std::array<Vec3, 3> cornersOf(vtkPolyData* mesh, vtkIdType cell)
+{
+  vtkIdType size;
+  const vtkIdType* ids;
+  mesh->GetPolys()->GetCellAtId(cell, size, ids);
+  return { { Vec3(mesh->GetPoint(ids[0])), Vec3(mesh->GetPoint(ids[1])),
+    Vec3(mesh->GetPoint(ids[2])) } };
+}
+
+Vec3 normalOf(const std::array<Vec3, 3>& corners)
+{
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+/// What one sees of a mesh.
+class Outlook
+{
+public:
+  explicit Outlook(vtkPolyData* mesh)
+    : Mesh(mesh)
+  {
+    this->Locator->SetDataSet(mesh);
+    this->Locator->BuildLocator();
+  }
+
+  /// How far one sees.
+  double reach(const Vec3& place, const Vec3& direction) const
+  {
+    double t = 1;
+    return this->hit(place, direction, t) < 0 ? std::numeric_limits<double>::infinity()
+                                              : t * this->Mesh->GetLength();
+  }
+  /// Whether one looks at the back of what one sees.
+  bool isInside(const Vec3& place, const Vec3& direction) const
+  {
+    double t = 1;
+    const vtkIdType cell = this->hit(place, direction, t);
+    return cell >= 0 && normalOf(cornersOf(this->Mesh, cell)).dot(direction) > 0;
+  }
+
+private:
+  /// The cell that is seen first, t of the mesh's diagonal away; -1 if there is none.
+  vtkIdType hit(const Vec3& place, const Vec3& direction, double& t) const
+  {
+    const Vec3 end = place + this->Mesh->GetLength() * direction;
+    Vec3 there;
+    double parameters[3];
+    int part;
+    vtkIdType cell = -1;
+    vtkNew<vtkGenericCell> generic;
+    return this->Locator->IntersectWithLine(
+             place.data(), end.data(), 0., t, there.data(), parameters, part, cell, generic)
+      ? cell
+      : -1;
+  }
+
+  vtkPolyData* Mesh;
+  vtkNew<vtkStaticCellLocator> Locator;
+};
+}
+
 Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -37,17 +107,50 @@ std::array<double, 9> placeOf(vtkCamera* camera)
   return place;
 }
 
-void lookAt(vtkCamera* camera, const Vec3 corners[3])
+void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid)
 {
   constexpr double ShareOfView = 0.1;
+  const std::array<Vec3, 3> corners = cornersOf(mesh, cell);
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
   const double size = std::max({ (corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
     (corners[0] - corners[2]).norm() });
-  Vec3 from = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  Vec3 from = normalOf(corners);
   from = from.norm() > 1e-9 * size * size ? from.normalized()
                                           : -Vec3(camera->GetDirectionOfProjection());
-  const double distance =
+  const Outlook outlook(mesh);
+  constexpr double Own = 0.05; // of the size: what is so near is not in the way
+  if (isSolid && outlook.isInside(middle + Own * size * from, from))
+  {
+    from = -from;
+  }
+  const double wanted =
     0.5 * size / ShareOfView / std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  // Straight on, but where the surface is in the way, as in a crevice: aslant from where it is not,
+  // or the least.
+  constexpr double Before = 0.8; // of the way to it
+  const Vec3 right = from.unitOrthogonal();
+  const Vec3 ahead = from.cross(right);
+  double distance = 0;
+  Vec3 best = from;
+  for (const double tilt : { 0., 25., 50., 70. })
+  {
+    for (int turn = 0; turn < (tilt > 0 ? 12 : 1) && distance < wanted; ++turn)
+    {
+      const double slope = vtkMath::RadiansFromDegrees(tilt);
+      const double around = vtkMath::RadiansFromDegrees(30. * turn);
+      const Vec3 direction = std::cos(slope) * from +
+        std::sin(slope) * (std::cos(around) * right + std::sin(around) * ahead);
+      const double clear =
+        std::min(wanted, Before * outlook.reach(middle + Own * size * direction, direction));
+      if (clear > distance)
+      {
+        distance = clear;
+        best = direction;
+      }
+    }
+  }
+  from = best;
+  distance = std::max(distance, size); // never in the triangle itself
   const Vec3 position = middle + distance * from;
   Vec3 up(camera->GetViewUp());
   up = std::abs(up.normalized().dot(from)) < 0.95 ? up : from.unitOrthogonal();

@@ -6,9 +6,12 @@
 
 #include "Geometry.h"
 
+#include "vtkType.h"
+
 #include <array>
 
 class vtkCamera;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace stipple
@@ -19,8 +22,9 @@ namespace stipple
 /// Where it stands, what it looks at, what is up.
 [[nodiscard]] std::array<double, 9> placeOf(vtkCamera* camera);
 
-/// Looks at a triangle from the side that it faces, so near that it is a tenth of the view.
-void lookAt(vtkCamera* camera, const Vec3 corners[3]);
+/// Looks at a cell of a mesh, so near that it is a tenth of the view, from the side that it faces,
+/// or from outside if that is inside of a solid, as in a fold; aslant where the mesh is in the way.
+void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid);
 
 /// Makes everything larger by a factor; the center stays where it is on the screen.
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);

@@ -22,7 +22,7 @@ public:
   /// What of the input can be chosen at all.
   struct Choosable
   {
-    bool arrays = false; ///< of numbers
+    bool arrays = false; ///< of numbers, one a point or cell
     bool regions = false;
     bool selections = false; ///< cell arrays of numbers
     bool textures = false;

@@ -51,6 +51,7 @@ void Preview::setAtlas(const SamplingInput& atlas)
     control->SetInputDataObject(0, atlas.maps);
     control->SetInputDataObject(1, atlas.charts);
   }
+  this->Control->SetInputDataObject(2, atlas.graph);
   this->Sampler->SetInputDataObject(1, atlas.charts);
   this->Sampler->SetInputDataObject(2, atlas.graph);
   this->Ready = true;
@@ -82,8 +83,7 @@ Status Preview::update(const Session& session, PreviewStage stage)
   applyOptions(session, this->Control);
   const bool isDraft = stage == PreviewStage::Draft;
   this->Control->SetSmoothingTolerance(isDraft ? DraftTolerance : FinalTolerance);
-  const bool grows = mayGrow(session) && !isDraft;
-  this->Control->SetInputDataObject(2, grows ? this->Sampler->GetInputDataObject(2, 0) : nullptr);
+  this->Control->SetGrowFromFeatures(mayGrow(session) && !isDraft);
   const bool follows = pointsFollow(session);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);

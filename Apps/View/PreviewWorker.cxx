@@ -89,6 +89,13 @@ void PreviewWorker::start(const Session& session)
   this->setNext(session);
 }
 
+void PreviewWorker::cancel()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Next.reset();
+  this->Stop = true;
+}
+
 bool PreviewWorker::idle()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

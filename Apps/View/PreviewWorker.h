@@ -43,6 +43,8 @@ public:
   /// finished, so that something moves while a slider does, unless it has taken long or there is a
   /// draft.
   void start(const Session& session);
+  /// Gives up what runs and what is next.
+  void cancel();
   /// Nothing runs, and all that was done has been taken.
   [[nodiscard]] bool idle();
   /// For how long the latest session has been waited for, in seconds; 0 if it is not.

@@ -5,6 +5,7 @@
 #include "SizingFunction.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
@@ -19,6 +20,15 @@ double pointsOfLength(const Session& session, double area)
 {
   const double length = session.number("edge_length");
   return length > 0 ? area * densityOfEdges(std::max(length, session.number("size_minimum"))) : 0;
+}
+
+double pointsOfLevels(const Session& session, double area)
+{
+  const double base =
+    pointsFollow(session) ? pointsOfLength(session, area) : session.number("points");
+  return session.text("pattern") == "semiregular"
+    ? base * std::pow(4., session.number("subdivisions"))
+    : 0; // each has as many more as there are edges
 }
 
 std::string whyImportanceRests(const Session& session)

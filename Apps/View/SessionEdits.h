@@ -16,6 +16,8 @@ namespace stipple
 /// on so much surface, as equilateral triangles; 0 if their number follows from anything else, or
 /// from nothing.
 [[nodiscard]] double pointsOfLength(const Session& session, double area);
+/// About how many points the levels of a semi-regular mesh lead to; 0 of another pattern.
+[[nodiscard]] double pointsOfLevels(const Session& session, double area);
 
 /// The importance that a model opens with in the window, so that there is something to see.
 constexpr const char* FirstImportance = "total";

@@ -56,7 +56,7 @@ Panel::Choosable choosableOf(vtkPolyData* input)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      const bool isNamed = array && array->GetName();
+      const bool isNamed = array && array->GetName() && array->GetNumberOfComponents() == 1;
       const bool hasNumbers = isNamed && vtkDataArray::SafeDownCast(array);
       const bool isOfCells = data == input->GetCellData();
       choosable.arrays = choosable.arrays || hasNumbers;
@@ -104,7 +104,8 @@ Viewer::Viewer(
       },
       rests);
   })
-  , AgreedPoints(std::max<double>(MostSliderPoints, pointsOfLength(Now, Area)))
+  , AgreedPoints(std::max({ static_cast<double>(MostSliderPoints), pointsOfLength(Now, Area),
+      pointsOfLevels(Now, Area) }))
   , MeshAt(Clock::now())
   , Sampler(CurveBars)
   , Worker(document.input)
@@ -280,7 +281,7 @@ void Viewer::tick()
   if (this->PreviewIsOld && this->HasAtlas)
   {
     this->PreviewIsOld = false;
-    if (this->pointsToAgree() == 0)
+    if (pointsOfLength(this->Now, this->Area) <= this->AgreedPoints)
     {
       // A frame has no time for what is not seen.
       this->Sampler.setDensityWanted(this->View.display == Display::Density);
@@ -377,8 +378,9 @@ void Viewer::takeResults()
     {
       char percent[32];
       std::snprintf(percent, sizeof(percent), "%.3g", this->Mesh->deviation);
-      this->say("With " + grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points " +
-        "no place is farther from the input than " + percent + " % of its diagonal.");
+      this->say("With " + grouped(this->Mesh->mesh->GetNumberOfPoints()) +
+        " points no place of the mesh or of the input is farther from the other than " + percent +
+        " % of its diagonal.");
     }
     this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
@@ -389,7 +391,11 @@ void Viewer::takeResults()
   if (const std::string error = this->Worker.takeError(); !error.empty())
   {
     this->Problem = error;
-    this->forgetToSave();
+    if (this->SaveWhenDone)
+    {
+      this->say(this->meshFile() + " is not written.", true);
+      this->forgetToSave();
+    }
     this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
   }
 }
@@ -478,7 +484,7 @@ Activity Viewer::activity()
   now.progress = this->Worker.busy() ? std::floor(200 * this->Worker.progress()) / 200 : 0;
   now.reading = this->Reading;
   now.savesMesh = this->SaveWhenDone;
-  now.meshFile = std::filesystem::path(this->Files.mesh).filename().string();
+  now.meshFile = this->meshFile();
   now.sampling = this->Sampler.waiting() > SamplingTime;
   now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
   now.meshProblem = this->Problem;
@@ -486,6 +492,7 @@ Activity Viewer::activity()
   // Maps of another number of points say nothing about this one, and there may be others soon.
   now.sampleProblem = works || this->MeshWanted || this->Stopped ? "" : this->PreviewProblem;
   now.points = this->pointsToAgree();
+  now.byLevels = pointsOfLevels(this->Now, this->Area) > 0;
   now.tried = this->Worker.tried();
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
@@ -523,7 +530,7 @@ void Viewer::showActivity()
 
 void Viewer::makeMesh()
 {
-  this->PreviewIsOld = this->PreviewIsOld || this->pointsToAgree() > 0;
+  this->PreviewIsOld = this->PreviewIsOld || this->Stopped || this->pointsToAgree() > 0;
   this->AgreedPoints = std::max(this->AgreedPoints, this->pointsToAgree());
   this->MeshWanted = !this->meshIsCurrent();
   this->MeshAt = Clock::now();
@@ -544,8 +551,13 @@ void Viewer::startMeshing()
 
 double Viewer::pointsToAgree() const
 {
-  const double points = pointsOfLength(this->Now, this->Area);
-  return points > this->AgreedPoints ? points : 0;
+  // What the slider takes, divided once, is no surprise.
+  constexpr double MostByLevels = 4. * MostSliderPoints;
+  const double byLength = pointsOfLength(this->Now, this->Area);
+  const double byLevels = pointsOfLevels(this->Now, this->Area);
+  return byLevels > std::max(this->AgreedPoints, MostByLevels) ? byLevels
+    : byLength > this->AgreedPoints                            ? byLength
+                                                               : 0;
 }
 
 Session Viewer::sampledSession() const
@@ -558,6 +570,11 @@ Session Viewer::sampledSession() const
                             : static_cast<double>(this->Mesh->mesh->GetNumberOfPoints()));
   }
   return session;
+}
+
+std::string Viewer::meshFile() const
+{
+  return std::filesystem::path(this->Files.mesh).filename().string();
 }
 
 void Viewer::usePicture()
@@ -577,7 +594,13 @@ void Viewer::changed(bool rests)
   this->PreviewIsOld = true;
   this->PreviewProblem.clear();
   this->Problem.clear();
-  this->say("");
+  if (this->SaveWhenDone && this->Now != this->SavesMeshOf)
+  {
+    this->forgetToSave();
+    this->Unwritten =
+      this->meshFile() + " is not written: its mesh is another one now. Ctrl+S writes it.";
+  }
+  this->say(this->Unwritten, !this->Unwritten.empty());
   this->Stopped = false;
   this->Worker.relax();
   this->MeshWanted = true;

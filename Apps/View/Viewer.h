@@ -143,9 +143,11 @@ private:
   /// Makes it, now, if it is not there, of however many points.
   void makeMesh();
   void startMeshing();
-  /// How many points the session's length of edges leads to, if that is many and not agreed to; 0
-  /// mostly.
+  /// How many points the session's length of edges, or its levels of subdivision, lead to, if that
+  /// is many and not agreed to; 0 mostly.
   [[nodiscard]] double pointsToAgree() const;
+  /// The name of the file that the mesh goes to, without its folder.
+  [[nodiscard]] std::string meshFile() const;
   /// The dots are the mesh's own vertices where that is the session's.
   void showVertices();
   [[nodiscard]] bool showsVertices() const;
@@ -277,7 +279,7 @@ private:
   std::string PreviewProblem;
   std::unique_ptr<MeshResult> Mesh;
   std::string Problem; ///< what failed for the session of now
-  double AgreedPoints; ///< most that follow from a length without a question
+  double AgreedPoints; ///< most that follow without a question
   bool MeshWanted = true;
   bool Stopped = false;     ///< by the user
   Clock::time_point MeshAt; ///< when, at the earliest
@@ -287,6 +289,8 @@ private:
   int NextCell = 0;        ///< of the strip, to be painted first
   bool StaleIsOld = false; ///< whether the right view's mesh is the session's; that too
   bool SaveWhenDone = false;
+  Session SavesMeshOf;   ///< the session whose mesh that is
+  std::string Unwritten; ///< what was to be said of such a file that will not be written
   std::function<void()> AfterSaving; ///< what waits for that
   std::function<void()> AfterDraw;   ///< takes long, once what is said of it can be read
   std::string Message;

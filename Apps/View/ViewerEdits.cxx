@@ -20,11 +20,6 @@ namespace
 /// Pixels of the pictures of a view alone.
 constexpr int FigureHeight = 2000;
 
-std::string fileName(const std::string& file)
-{
-  return std::filesystem::path(file).filename().string();
-}
-
 /// With its folder, so that nobody has to guess where it went.
 std::string wholePath(const std::string& file)
 {
@@ -41,6 +36,7 @@ void Viewer::edit(const std::function<void(Session&)>& change, bool rests)
   {
     this->EditBase = before;
     this->Editing = true;
+    this->Unwritten.clear();
   }
   if (rests)
   {
@@ -117,6 +113,7 @@ void Viewer::undo()
 {
   if (this->Edits.canUndo() && !this->Editing)
   {
+    this->Unwritten.clear();
     this->Edits.undo(this->Now);
     this->changed(true);
   }
@@ -126,6 +123,7 @@ void Viewer::redo()
 {
   if (this->Edits.canRedo() && !this->Editing)
   {
+    this->Unwritten.clear();
     this->Edits.redo(this->Now);
     this->changed(true);
   }
@@ -140,15 +138,14 @@ void Viewer::writeMesh()
 {
   if (!this->Problem.empty()) // there is no mesh to wait for
   {
-    this->say(fileName(this->Files.mesh) + " is not written: " + this->Problem, true);
+    this->say(this->meshFile() + " is not written: " + this->Problem, true);
     return;
   }
   if (!this->meshIsCurrent())
   {
     this->SaveWhenDone = true;
-    this->say(this->activity().works()
-        ? ""
-        : fileName(this->Files.mesh) + " will be written when the mesh is done; Return makes it.");
+    this->SavesMeshOf = this->Now;
+    this->say(""); // the activity tells it
     return;
   }
   this->SaveWhenDone = false;

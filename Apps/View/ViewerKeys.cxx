@@ -5,7 +5,6 @@
 
 #include "CameraMoves.h"
 
-#include "vtkCellArray.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -76,9 +75,16 @@ bool Viewer::key(const KeyStroke& stroke)
         std::clamp(v.brushRadius * (key == "bracketleft" ? 0.8 : 1.25), LeastBrush, LargestBrush);
     });
   }
-  else if ((key == "p" || key == "P") && this->View.tool == Tool::Brush)
+  else if (key == "p" || key == "P")
   {
-    this->fillRegion(key == "P");
+    if (this->View.tool == Tool::Brush)
+    {
+      this->fillRegion(key == "P");
+    }
+    else
+    {
+      this->say("p fills a region with paint: take the brush first (b).");
+    }
   }
   else if (key == "y")
   {
@@ -145,11 +151,12 @@ bool Viewer::key(const KeyStroke& stroke)
     {
       this->giveUpReading();
     }
-    else if (this->Worker.busy() || this->MeshWanted)
+    else if (this->Worker.busy() || this->MeshWanted || this->Sampler.waiting() > 0)
     {
       this->Worker.cancel();
+      this->Sampler.cancel();
       this->MeshWanted = false;
-      this->forgetToSave();
+      this->AfterSaving = nullptr;
       this->Stopped = true;
       this->say("");
     }
@@ -220,12 +227,8 @@ void Viewer::goToWorst()
   this->NextWorst = place + 1;
   const int cell = worst[place];
   this->AfterSide.setMarked(cell);
-  vtkIdType size;
-  const vtkIdType* ids;
-  this->Mesh->mesh->GetPolys()->GetCellAtId(cell, size, ids);
-  const Vec3 corners[3] = { Vec3(this->Mesh->mesh->GetPoint(ids[0])),
-    Vec3(this->Mesh->mesh->GetPoint(ids[1])), Vec3(this->Mesh->mesh->GetPoint(ids[2])) };
-  lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), corners);
+  lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), this->Mesh->mesh, cell,
+    this->Solid);
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
   const auto at = static_cast<std::size_t>(cell);
@@ -237,7 +240,15 @@ void Viewer::goToWorst()
     : coloring == MeshColoring::Quality
     ? std::snprintf(figure, sizeof(figure), "quality %.3f", colors.quality[at])
     : std::snprintf(figure, sizeof(figure), "smallest angle %.1f\u00b0", colors.angle[at]);
+  std::string more;
+  if (const double missed = largestOf(colors.missed);
+      coloring == MeshColoring::Deviation && missed > colors.deviation[at])
+  {
+    char other[96];
+    std::snprintf(other, sizeof(other), " The input is up to %.3g %% from the mesh.", missed);
+    more = other;
+  }
   this->say("Triangle " + std::to_string(cell) + ": " + figure + "; " + std::to_string(place + 1) +
-    " of the " + std::to_string(worst.size()) + " worst.");
+    " of the " + std::to_string(worst.size()) + " worst." + more);
 }
 }

@@ -120,7 +120,7 @@ bool Viewer::askToWait(const std::string& title, const std::string& answer,
     this->Written = this->Now; // one question about a mesh is enough
     goOn();
   };
-  const std::string file = std::filesystem::path(this->Files.mesh).filename().string();
+  const std::string file = this->meshFile();
   this->show(
     std::make_shared<Question>(file + " is not written yet", "It will be when the mesh is done.",
       std::vector<Question::Answer>{ { "Wait, then " + answer, "Return", wait },
@@ -277,7 +277,8 @@ void Viewer::chooseArray(const std::string& option, int points)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (array->GetName() && (takesNames || vtkDataArray::SafeDownCast(array)))
+      if (array->GetName() && array->GetNumberOfComponents() == 1 &&
+        (takesNames || vtkDataArray::SafeDownCast(array)))
       {
         const std::string name = array->GetName();
         const std::string key = entries.size() < 10 ? std::to_string(entries.size()) : "";

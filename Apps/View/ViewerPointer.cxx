@@ -407,5 +407,10 @@ void Viewer::tagEdges(const PickedPlace& place, bool path)
       s.setRows("feature_edges", tags);
     },
     true);
+  const auto strokes = this->Now.rows<5>("strokes");
+  if (std::any_of(strokes.begin(), strokes.end(), [](const auto& s) { return s[3] <= 0; }))
+  {
+    this->say("What is filled with paint ends at tagged edges, too.");
+  }
 }
 }

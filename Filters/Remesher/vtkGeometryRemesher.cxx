@@ -161,6 +161,7 @@ struct vtkGeometryRemesher::Internals
     this->ControlMap->SetInputConnection(1, charts);
     this->Sampler->SetInputConnection(0, this->ControlMap->GetOutputPort(0));
     this->Sampler->SetInputConnection(1, charts);
+    this->ControlMap->SetInputConnection(2, graph);
     this->Sampler->SetInputConnection(2, graph);
     this->Mesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
     this->Mesher->SetInputConnection(1, charts);
@@ -505,7 +506,7 @@ bool vtkGeometryRemesher::RunStages()
   // Where sizes are to be alike, or triangles in rows, they do not grow from features.
   const bool mayGrow =
     s.Optimizer->GetFollowDensity() && !s.Optimizer->GetRibs() && this->Pattern != QUADS;
-  s.ControlMap->SetInputConnection(2, mayGrow && s.MayGrow ? s.Atlas->GetOutputPort(1) : nullptr);
+  s.ControlMap->SetGrowFromFeatures(mayGrow && s.MayGrow);
   if (!this->RunMapsAndControl())
   {
     return false;

@@ -651,7 +651,7 @@ Status ControlMapBuilder::Internals::applySizes(vtkPartitionedDataSetCollection*
                       "one.")
       : Status::success();
   }
-  const bool grows = o.sizing.growth > 1. && featureGraph;
+  const bool grows = o.sizing.growth > 1. && o.growFromFeatures && featureGraph;
   Atlas::Pointer whole; // with its features
   if (grows)
   {

@@ -42,6 +42,7 @@ struct ControlMapOptions
   std::string sizeArray;        ///< lengths of edges, in place of an importance
   double curvaturePoints = 0;   ///< the same from curvature, edges a full turn; 0: none
   SizingOptions sizing;
+  bool growFromFeatures = true; ///< not for CurvaturePoints alone
 };
 
 class ControlMapBuilder

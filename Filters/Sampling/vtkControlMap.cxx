@@ -226,6 +226,7 @@ int vtkControlMap::RequestData(
   options.sizing.smallest = this->SizeMinimum;
   options.sizing.largest = this->SizeMaximum;
   options.sizing.growth = this->Growth;
+  options.growFromFeatures = this->GrowFromFeatures;
   for (vtkIdType i = 0; i < this->Data->strokes->GetNumberOfTuples(); ++i)
   {
     const double* s = this->Data->strokes->GetPointer(StrokeComponents * i);
@@ -282,5 +283,6 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMinimum: " << this->SizeMinimum << "\n";
   os << indent << "SizeMaximum: " << this->SizeMaximum << "\n";
   os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "GrowFromFeatures: " << this->GrowFromFeatures << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
 }

@@ -22,7 +22,7 @@
  * Input port 1 is optional and takes the charts of vtkConformalAtlas. BandPass, Gradation, Strokes
  * and a projected ImportanceImage need it, and all but the last the map `FaceIndex`: they work on
  * the surface itself, so that seams do not show. Input port 2 is optional, too, and takes the
- * feature graph, for Growth, which comes last.
+ * feature graph: strokes that fill end at features, and Growth, which comes last, begins there.
  *
  * @sa vtkGeometryMapRenderer vtkErrorDiffusionSampler
  */
@@ -285,6 +285,16 @@ public:
   vtkGetMacro(Growth, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether features make edges short; without, Growth is for CurvaturePoints alone, and the
+   * feature graph bounds what strokes fill. The default is on.
+   */
+  vtkSetMacro(GrowFromFeatures, bool);
+  vtkGetMacro(GrowFromFeatures, bool);
+  vtkBooleanMacro(GrowFromFeatures, bool);
+  ///@}
+
   /**
    * How many samples the control of the last update wants, not rounded: NumberOfSamples, or what
    * EdgeLength, CurvaturePoints or SizeArrayName asks for; 0 without any of them.
@@ -324,6 +334,7 @@ private:
   double SizeMinimum = 0.;
   double SizeMaximum = 0.;
   double Growth = 1.5;
+  bool GrowFromFeatures = true;
 
   struct Internals;
   std::unique_ptr<Internals> Data;

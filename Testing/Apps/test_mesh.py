@@ -545,6 +545,15 @@ class Patterns(MeshTest):
         self.assertEqual(text["taken away"], text["none"])
         self.assertEqual(text["taken away elsewhere"], text["filled"])
 
+    def test_paint_fills_a_face_whatever_the_mesh_is_like(self):
+        """What is filled ends at features, also where sizes do not grow from these."""
+        strokes = self.file("strokes.txt", "1 0.4 0.6 0 15\n")
+        for options in (("--pattern", "quads"), ("--preset", "rib"), ("--growth", "none")):
+            with self.subTest(options=options):
+                edges = self.edges(self.cube(), "--points", 2000, "--strokes", strokes, *options)
+                share = sum(p[0] > 1 - 1e-6 for p, _ in edges) / len(edges)
+                self.assertGreater(share, 0.5, "a sixth, if all is filled")
+
     def test_quads_follow_paint(self):
         """The same stroke makes quads shorter around it than where there is none, and more of them."""
         x, y, z = points_of(MODELS / "bunny00.off")[0]

@@ -54,6 +54,18 @@ class Files(ViewTest):
         self.assertGreater((few != saved)[:26, :700].any(axis=2).sum(), 300, "more than that there are too few points")
         self.assertEqual(sorted(file.name for file in self.work.iterdir()), ["below", "notes.txt", "part.off"])
 
+    def test_what_is_to_be_written_outlasts_esc(self):
+        mesh = self.work / "mesh.off"
+        self.play("n", *"900", "Return", "Control+s", "Escape", "Return", model=("part.off", "-o", mesh))
+        self.assertEqual(mesh_check(mesh, mesh)["points"], 900)
+
+    def test_what_was_to_be_written_is_not_another_mesh(self):
+        mesh = self.work / "mesh.off"
+        self.play("n", *"150000", "Return", "Control+s", "n", *"700", "Return", model=("part.off", "-o", mesh))
+        self.assertFalse(mesh.exists(), "its mesh was never made")
+        self.play("n", *"150000", "Return", "Control+s", "n", *"700", "Return", "Control+s", model=("part.off", "-o", mesh))
+        self.assertEqual(mesh_check(mesh, mesh)["points"], 700)
+
     def test_the_example_is_meshed_and_has_no_session(self):
         mesh = self.work / "mesh.off"
         self.play("x", "n", *"900", "Return", "Control+j", "Control+s", model=("-o", mesh))
