@@ -56,7 +56,11 @@ void ListPage::paint(Canvas& canvas, const Rect& window)
       box.right() - 14 * s, middle, canvas.fitted(entry.detail, box.w - left, quiet), quiet);
   }
   const TextLook alarm{ 12.5F, shades::Alarm };
-  canvas.text(x, y - 24 * s, canvas.fitted(this->Problem, width, alarm), alarm);
+  for (const std::string& words : canvas.lines(this->Problem, width, 3, alarm))
+  {
+    y -= 18 * s;
+    canvas.text(x, y - 6 * s, words, alarm);
+  }
 }
 
 int ListPage::entryAt(const Pointer& pointer) const

@@ -216,7 +216,10 @@ void Panel::addShow(Commands& commands)
 {
   this->Displays = this->make<Choice>(Choice::Kind::One,
     std::vector<std::string>{ "samples", "input", "charts", "density" }, 4, [&commands](int word) {
-      commands.changeView([word](ViewState& v) { v.display = static_cast<Display>(word); });
+      commands.changeView([word](ViewState& v) {
+        v.display = static_cast<Display>(word);
+        v.wireframe = false;
+      });
     });
   this->Overlays = this->make<Choice>(Choice::Kind::Several,
     std::vector<std::string>{ "feature lines", "seams" }, 2, [&commands](int word) {
@@ -258,7 +261,10 @@ void Panel::addCommands(Commands& commands)
   this->row({ saving }, 27);
   this->Coloring = this->make<Choice>(Choice::Kind::One,
     std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
-      commands.changeView([word](ViewState& v) { v.coloring = static_cast<MeshColoring>(word); });
+      commands.changeView([word](ViewState& v) {
+        v.coloring = static_cast<MeshColoring>(word);
+        v.wireframe = false;
+      });
     });
   this->Coloring->setHints(
     { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
@@ -390,11 +396,11 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
                                                        : "Takes all paint away.",
     s.list("constraints").empty() ? "No point is picked." : "Takes all picked points away.",
     s.list("feature_edges").empty() ? "No edge is tagged." : "Takes the tags of all edges away." });
-  this->Displays->choose(static_cast<int>(v.display));
+  this->Displays->choose(v.wireframe ? -1 : static_cast<int>(v.display));
   this->Overlays->setOn(0, v.features);
   this->Overlays->setOn(1, v.seams);
   this->Undoing->setOn(2, v.help);
-  this->Coloring->choose(static_cast<int>(v.coloring));
+  this->Coloring->choose(v.wireframe ? -1 : static_cast<int>(v.coloring));
 }
 
 void Panel::setUndo(bool canUndo, bool canRedo)

@@ -107,9 +107,9 @@ void Panel::addMesh(Commands& commands)
     { "Triangles that are alike, whatever the importance.", "Triangles that follow the importance.",
       "They follow the importance, with two neighbours on each side of features." });
   auto* pattern = this->optionChoice(commands, "pattern", { "triangles", "quads", "semi-regular" });
-  pattern->setHints(
-    { "A mesh of triangles.", "Quads along the axes of every chart; they are not optimised.",
-      "Triangles split 1 to 4; the number of points is the base mesh's." });
+  pattern->setHints({ "A mesh of triangles.",
+    "Quads along the axes of every chart, the more the more alike sizes are; not optimised.",
+    "Triangles split 1 to 4; the number of points is the base mesh's." });
   auto* smoothing =
     this->optionChoice(commands, "smoothing", { "rough", "area", "density", "Lloyd" });
   smoothing->setHints({ "Points stay where they were sampled.",

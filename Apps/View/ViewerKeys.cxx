@@ -57,7 +57,8 @@ bool Viewer::key(const KeyStroke& stroke)
   else if (key == "d")
   {
     this->changeView([](ViewState& v) {
-      v.display = static_cast<Display>((static_cast<int>(v.display) + 1) % 4);
+      v.display = static_cast<Display>((static_cast<int>(v.display) + (v.wireframe ? 0 : 1)) % 4);
+      v.wireframe = false;
     });
   }
   else if (key == "l")
@@ -94,7 +95,9 @@ bool Viewer::key(const KeyStroke& stroke)
   else if (key == "c")
   {
     this->changeView([](ViewState& v) {
-      v.coloring = static_cast<MeshColoring>((static_cast<int>(v.coloring) + 1) % 4);
+      v.coloring =
+        static_cast<MeshColoring>((static_cast<int>(v.coloring) + (v.wireframe ? 0 : 1)) % 4);
+      v.wireframe = false;
     });
   }
   else if (key == "g")
