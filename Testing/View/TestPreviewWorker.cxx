@@ -100,6 +100,22 @@ TEST(PreviewWorker, TheLatestWins)
   EXPECT_EQ(result->numberOfSamples, 400 + Asked - 1);
 }
 
+TEST(PreviewWorker, WhatIsGivenUpIsNotHandedOver)
+{
+  PreviewWorker worker(8);
+  worker.setAtlas(sphereAtlas(24));
+  int givenUp = 0;
+  for (int i = 0; i < 20; ++i) // one or the other may be done before
+  {
+    worker.start(withPoints(2000 + i));
+    worker.cancel();
+    givenUp += wait(worker) ? 0 : 1;
+  }
+  EXPECT_GT(givenUp, 0);
+  worker.start(withPoints(300));
+  EXPECT_EQ(wait(worker)->numberOfSamples, 300) << "and goes on";
+}
+
 TEST(PreviewWorker, TellsWhyThereAreNoSamples)
 {
   PreviewWorker worker(8);

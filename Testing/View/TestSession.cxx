@@ -114,6 +114,18 @@ TEST(Session, PointsOfALengthAreThoseOfTheShortestThatItAllows)
   EXPECT_NEAR(pointsOfLength(s, 2.), 2 * 2 / std::sqrt(3.) / 0.04, 1e-9);
 }
 
+TEST(Session, LevelsMultiplyPoints)
+{
+  Session s;
+  s.set("points", 2000);
+  s.set("subdivisions", 5);
+  EXPECT_EQ(pointsOfLevels(s, 2.), 0) << "of triangles";
+  s.set("pattern", std::string("semiregular"));
+  EXPECT_EQ(pointsOfLevels(s, 2.), 2000 * 1024);
+  s.set("edge_length", 0.1);
+  EXPECT_NEAR(pointsOfLevels(s, 2.), 1024 * pointsOfLength(s, 2.), 1e-6);
+}
+
 TEST(Session, ParametersThatDoNotChangeModifyNothing)
 {
   vtkNew<vtkGeometryRemesher> remesher;
