@@ -96,18 +96,39 @@ private:
 std::vector<Triangle> triangulatePolygon(const std::vector<Vec3>& corners)
 {
   const int n = static_cast<int>(corners.size());
-  std::vector<Triangle> fan;
+  const auto fanFrom = [n](int first) {
+    std::vector<Triangle> fan;
+    for (int k = 2; k < n; ++k)
+    {
+      fan.push_back({ first, (first + k - 1) % n, (first + k) % n });
+    }
+    return fan;
+  };
+  const auto twiceAreaOf = [&corners](const Triangle& t) -> Vec3 {
+    return (corners[t[1]] - corners[t[0]]).cross(corners[t[2]] - corners[t[0]]);
+  };
+  std::vector<Triangle> fan = fanFrom(0);
   Vec3 normal = Vec3::Zero();
-  for (int k = 2; k < n; ++k)
+  for (const Triangle& t : fan)
   {
-    fan.push_back({ 0, k - 1, k });
-    normal += (corners[k - 1] - corners[0]).cross(corners[k] - corners[0]);
+    normal += twiceAreaOf(t);
   }
   const double length = normal.norm();
-  const bool covers = std::all_of(fan.begin(), fan.end(), [&](const Triangle& t) {
-    return (corners[t[1]] - corners[0]).cross(corners[t[2]] - corners[0]).dot(normal) > 0;
-  });
-  if (n <= 3 || covers || !(length > 0))
+  const auto covers = [&](const std::vector<Triangle>& triangles) {
+    return std::all_of(triangles.begin(), triangles.end(),
+      [&](const Triangle& t) { return twiceAreaOf(t).dot(normal) > 0; });
+  };
+  // Which way a quad that is not plane is bent is up to its shorter diagonal, as vtkTriangleFilter
+  // has it; where they are alike but for rounding to single precision, to its first corner.
+  constexpr double Alike = 1 - 1e-6;
+  if (n == 4 && (corners[1] - corners[3]).norm() < Alike * (corners[0] - corners[2]).norm())
+  {
+    if (std::vector<Triangle> other = fanFrom(1); covers(other))
+    {
+      return other;
+    }
+  }
+  if (n <= 3 || covers(fan) || !(length > 0))
   {
     return fan;
   }

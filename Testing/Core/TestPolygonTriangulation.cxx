@@ -48,6 +48,22 @@ TEST(PolygonTriangulation, ConvexIsAFan)
   EXPECT_EQ(triangulatePolygon(corners), fan);
 }
 
+TEST(PolygonTriangulation, QuadsAreCutAlongTheShorterDiagonal)
+{
+  const Vec3 a(0, 0, 0);
+  const Vec3 b(1, 0, 0.2);
+  const Vec3 c(1.4, 1.4, 0); // far from a
+  const Vec3 d(0, 1, 0.2);
+  using Triangles = std::vector<Triangle>;
+  EXPECT_EQ(triangulatePolygon({ a, b, c, d }), (Triangles{ { 1, 2, 3 }, { 1, 3, 0 } }));
+  EXPECT_EQ(triangulatePolygon({ b, c, d, a }), (Triangles{ { 0, 1, 2 }, { 0, 2, 3 } }));
+  const Vec3 e(1, 1, 0);
+  EXPECT_EQ(triangulatePolygon({ a, b, e, d }), (Triangles{ { 0, 1, 2 }, { 0, 2, 3 } })) << "alike";
+  const Vec3 within(0.2, 0.2, 0); // the diagonal from b to d, the shorter one, is outside
+  EXPECT_EQ(triangulatePolygon({ Vec3(-2, -2, 0), Vec3(1, 0, 0), within, Vec3(0, 1, 0) }),
+    (Triangles{ { 0, 1, 2 }, { 0, 2, 3 } }));
+}
+
 TEST(PolygonTriangulation, FewCorners)
 {
   EXPECT_TRUE(triangulatePolygon({}).empty());
