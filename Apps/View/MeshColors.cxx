@@ -64,9 +64,17 @@ MeshColors measureColors(
   std::vector<int> cell;
   const TriangleSurface surface = fromPolyData(mesh, &cell);
   const auto n = static_cast<std::size_t>(surface.numberOfFaces());
+  // Their middles, and then those of their edges: corners are on the input, as a rule.
+  constexpr std::size_t PlacesOfFace = 4;
   const std::vector<float> distances = distancesOf(
-    n, [&surface](int f) { return surface.position(Face(f), Vec3::Constant(1. / 3)); }, input,
-    diagonal, stopped);
+    PlacesOfFace * n,
+    [&surface](int i) {
+      const int place = i % static_cast<int>(PlacesOfFace);
+      const Vec3 bary =
+        place == 3 ? Vec3::Constant(1. / 3) : Vec3(0.5 * (Vec3::Ones() - Vec3::Unit(place)));
+      return surface.position(Face(i / static_cast<int>(PlacesOfFace)), bary);
+    },
+    input, diagonal, stopped);
   // A file may have points that no triangle uses.
   std::vector<bool> isUsed(whole.points.size(), false);
   for (const Triangle& triangle : whole.triangles)
@@ -113,7 +121,9 @@ MeshColors measureColors(
     const TriangleShape shape = measureTriangle(surface, Face(static_cast<int>(f)));
     colors.quality[c] = std::min(colors.quality[c], static_cast<float>(shape.quality));
     colors.angle[c] = std::min(colors.angle[c], static_cast<float>(shape.smallestAngle));
-    colors.deviation[c] = std::max(colors.deviation[c], distances[f]);
+    const auto first = distances.begin() + static_cast<std::ptrdiff_t>(PlacesOfFace * f);
+    colors.deviation[c] =
+      std::max(colors.deviation[c], *std::max_element(first, first + PlacesOfFace));
   }
   return colors;
 }

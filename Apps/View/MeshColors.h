@@ -24,7 +24,8 @@ struct MeshColors
   // A number a cell; of polygons, that of the worst of their triangles.
   std::vector<float> quality;   ///< 0 to 1 (equilateral)
   std::vector<float> angle;     ///< the smallest, in degrees
-  std::vector<float> deviation; ///< of its middle from the input, in percent of the diagonal
+  std::vector<float> deviation; ///< of its middle and its edges' from the input, the most, in
+                                ///< percent of the diagonal
   /// Of the input's points from the mesh, in percent of the diagonal.
   std::vector<float> missed;
 };

@@ -83,6 +83,7 @@ Status Preview::update(const Session& session, PreviewStage stage)
   applyOptions(session, this->Control);
   const bool isDraft = stage == PreviewStage::Draft;
   this->Control->SetSmoothingTolerance(isDraft ? DraftTolerance : FinalTolerance);
+  this->Control->SetFollowImportance(followsImportance(session));
   this->Control->SetGrowFromFeatures(mayGrow(session) && !isDraft);
   const bool follows = pointsFollow(session);
   ErrorCollector controlErrors(this->Control);

@@ -31,14 +31,18 @@ double pointsOfLevels(const Session& session, double area)
     : 0; // each has as many more as there are edges
 }
 
+bool followsImportance(const Session& session)
+{
+  return session.text("preset") != "uniform" || session.text("pattern") == "quads";
+}
+
 std::string whyImportanceRests(const Session& session)
 {
   // As vtkControlMap has it, and vtkGeometryRemesher's presets.
   return session.number("curvature_points") > 0 ? "points per turn are set"
     : !session.text("size_array").empty()       ? "an array has lengths"
-    : session.text("preset") == "uniform" && session.text("pattern") != "quads"
-    ? "the preset is uniform"
-    : "";
+    : !followsImportance(session)               ? "the preset is uniform"
+                                                : "";
 }
 
 void setPoints(Session& session, double points)

@@ -22,6 +22,8 @@ namespace stipple
 /// The importance that a model opens with in the window, so that there is something to see.
 constexpr const char* FirstImportance = "total";
 
+/// Whether the preset has densities follow the importance, as vtkGeometryRemesher has it.
+[[nodiscard]] bool followsImportance(const Session& session);
 /// Why the mesh does not follow importance and paint, as in "while ..."; empty if it does.
 [[nodiscard]] std::string whyImportanceRests(const Session& session);
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelectedPart.h"
 
+#include "AtlasConstants.h"
 #include "CoincidentPoints.h"
 #include "CornerTexture.h"
 #include "PolyDataConversion.h"
+#include "SurfaceRepair.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -42,6 +44,35 @@ void forEachEdge(vtkCellArray* polygons, vtkIdType polygon, const Visit& visit)
   {
     visit(ids[k], ids[(k + 1) % size]);
   }
+}
+
+/// Makes one of points that are apart by rounding alone, where a surface is closed between them and
+/// one of them is the part's: what the atlas welds must be one point for the rest, too.
+Status weldAsAtlas(
+  vtkPolyData* input, const std::vector<char>& isOfPart, std::vector<vtkIdType>& firstAt)
+{
+  RepairedSurface repaired;
+  if (Status status = repairSurface(input, repaired); !status.ok())
+  {
+    return status;
+  }
+  const auto n = static_cast<vtkIdType>(firstAt.size());
+  const double most = AtlasConstants::SamePlace * input->GetLength();
+  std::vector<vtkIdType> welded = firstAt;
+  std::vector<char> hasPart(firstAt.size(), 0);
+  for (vtkIdType p = 0; p < n; ++p)
+  {
+    const int vertex = repaired.pointOfInput[p];
+    const vtkIdType source = vertex < 0 ? p : repaired.sourcePoint[vertex];
+    const Vec3 apart = Vec3(input->GetPoint(source)) - Vec3(input->GetPoint(p));
+    welded[p] = firstAt[apart.norm() <= most ? source : p];
+    hasPart[welded[p]] = hasPart[welded[p]] || isOfPart[p];
+  }
+  for (vtkIdType p = 0; p < n; ++p)
+  {
+    firstAt[p] = hasPart[welded[p]] ? welded[p] : firstAt[p];
+  }
+  return Status::success();
 }
 
 /// Swaps the edges inside a mesh of triangles that the rest has, too, between the same points of
@@ -182,18 +213,46 @@ Status SelectedPart::split(vtkPolyData* input, const std::string& array)
   this->Input->SetPolys(polygons);
 
   this->FirstAt = firstAtPlace(input);
+  std::vector<char> isOfPart(this->FirstAt.size(), 0);
+  const auto isSelected = [&](vtkIdType f) {
+    return labels->GetComponent(this->SourceCell[f], 0) != 0.;
+  };
+  for (vtkIdType f = 0; f < polygons->GetNumberOfCells(); ++f)
+  {
+    if (isSelected(f))
+    {
+      forEachEdge(polygons, f, [&](vtkIdType a, vtkIdType) { isOfPart[a] = 1; });
+    }
+  }
+  const std::vector<vtkIdType> atPlace = this->FirstAt;
+  if (Status status = weldAsAtlas(this->Input, isOfPart, this->FirstAt); !status.ok())
+  {
+    return status;
+  }
+  const auto isWelded = [&](vtkIdType p) { return this->FirstAt[p] != atPlace[p]; };
   vtkNew<vtkCellArray> selected;
   std::set<Edge> edgesOfRest;
   const auto edgeOf = [this](vtkIdType a, vtkIdType b) {
     return Edge(std::minmax(this->FirstAt[a], this->FirstAt[b]));
   };
+  std::vector<vtkIdType> corners;
   for (vtkIdType f = 0; f < polygons->GetNumberOfCells(); ++f)
   {
-    if (labels->GetComponent(this->SourceCell[f], 0) != 0.)
+    corners.clear();
+    forEachEdge(polygons, f, [&](vtkIdType a, vtkIdType b) {
+      if (this->FirstAt[a] != this->FirstAt[b] || !(isWelded(a) || isWelded(b)))
+      {
+        corners.push_back(isWelded(a) ? this->FirstAt[a] : a);
+      }
+    });
+    if (corners.size() < 3) // between points that are one
+    {
+      continue;
+    }
+    if (isSelected(f))
     {
       this->PartCells.push_back(f);
-      polygons->GetCellAtId(f, size, ids);
-      selected->InsertNextCell(size, ids);
+      selected->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
     }
     else
     {

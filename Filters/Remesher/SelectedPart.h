@@ -51,7 +51,8 @@ private:
   std::vector<vtkIdType> SourceCell; // of every polygon of Input, the input's cell
   std::vector<vtkIdType> PartCells;  // polygons
   std::vector<vtkIdType> RestCells;
-  std::vector<vtkIdType> FirstAt;      // of every point, the first at its place
+  // Of every point, the first at its place, or apart by rounding alone where the part has one.
+  std::vector<vtkIdType> FirstAt;
   std::vector<vtkIdType> BorderPoints; // the first of each place, ascending
 };
 }

@@ -507,6 +507,7 @@ bool vtkGeometryRemesher::RunStages()
   const bool mayGrow =
     s.Optimizer->GetFollowDensity() && !s.Optimizer->GetRibs() && this->Pattern != QUADS;
   s.ControlMap->SetGrowFromFeatures(mayGrow && s.MayGrow);
+  s.ControlMap->SetFollowImportance(s.Optimizer->GetFollowDensity() || this->Pattern == QUADS);
   if (!this->RunMapsAndControl())
   {
     return false;

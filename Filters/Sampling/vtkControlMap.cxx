@@ -232,6 +232,11 @@ int vtkControlMap::RequestData(
     const double* s = this->Data->strokes->GetPointer(StrokeComponents * i);
     options.strokes.push_back({ { s[0], s[1], s[2] }, s[3], s[4] });
   }
+  if (!this->FollowImportance)
+  {
+    options.importance = stipple::ImportanceKind::Uniform;
+    options.strokes.clear();
+  }
   std::vector<vtkSmartPointer<vtkFloatArray>> control;
   std::string warning;
   const int result =
@@ -283,6 +288,7 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMinimum: " << this->SizeMinimum << "\n";
   os << indent << "SizeMaximum: " << this->SizeMaximum << "\n";
   os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "FollowImportance: " << this->FollowImportance << "\n";
   os << indent << "GrowFromFeatures: " << this->GrowFromFeatures << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
 }

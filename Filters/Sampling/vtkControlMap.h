@@ -287,6 +287,16 @@ public:
 
   ///@{
   /**
+   * Whether densities follow the importance and what is made of it (BandPass to MinimumDensity,
+   * strokes): else they are the same everywhere, but for sizes. The default is on.
+   */
+  vtkSetMacro(FollowImportance, bool);
+  vtkGetMacro(FollowImportance, bool);
+  vtkBooleanMacro(FollowImportance, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether features make edges short; without, Growth is for CurvaturePoints alone, and the
    * feature graph bounds what strokes fill. The default is on.
    */
@@ -335,6 +345,7 @@ private:
   double SizeMaximum = 0.;
   double Growth = 1.5;
   bool GrowFromFeatures = true;
+  bool FollowImportance = true;
 
   struct Internals;
   std::unique_ptr<Internals> Data;

@@ -351,19 +351,24 @@ class Regions(MeshTest):
 class Selection(MeshTest):
     """A part is remeshed, the rest comes out as it came in."""
 
-    def bunny(self):
-        """The bunny as .ply, whose faces have a property that is 1 above its middle."""
-        points, faces = points_of(MODELS / "bunny00.off"), faces_of(MODELS / "bunny00.off")
-        heights = sorted(p[1] for p in points)
-        middle = heights[len(heights) // 2]
-        selected = [sum(points[i][1] for i in f) / 3 > middle for f in faces]
+    def labelled(self, name, points, faces, selected):
+        """A .ply whose faces have a property that is 1 where they are selected."""
         rows = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
         rows += [f"property double {axis}" for axis in "xyz"]
         rows += [f"element face {len(faces)}", "property list uchar int vertex_indices", "property int upper"]
         rows += ["end_header"] + [" ".join(map(repr, p)) for p in points]
         rows += ["3 " + " ".join(map(str, f)) + f" {int(s)}" for f, s in zip(faces, selected)]
-        file = self.folder / "bunny.ply"
+        file = self.folder / name
         file.write_text("\n".join(rows) + "\n")
+        return file
+
+    def bunny(self):
+        """The bunny, selected above its middle."""
+        points, faces = points_of(MODELS / "bunny00.off"), faces_of(MODELS / "bunny00.off")
+        heights = sorted(p[1] for p in points)
+        middle = heights[len(heights) // 2]
+        selected = [sum(points[i][1] for i in f) / 3 > middle for f in faces]
+        file = self.labelled("bunny.ply", points, faces, selected)
         rest = [tuple(points[i] for i in f) for f, s in zip(faces, selected) if not s]
         return file, rest
 
@@ -375,6 +380,28 @@ class Selection(MeshTest):
         self.assertEqual([tuple(points[i] for i in f) for f in faces[: len(rest)]], rest)
         self.assertEqual(len(points), len({p for f in rest for p in f}) + 800)
         self.assert_like(mesh_check(out, MODELS / "bunny00.off"), len(points))
+
+    def test_it_fits_where_rounding_keeps_points_apart(self):
+        """A torus that was closed by computing its seam twice, as parametric sources do."""
+        n, m = 40, 20
+        angles = [[2 * math.pi * i / k for i in range(k + 1)] for k in (n, m)]
+        points = [
+            ((1 + 0.5 * math.cos(v)) * math.cos(u), (1 + 0.5 * math.cos(v)) * math.sin(u), 0.5 * math.sin(v))
+            for u in angles[0]
+            for v in angles[1]
+        ]
+        at = [i * (m + 1) + j for i in range(n) for j in range(m)]
+        faces = [f for a in at for f in ((a, a + m + 1, a + 1), (a + 1, a + m + 1, a + m + 2))]
+        selected = [sum(points[i][0] + 0.3 * points[i][2] for i in f) > 0.4 for f in faces]
+        model, out = self.labelled("torus.ply", points, faces, selected), self.folder / "out.off"
+        self.succeed(model, "-o", out, "--points", 900, "--select-array", "upper")
+        sides = {}
+        for number, f in enumerate(faces_of(out)):
+            for edge in zip(f, f[1:] + f[:1]):
+                sides.setdefault(frozenset(edge), []).append(number)
+        first = len(selected) - sum(selected)
+        self.assertGreater(max(max(s) for s in sides.values()), first + 1000)
+        self.assertEqual([s for s in sides.values() if max(s) >= first and len(s) != 2], [])
 
     def test_labels_of_regions_are_written_as_without_a_part(self):
         model, _ = self.bunny()
