@@ -221,6 +221,7 @@ void MeshWorker::publishAtlas()
   result->sampling.charts = copyOf<vtkPartitionedDataSetCollection>(charts);
   result->sampling.graph = copyOf<vtkPolyData>(result->graph);
   result->sampling.maps = copyOf<vtkPartitionedDataSetCollection>(maps);
+  result->sampling.given = this->Remesher->GetNumberOfGivenPoints();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Atlas = std::move(result);
 }

@@ -25,6 +25,7 @@ struct SamplingInput
   vtkSmartPointer<vtkPartitionedDataSetCollection> charts;
   vtkSmartPointer<vtkPolyData> graph;
   vtkSmartPointer<vtkPartitionedDataSetCollection> maps;
+  int given = 0; ///< samples on top of those that are asked for
 };
 
 struct AtlasResult

@@ -54,6 +54,7 @@ void Preview::setAtlas(const SamplingInput& atlas)
   this->Control->SetInputDataObject(2, atlas.graph);
   this->Sampler->SetInputDataObject(1, atlas.charts);
   this->Sampler->SetInputDataObject(2, atlas.graph);
+  this->Given = atlas.given;
   this->Ready = true;
 }
 
@@ -88,7 +89,8 @@ Status Preview::update(const Session& session, PreviewStage stage)
   const bool follows = pointsFollow(session);
   ErrorCollector controlErrors(this->Control);
   ErrorCollector samplerErrors(this->Sampler);
-  this->Control->SetNumberOfSamples(follows ? 0 : session.integer("points"));
+  const int samples = session.integer("points") + this->Given;
+  this->Control->SetNumberOfSamples(follows ? 0 : samples);
   this->Sampler->SetRaiseNumberOfSamples(follows);
   if (follows)
   {
@@ -104,7 +106,7 @@ Status Preview::update(const Session& session, PreviewStage stage)
   }
   else
   {
-    this->Sampler->SetNumberOfSamples(session.integer("points"));
+    this->Sampler->SetNumberOfSamples(samples);
   }
   this->Sampler->Update();
   const std::string& sentence =

@@ -61,6 +61,7 @@ public:
 
 private:
   bool Ready = false;
+  int Given = 0; ///< samples on top of a session's
   vtkNew<vtkControlMap> Control;
   vtkNew<vtkErrorDiffusionSampler> Sampler;
   vtkNew<vtkControlMap> RawImportance; ///< without transfer function, gamma and filters

@@ -146,6 +146,8 @@ private:
   /// How many points the session's length of edges, or its levels of subdivision, lead to, if that
   /// is many and not agreed to; 0 mostly.
   [[nodiscard]] double pointsToAgree() const;
+  /// Of points, quads and triangles of the mesh, or of triangles alone, as .stl has it.
+  [[nodiscard]] std::string countsOfMesh(bool inTriangles = false) const;
   /// The name of the file that the mesh goes to, without its folder.
   [[nodiscard]] std::string meshFile() const;
   /// The dots are the mesh's own vertices where that is the session's.

@@ -166,8 +166,7 @@ void Viewer::writeMesh()
   }
   const std::function<void()> next = std::exchange(this->AfterSaving, nullptr);
   this->say(status.ok() ? "Wrote " + wholePath(this->Files.mesh) + ": " +
-        grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points, " +
-        grouped(this->Mesh->mesh->GetNumberOfPolys()) + " triangles."
+        this->countsOfMesh(fileExtension(this->Files.mesh) == ".stl") + "."
                         : status.message(),
     !status.ok());
   if (next && status.ok())

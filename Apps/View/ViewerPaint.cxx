@@ -47,6 +47,15 @@ void Viewer::placeControls()
   this->updateZoom();
 }
 
+std::string Viewer::countsOfMesh(bool inTriangles) const
+{
+  const vtkIdType quads = this->Mesh->figures.quads;
+  const vtkIdType cells = this->Mesh->mesh->GetNumberOfPolys();
+  return countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
+    (quads > 0 && !inTriangles ? countOf(quads, "quad", ", ") : "") +
+    countOf(inTriangles ? cells + quads : cells - quads, "triangle");
+}
+
 void Viewer::paintView(Canvas& canvas, bool before)
 {
   const float s = canvas.scale();
@@ -80,13 +89,7 @@ void Viewer::paintView(Canvas& canvas, bool before)
   else
   {
     title = "mesh";
-    if (this->Mesh)
-    {
-      const vtkIdType quads = this->Mesh->figures.quads;
-      detail = countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
-        (quads > 0 ? countOf(quads, "quad", ", ") : "") +
-        countOf(this->Mesh->mesh->GetNumberOfPolys() - quads, "triangle");
-    }
+    detail = this->Mesh ? this->countsOfMesh() : "";
   }
   if (before ? this->BeforeSide.hidesEdges() : this->AfterSide.hidesEdges())
   {

@@ -799,6 +799,11 @@ int vtkGeometryRemesher::GetLeastNumberOfPoints()
     : std::max(0, s.Sampler->GetMinimumNumberOfSamples() - s.numberOfGivenVertices());
 }
 
+int vtkGeometryRemesher::GetNumberOfGivenPoints()
+{
+  return this->Stages->numberOfGivenVertices();
+}
+
 std::string vtkGeometryRemesher::GetOptionTable()
 {
   return stipple::optionTableText();

@@ -581,6 +581,17 @@ class Patterns(MeshTest):
                 share = sum(p[0] > 1 - 1e-6 for p, _ in edges) / len(edges)
                 self.assertGreater(share, 0.5, "a sixth, if all is filled")
 
+    def test_uniform_triangles_are_so_whatever_the_importance(self):
+        """Also where points do not get from chart to chart: fandisk's are parted by creases."""
+        meshes = []
+        strokes = self.file("strokes.txt", "0 0 0 0 9\n")
+        for more in ((), ("--importance", "total", "--gamma", "0.5"), ("--strokes", strokes, "--importance", "mean")):
+            out = self.folder / "out.off"
+            self.succeed(MODELS / "fandisk.off", "-o", out, "--points", 900, "--preset", "uniform", *more)
+            meshes.append(out.read_bytes())
+        self.assertEqual(meshes[1], meshes[0])
+        self.assertEqual(meshes[2], meshes[0])
+
     def test_quads_follow_paint(self):
         """The same stroke makes quads shorter around it than where there is none, and more of them."""
         x, y, z = points_of(MODELS / "bunny00.off")[0]

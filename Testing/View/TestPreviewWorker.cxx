@@ -100,6 +100,16 @@ TEST(PreviewWorker, TheLatestWins)
   EXPECT_EQ(result->numberOfSamples, 400 + Asked - 1);
 }
 
+TEST(PreviewWorker, SamplesThatAreGivenComeOnTop)
+{
+  SamplingInput atlas = sphereAtlas(24);
+  atlas.given = 21;
+  PreviewWorker worker(8);
+  worker.setAtlas(atlas);
+  worker.start(withPoints(300));
+  EXPECT_EQ(wait(worker)->numberOfSamples, 321);
+}
+
 TEST(PreviewWorker, WhatIsGivenUpIsNotHandedOver)
 {
   PreviewWorker worker(8);
