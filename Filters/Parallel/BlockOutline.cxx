@@ -14,6 +14,7 @@
 #include "vtkGeometryRemesher.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,8 @@ namespace
 /// Densities at points, from an array of importances.
 Status readDensity(vtkPolyData* data, vtkGeometryRemesher* remesher, std::vector<double>& density)
 {
-  if (remesher->GetImportance() == vtkControlMap::UNIFORM)
+  if (remesher->GetImportance() == vtkControlMap::UNIFORM ||
+    !remesher->GetOptimizer()->GetFollowDensity())
   {
     return Status::success();
   }
