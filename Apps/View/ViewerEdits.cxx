@@ -138,7 +138,7 @@ void Viewer::writeMesh()
 {
   if (!this->Problem.empty()) // there is no mesh to wait for
   {
-    this->say(this->meshFile() + " is not written: " + this->Problem, true);
+    this->say(this->meshFile() + " is not written.", true); // the activity says why
     return;
   }
   if (!this->meshIsCurrent())
