@@ -77,7 +77,7 @@ void FiguresView::paint(Canvas& canvas)
   const MeshQuality& q = this->Figures.quality;
   const vtkIdType quads = this->Figures.quads;
   std::vector<std::pair<const char*, std::string>> rows = { { "points", grouped(q.numberOfPoints) },
-    { quads > 0 ? "quads + triangles" : "triangles",
+    { quads > 0 ? "quads + tri." : "triangles",
       (quads > 0 ? grouped(quads) + " + " : "") + grouped(q.numberOfTriangles - 2 * quads) },
     { "quality, mean", printed("%.3f", q.averageQ) },
     { "angle, least", printed("%.1f\u00b0", q.minimumAngle) },

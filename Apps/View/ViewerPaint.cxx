@@ -170,7 +170,9 @@ void Viewer::paintStrip(Canvas& canvas)
     why.empty() ? "dark: many samples; paint here too" : "paint: not while " + why;
   const Cell cells[] = { { l.sheet, "control map", paint.c_str(), this->Sheet },
     { l.curve, "transfer function", rests.c_str(), this->Curve },
-    { l.figures, "mesh quality", "", this->Figures } };
+    { l.figures, "mesh quality",
+      this->Mesh && this->Mesh->figures.quads > 0 ? "quads as two triangles each" : "",
+      this->Figures } };
   // One of the cells that have changed, where it does not have to be all: the next frame, and the
   // frame of a preview, come the sooner.
   constexpr int NumberOfCells = 3;

@@ -336,7 +336,7 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
 {
   mesh.samples.clear();
   mesh.polygons.clear();
-  if (isOneOpenChart(atlas))
+  if (isOneOpenChart(atlas) && density.uniform())
   {
     return gridOfOneChart(atlas, static_cast<int>(samples.size()), mesh);
   }

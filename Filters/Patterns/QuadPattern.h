@@ -17,8 +17,9 @@ struct QuadMesh
   std::vector<std::vector<int>> polygons; ///< quads and triangles, oriented like the surface
 };
 
-/// A surface that is one chart, bounded by its outline alone, becomes quads only: a grid over the
-/// rectangle with at most as many nodes as there are samples. Elsewhere the samples inside every
+/// A surface that is one chart, bounded by its outline alone, becomes quads only where the density
+/// is the same everywhere: a grid over the rectangle with at most as many nodes as there are
+/// samples. Elsewhere the samples inside every
 /// chart give way to the nodes of a square lattice that keep clear of the backbones, as many as fit
 /// and the samples farthest from them for the rest; the lattice is halved where the chart's map
 /// stretches the surface, and where the density asks for it (GradedLattice.h), and sizes differ by

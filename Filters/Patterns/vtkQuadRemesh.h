@@ -6,7 +6,8 @@
  *
  * vtkQuadRemesh stands where vtkCDTRemesh stands, and lays regular quads into the parameter planes
  * of the charts (paper, Figure 1). A surface that is one open chart, without features inside and
- * constraints, becomes a grid of quads only, with at most as many points as there are samples.
+ * constraints, becomes a grid of quads only, with at most as many points as there are samples, if
+ * the control asks for the same everywhere.
  * Otherwise the samples inside the charts give way to the nodes of square lattices, whose
  * cells are split or joined where a chart's map stretches the surface, or where the control asks
  * for more or less, so that quads are alike or follow it; those on backbones and the constraints
@@ -18,7 +19,7 @@
  * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
  * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1);
  * - 3, optional: control images, a vtkPartitionedDataSetCollection (vtkControlMap), one for each
- *   chart, which quads of several charts follow: without them they are alike.
+ *   chart, which quads follow: without them they are alike.
  *
  * Output ports, both vtkPolyData:
  * - 0: the mesh of quads and triangles, oriented like the input, with the arrays that vtkCDTRemesh

@@ -542,6 +542,15 @@ class Patterns(MeshTest):
         self.assertEqual(set(quads), {1, 2, 4})
         self.assertEqual(quads.count(1), 4)
 
+    def test_one_open_chart_follows_paint(self):
+        """Exactly so many points then, and not a grid."""
+        strokes = self.file("strokes.txt", "0.5 0 0.1 0.6 20\n")
+        edges = self.edges(self.hill(), "--points", 1000, "--pattern", "quads", "--strokes", strokes)
+        self.assertEqual(len(points_of(self.folder / "out.off")), 1000)
+        near = [d for p, d in edges if math.dist(p[:2], (0.5, 0)) < 0.2]
+        far = [d for p, d in edges if p[0] < -0.3]
+        self.assertLess(self.median(near), 0.6 * self.median(far))
+
     def test_several_charts_are_quads_inside_and_conform_along_seams(self):
         figures, _ = self.remesh("bunny00", 5000, "--pattern", "quads")
         self.assertEqual(figures["points"], 5000)
