@@ -19,8 +19,11 @@ class Keys(ViewTest):
 
     def test_keys_of_vtk_that_break_the_window_do_nothing(self):
         """Stereo, the box of the actor that was picked, timed animations."""
-        before, after = self.shots(self.model, self.recorded("v"), self.recorded("3", "p", "j", "i", "t", "a"))
+        before, after, said = self.shots(
+            self.model, self.recorded("v"), self.recorded("3", "j", "i", "t", "a"), self.recorded("p")
+        )
         np.testing.assert_array_equal(after, before)
+        np.testing.assert_array_equal(said[26:], before[26:], "the brush is told to be missing, in the status line")
 
     def test_wireframe_is_for_both_views_and_keeps_features(self):
         before, wires, twice, after = self.shots(
