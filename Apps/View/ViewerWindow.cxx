@@ -211,7 +211,7 @@ stipple::Status ViewerWindow::writeFigure(
   Part view, int height, const Legend& legend, const std::string& file)
 {
   constexpr int Samples = 4;
-  const Rect& place = view == Before ? this->Places.before : this->Places.after;
+  const Rect& place = this->Places.before; // for both: a pair is alike
   vtkRenderer* from = this->renderer(view);
   vtkNew<vtkRenderWindow> window;
   window->SetShowWindow(false);
