@@ -127,15 +127,20 @@ void FileChooser::list()
   }
   // Return is not to lead out of the folder at once.
   this->Current = this->Entries.size() > 1 && this->Entries.front().text == "../" ? 1 : 0;
-  if (!this->Wanted.saves && this->Typed.empty() && !this->Wanted.recent.empty())
+  // Recent ones come first, or last of what passes.
+  if (!this->Wanted.saves && !path)
   {
-    this->Current = 0;
     std::vector<Entry> recent;
     for (const std::string& file : this->Wanted.recent)
     {
-      recent.push_back({ "recent: " + file, file, false });
+      if (passes(fs::path(file).filename().string()))
+      {
+        recent.push_back({ "recent: " + file, file, false });
+      }
     }
-    this->Entries.insert(this->Entries.begin(), recent.begin(), recent.end());
+    this->Current = filter.empty() && !recent.empty() ? 0 : this->Current;
+    this->Entries.insert(
+      filter.empty() ? this->Entries.begin() : this->Entries.end(), recent.begin(), recent.end());
   }
 }
 

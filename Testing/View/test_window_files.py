@@ -78,6 +78,14 @@ class Files(ViewTest):
         self.play("o", *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
+    def test_recent_files_are_found_by_their_names(self):
+        """From any folder."""
+        recent = self.folder / "state" / "stipple" / "recent"
+        recent.parent.mkdir(parents=True)
+        recent.write_text(f"{self.work / 'part.off'}\n")
+        self.play("o", *"below", "Return", *"part", "Return", "Control+j")
+        self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
+
     def test_folders_are_gone_through(self):
         """Down into a folder, up again; what is no surface is not offered."""
         self.play("o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
