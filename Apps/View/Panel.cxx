@@ -216,10 +216,7 @@ void Panel::addShow(Commands& commands)
 {
   this->Displays = this->make<Choice>(Choice::Kind::One,
     std::vector<std::string>{ "samples", "input", "charts", "density" }, 4, [&commands](int word) {
-      commands.changeView([word](ViewState& v) {
-        v.display = static_cast<Display>(word);
-        v.wireframe = false;
-      });
+      commands.changeView([word](ViewState& v) { v.show(static_cast<Display>(word)); });
     });
   this->Overlays = this->make<Choice>(Choice::Kind::Several,
     std::vector<std::string>{ "feature lines", "seams" }, 2, [&commands](int word) {
@@ -261,10 +258,7 @@ void Panel::addCommands(Commands& commands)
   this->row({ saving }, 27);
   this->Coloring = this->make<Choice>(Choice::Kind::One,
     std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
-      commands.changeView([word](ViewState& v) {
-        v.coloring = static_cast<MeshColoring>(word);
-        v.wireframe = false;
-      });
+      commands.changeView([word](ViewState& v) { v.colorBy(static_cast<MeshColoring>(word)); });
     });
   this->Coloring->setHints(
     { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",

@@ -26,9 +26,10 @@ double pointsOfLevels(const Session& session, double area)
 {
   const double base =
     pointsFollow(session) ? pointsOfLength(session, area) : session.number("points");
+  // Each level adds a point an edge, and there are three edges a point.
   return session.text("pattern") == "semiregular"
     ? base * std::pow(4., session.number("subdivisions"))
-    : 0; // each has as many more as there are edges
+    : 0;
 }
 
 bool followsImportance(const Session& session)

@@ -56,6 +56,18 @@ struct ViewState
   float wipe = 0.5F;         ///< of that view's width
   bool zUp = false;          ///< not y; of the views along axes
   bool help = false;
+
+  // What wireframe does not show leaves it.
+  void show(Display what)
+  {
+    this->display = what;
+    this->wireframe = false;
+  }
+  void colorBy(MeshColoring what)
+  {
+    this->coloring = what;
+    this->wireframe = false;
+  }
 };
 
 /// Whether the left view's input is coloured by its distance from the mesh.

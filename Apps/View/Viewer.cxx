@@ -56,11 +56,11 @@ Panel::Choosable choosableOf(vtkPolyData* input)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      const bool isNamed = array && array->GetName() && array->GetNumberOfComponents() == 1;
-      const bool hasNumbers = isNamed && vtkDataArray::SafeDownCast(array);
+      const bool isChoosable = array && array->GetName() && array->GetNumberOfComponents() == 1;
+      const bool hasNumbers = isChoosable && vtkDataArray::SafeDownCast(array);
       const bool isOfCells = data == input->GetCellData();
       choosable.arrays = choosable.arrays || hasNumbers;
-      choosable.regions = choosable.regions || (isNamed && isOfCells);
+      choosable.regions = choosable.regions || (isChoosable && isOfCells);
       choosable.selections = choosable.selections || (hasNumbers && isOfCells);
     }
   }

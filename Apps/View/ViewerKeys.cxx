@@ -57,8 +57,7 @@ bool Viewer::key(const KeyStroke& stroke)
   else if (key == "d")
   {
     this->changeView([](ViewState& v) {
-      v.display = static_cast<Display>((static_cast<int>(v.display) + (v.wireframe ? 0 : 1)) % 4);
-      v.wireframe = false;
+      v.show(static_cast<Display>((static_cast<int>(v.display) + (v.wireframe ? 0 : 1)) % 4));
     });
   }
   else if (key == "l")
@@ -95,9 +94,8 @@ bool Viewer::key(const KeyStroke& stroke)
   else if (key == "c")
   {
     this->changeView([](ViewState& v) {
-      v.coloring =
-        static_cast<MeshColoring>((static_cast<int>(v.coloring) + (v.wireframe ? 0 : 1)) % 4);
-      v.wireframe = false;
+      v.colorBy(
+        static_cast<MeshColoring>((static_cast<int>(v.coloring) + (v.wireframe ? 0 : 1)) % 4));
     });
   }
   else if (key == "g")

@@ -99,10 +99,11 @@ public:
   /// While a number is looked for, as observers of progress are told: the one that is tried; else
   /// 0.
   vtkGetMacro(NumberOfPointsTried, int);
+  ///@}
+
   /// Once there are charts: samples that come on top of NumberOfPoints, as they are given: on the
   /// border of a selected part, or where edges that stay begin and end.
   int GetNumberOfGivenPoints();
-  ///@}
 
   ///@{
   /// Angle in degrees between the normals beside an edge, 0 to 180, at which the edge is sharp; 180

@@ -294,8 +294,7 @@ void BandMask::close(const ControlImage& image, const std::vector<BackboneDensit
   const Control control = this->controlOf(image, densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
-  constexpr int Strip = 16; // rows: a job for a thread
-  vtkSMPTools::For(0, image.height, Strip, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, image.height, Constants::RowsAtOnce, [&](vtkIdType begin, vtkIdType end) {
     for (auto y = static_cast<int>(begin); y < end && !isAsked(stop); ++y)
     {
       for (int x = 0; x < image.width; ++x)

@@ -22,9 +22,20 @@ namespace
 {
 using Constants = SamplingConstants;
 
-// Jobs for a thread: rows of a raster, places.
-constexpr int Strip = 16;
-constexpr int PlacesAtOnce = 256;
+constexpr int PlacesAtOnce = 256; // a job for a thread
+
+void eraseMarked(std::vector<Vec2>& places, const std::vector<char>& marked)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (!marked[i])
+    {
+      places[kept++] = places[i];
+    }
+  }
+  places.resize(kept);
+}
 
 struct Ranked
 {
@@ -266,7 +277,7 @@ private:
     this->Begin = begin;
     this->End = std::min(r.height, begin + Ahead);
     this->Values.resize(static_cast<std::size_t>(Ahead) * r.width);
-    vtkSMPTools::For(begin, this->End, Strip, [&](vtkIdType first, vtkIdType last) {
+    vtkSMPTools::For(begin, this->End, Constants::RowsAtOnce, [&](vtkIdType first, vtkIdType last) {
       RowFiller filler(this->Sampler);
       for (auto y = static_cast<int>(first); y < last; ++y)
       {
@@ -374,7 +385,7 @@ void InteriorSampler::sumLeft(const Stop& stop)
 {
   InteriorRaster& r = this->Raster;
   std::vector<double> sums(static_cast<std::size_t>(r.height), 0.); // by row: added up in order
-  vtkSMPTools::For(0, r.height, Strip, [&](vtkIdType first, vtkIdType last) {
+  vtkSMPTools::For(0, r.height, Constants::RowsAtOnce, [&](vtkIdType first, vtkIdType last) {
     RowFiller filler(*this);
     std::vector<float> row(static_cast<std::size_t>(r.width));
     for (auto y = static_cast<int>(first); y < last && !isAsked(stop); ++y)
@@ -450,15 +461,7 @@ std::vector<Vec2> InteriorSampler::sample(int count, DiffusionMethod method, con
         tooNear[i] = this->isTooNear(chords, places[i]);
       }
     });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    if (!tooNear[i])
-    {
-      places[kept++] = places[i];
-    }
-  }
-  places.resize(kept);
+  eraseMarked(places, tooNear);
   const int missing = count - static_cast<int>(places.size());
   if (missing > 0)
   {
@@ -716,15 +719,7 @@ void InteriorSampler::remove(std::vector<Vec2>& places, int count) const
     grid.remove(top.index);
     --count;
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    if (!gone[i])
-    {
-      places[kept++] = places[i];
-    }
-  }
-  places.resize(kept);
+  eraseMarked(places, gone);
 }
 
 void locate(

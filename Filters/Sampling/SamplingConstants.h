@@ -37,6 +37,8 @@ struct SamplingConstants
   static constexpr int LargestUpsampling = 16;
   static constexpr double LargestRasterSize = 512. * 1024 * 1024;
   static constexpr double MostKeptPixels = 128. * 1024 * 1024;
+  /// Rows of an image or a raster that are a job for a thread.
+  static constexpr int RowsAtOnce = 16;
   /// vtkGeometryMapRenderer's maps have at most so many pixels along a side.
   static constexpr int LargestMapSize = 16384;
   /// No pixel wants more than half a sample, unless a few would cost more than this factor squared
