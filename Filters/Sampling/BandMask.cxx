@@ -102,17 +102,21 @@ void BandMask::build(
   const int first = domain.surface().chartBegin[chart];
   const int faces = domain.surface().chartBegin[chart + 1] - first;
   this->Forms.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const int face = image.faceIndex ? image.faceIndex[i] : -1;
-    const float area = image.areaDistortion[i];
-    this->Forms[i] = face >= 0 && face < faces ? domain.metric(first + face)
-                                               : FirstFundamentalForm{ area, 0, area };
-  }
+  const int pixelsAtOnce = Constants::RowsAtOnce * image.width;
+  vtkSMPTools::For(0, image.numberOfPixels(), pixelsAtOnce, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const int face = image.faceIndex ? image.faceIndex[i] : -1;
+      const float area = image.areaDistortion[i];
+      this->Forms[i] = face >= 0 && face < faces ? domain.metric(first + face)
+                                                 : FirstFundamentalForm{ area, 0, area };
+    }
+  });
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
   this->addLines(domain, chart);
-  this->spread(stop);
+  this->sweep(1, stop);
+  this->sweep(-1, stop);
   if (isAsked(stop))
   {
     return;
@@ -120,24 +124,24 @@ void BandMask::build(
   const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
   this->Low.resize(n);
   this->High.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const FirstFundamentalForm& form = this->Forms[i];
-    const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : BandLimit;
-    const double toCorner =
-      std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
-    const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
-    this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - toCorner), 2));
-    this->High[i] = static_cast<float>(std::pow(toMiddle + toCorner, 2));
-  }
+  vtkSMPTools::For(0, image.numberOfPixels(), pixelsAtOnce, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const FirstFundamentalForm& form = this->Forms[i];
+      const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : BandLimit;
+      const double toCorner =
+        std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
+      const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
+      this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - toCorner), 2));
+      this->High[i] = static_cast<float>(std::pow(toMiddle + toCorner, 2));
+    }
+  });
   std::vector<float>().swap(this->Apart);
-  std::vector<int>().swap(this->Queue);
 }
 
 void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
   this->Lines.clear();
-  this->Queue.clear();
   for (const auto& [backbone, side] : domain.chartSides[chart])
   {
     const BackboneTrace& trace = domain.traces()[backbone];
@@ -178,33 +182,34 @@ void BandMask::offer(int pixel, int line)
   {
     this->Apart[pixel] = apart;
     this->Nearest[pixel] = line;
-    this->Queue.push_back(pixel);
   }
 }
 
-void BandMask::spread(const Stop& stop)
+void BandMask::sweep(int step, const Stop& stop)
 {
   const int width = this->Image.width;
-  // A pixel is offered lines often: only those that wait are kept, not all that ever did.
-  std::vector<int> front;
-  while (!this->Queue.empty() && !isAsked(stop))
-  {
-    front.swap(this->Queue);
-    this->Queue.clear();
-    for (const int pixel : front)
+  const int rows = this->Image.height;
+  const auto handTo = [&](int pixel, int neighbour) {
+    const int line = this->Nearest[neighbour];
+    if (line >= 0 && line != this->Nearest[pixel])
     {
-      const int line = this->Nearest[pixel];
-      const int x = pixel % width;
-      const auto handTo = [&](bool exists, int neighbour) {
-        if (exists && this->Nearest[neighbour] != line)
-        {
-          this->offer(neighbour, line);
-        }
-      };
-      handTo(x > 0, pixel - 1);
-      handTo(x + 1 < width, pixel + 1);
-      handTo(pixel >= width, pixel - width);
-      handTo(pixel + width < this->Image.numberOfPixels(), pixel + width);
+      this->offer(pixel, line);
+    }
+  };
+  for (int k = 0; k < rows && !isAsked(stop); ++k)
+  {
+    const int first = (step > 0 ? k : rows - 1 - k) * width;
+    for (int i = first; k > 0 && i < first + width; ++i)
+    {
+      handTo(i, i - step * width);
+    }
+    for (int i = first + 1; i < first + width; ++i)
+    {
+      handTo(i, i - 1);
+    }
+    for (int i = first + width - 2; i >= first; --i)
+    {
+      handTo(i, i + 1);
     }
   }
 }
