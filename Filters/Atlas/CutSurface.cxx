@@ -38,6 +38,18 @@ void CutSurface::setSharp(Halfedge h, bool isSharp)
   }
 }
 
+void CutSurface::setRounded(Halfedge h)
+{
+  this->setSharp(h, true);
+  for (const Halfedge side : { h, this->twin[h] })
+  {
+    if (side.valid())
+    {
+      this->sharp[side] = Rounded;
+    }
+  }
+}
+
 void CutSurface::setKeep(Halfedge h, Keep least)
 {
   this->keep[h] = std::max(this->keep[h], least);

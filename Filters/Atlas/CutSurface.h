@@ -20,8 +20,10 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
     int b;
     double t;
   };
+  static constexpr char Rounded = 2; ///< the mark of edges that setRounded() made sharp
+
   ElementArray<Halfedge, char> cut; ///< by halfedge, equal on twins; boundary edges are always cut
-  ElementArray<Halfedge, char> sharp; ///< by halfedge, equal on twins
+  ElementArray<Halfedge, char> sharp; ///< by halfedge, equal on twins: 0, 1, or Rounded
   ElementArray<Halfedge, Keep> keep;  ///< by halfedge, equal on twins: of edges that users name
   /// If not empty, by original point: whether it is an end of edges that are kept one by one. The
   /// others on such edges are passed by; without this list, all are ends.
@@ -35,6 +37,9 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
 
   void setCut(Halfedge h, bool isCut);
   void setSharp(Halfedge h, bool isSharp);
+  /// The edge is in the middle of a narrow band that turns: sharp to a mesh that is coarse.
+  void setRounded(Halfedge h);
+  bool isRounded(Halfedge h) const { return this->sharp[h] == Rounded; }
   /// The edge is a feature that is to be kept so far at least.
   void setKeep(Halfedge h, Keep least);
   bool isFeature(Halfedge h) const { return this->sharp[h] != 0 || this->keep[h] != Keep::Nothing; }

@@ -348,6 +348,23 @@ void detectFeatures(
   {
     surface.setSharp(Halfedge(h), true);
   }
+  const RoundedEdgeOptions rounded = roundedEdgeOptions(surface, options);
+  for (const Halfedge h :
+    rounded.width > 0 ? findRoundedEdges(surface, rounded) : std::vector<Halfedge>())
+  {
+    surface.setRounded(h);
+  }
+}
+
+RoundedEdgeOptions roundedEdgeOptions(
+  const CutSurface& surface, const FeatureDetectionOptions& options)
+{
+  const double size = sizeOf(surface);
+  RoundedEdgeOptions result;
+  result.width = options.roundedWidth * size;
+  result.angle = std::max(result.angle, options.angle);
+  result.minimumLength = options.minimumLength * size;
+  return result;
 }
 
 std::vector<int> findTips(const CutSurface& surface, const FeatureDetectionOptions& options)

@@ -5,6 +5,7 @@
 #define stipple_FeatureDetection_h
 
 #include "CutSurface.h"
+#include "RoundedEdges.h"
 
 namespace stipple
 {
@@ -21,12 +22,19 @@ struct FeatureDetectionOptions
   double longRoughness = 0.27;    ///< the same as maximumRoughness for long chains
   double steepRoughness = 0.45;   ///< the same for chains of a right angle or more; from 60 degrees
                                   ///< on in between
+  double roundedWidth = 0.02;     ///< of the widest band that is taken for a crease that was rounded
+                                  ///< off, as a fraction of the diagonal; 0: none
 };
 
 /// Marks the sharp edges of the surface, and those of joints, by one of their halfedges, where
-/// other sheets meet it: as long as they hang together with enough others.
+/// other sheets meet it: as long as they hang together with enough others. And those in the middle
+/// of creases that are rounded off (findRoundedEdges()), as such.
 STIPPLEFILTERSATLAS_EXPORT void detectFeatures(CutSurface& surface,
   const FeatureDetectionOptions& options, const std::vector<Halfedge>& joints = {});
+
+/// How creases that are rounded off are found on a surface.
+STIPPLEFILTERSATLAS_EXPORT RoundedEdgeOptions roundedEdgeOptions(
+  const CutSurface& surface, const FeatureDetectionOptions& options);
 
 /// Points at the tip of a cone: those without a sharp or boundary edge whose angle defect is that
 /// of a circular cone on which opposite normals differ by the options' angle, or more, and which

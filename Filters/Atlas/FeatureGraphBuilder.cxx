@@ -16,7 +16,8 @@ struct GraphEdge
   BackboneType type;
   bool cut; ///< charts end here, also along a sharp edge
   Keep keep;
-  bool isBent; ///< sharp or boundary: the surface has it, not only its regions
+  bool isBent;            ///< sharp or boundary: the surface has it, not only its regions
+  bool isRounded = false; ///< sharp to a mesh that is coarse; it follows the input's edges
   int other(int p) const { return this->a == p ? this->b : this->a; }
 };
 
@@ -39,7 +40,7 @@ std::vector<GraphEdge> graphEdges(const CutSurface& surface)
     else if (surface.isFeature(h))
     {
       edges.push_back({ tail, head, BackboneType::Sharp, surface.cut[h] != 0, surface.keep[h],
-        surface.sharp[h] != 0 });
+        surface.sharp[h] != 0 && !surface.isRounded(h), surface.isRounded(h) });
     }
     else if (surface.cut[h] != 0)
     {
@@ -71,8 +72,8 @@ public:
   const std::vector<int>& at(int p) const { return this->At[p]; }
 
   /// Of a point between two edges: whether the line turns there by more than the angle with this
-  /// cosine. Borders of regions go to and fro with the input's edges where these run across them:
-  /// only what several edges tell is a turn.
+  /// cosine. Borders of regions and rounded creases go to and fro with the input's edges where
+  /// these run across them: only what several edges tell is a turn.
   bool isCorner(int p, double cosine) const
   {
     const GraphEdge& first = this->Edges[this->At[p][0]];
@@ -176,7 +177,8 @@ FeatureGraph buildFeatureGraph(
       (at[p].size() == 2 &&
         (edges[at[p][0]].type != edges[at[p][1]].type ||
           edges[at[p][0]].cut != edges[at[p][1]].cut ||
-          edges[at[p][0]].keep != edges[at[p][1]].keep));
+          edges[at[p][0]].keep != edges[at[p][1]].keep ||
+          edges[at[p][0]].isRounded != edges[at[p][1]].isRounded));
   }
 
   std::vector<char> used(edges.size(), 0);

@@ -340,6 +340,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   stipple::FeatureDetectionOptions detection;
   detection.angle = this->Self->FeatureAngle;
   detection.minimumLength = this->Self->MinimumFeatureLength;
+  detection.roundedWidth = this->Self->RoundedEdgeWidth;
   if (stipple::Status status = this->markFeatures(repaired, detection, surface, part(0.1, 0.15));
       !status.ok())
   {
@@ -380,6 +381,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
   }
 
   stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->Self->CornerAngle, tips);
+  stipple::measureRoundedEdges(surface, stipple::roundedEdgeOptions(surface, detection), graph);
   graph.regionArray = this->Self->RegionArrayName ? this->Self->RegionArrayName : "";
   if (stipple::Status status = this->constrain(surface, flat, tips, graph); !status.ok())
   {
@@ -542,6 +544,7 @@ void vtkConformalAtlas::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MinimumFeatureLength: " << this->MinimumFeatureLength << "\n";
+  os << indent << "RoundedEdgeWidth: " << this->RoundedEdgeWidth << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "FeatureEdges: " << this->FeatureEdges << "\n";
   os << indent << "FixedEdges: " << this->FixedEdges << "\n";

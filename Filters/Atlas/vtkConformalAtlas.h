@@ -32,6 +32,7 @@
  *
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),
+ * "Width" (double: of the band that turns, of a crease that is rounded off, else 0),
  * "Keep" (int: what a coarser mesh must keep of it: 0 nothing, for features that were found, 1 that
  * it parts regions, 2 all, for what was asked for, 3 all, and edge by edge), "Closed" (int). Field
  * array, with regions: "RegionArrayName" (string). Point arrays: "SurfacePointId" (-1 for a
@@ -93,6 +94,17 @@ public:
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0., 1.);
   vtkGetMacro(MinimumFeatureLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Widest band that counts as a crease that is rounded off, as a fraction of the bounding box's
+   * diagonal, from 0 to 1: the surface turns by 100 degrees across it, or by the FeatureAngle if
+   * that is more, and by little beside it. Such is the rim of a thin shell. It is a feature of
+   * meshes whose edges are long beside it (vtkRemeshOptimizer). 0 finds none. The default is 0.02.
+   */
+  vtkSetClampMacro(RoundedEdgeWidth, double, 0., 1.);
+  vtkGetMacro(RoundedEdgeWidth, double);
   ///@}
 
   ///@{
@@ -326,6 +338,7 @@ private:
 
   double FeatureAngle = 40;
   double MinimumFeatureLength = 0.02;
+  double RoundedEdgeWidth = 0.02;
   double CornerAngle = 60;
   vtkIdTypeArray* FeatureEdges = nullptr;
   vtkIdTypeArray* FixedEdges = nullptr;

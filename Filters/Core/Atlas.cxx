@@ -139,10 +139,21 @@ const ElementArray<Face, FirstFundamentalForm>& Atlas::metric() const
 
 std::vector<char> Atlas::halfedgesOn(std::initializer_list<BackboneType> types) const
 {
+  std::vector<char> isMarked(this->Traces.size(), 0);
+  for (std::size_t b = 0; b < isMarked.size(); ++b)
+  {
+    isMarked[b] =
+      std::find(types.begin(), types.end(), this->Graph.backbones[b].type) != types.end() ? 1 : 0;
+  }
+  return this->halfedgesOn(isMarked);
+}
+
+std::vector<char> Atlas::halfedgesOn(const std::vector<char>& isMarked) const
+{
   std::vector<char> isOn(this->Surface->twin.size(), 0);
   for (std::size_t b = 0; b < this->Traces.size(); ++b)
   {
-    if (std::find(types.begin(), types.end(), this->Graph.backbones[b].type) == types.end())
+    if (isMarked[b] == 0)
     {
       continue;
     }

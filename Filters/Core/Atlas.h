@@ -78,6 +78,8 @@ public:
   SurfacePlace placeOfBackbone(int backbone, double arcLength) const;
   /// 1 for the charts' halfedges that lie on backbones of these types, 0 for others.
   std::vector<char> halfedgesOn(std::initializer_list<BackboneType> types) const;
+  /// The same, on backbones that are marked.
+  std::vector<char> halfedgesOn(const std::vector<char>& isMarked) const;
   /// A point that a triangle uses, as a place.
   SurfacePlace placeOfPoint(int p) const;
 

@@ -62,6 +62,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   auto type = namedArray<vtkIntArray>("BackboneType");
   auto keep = namedArray<vtkIntArray>("Keep");
   auto closed = namedArray<vtkIntArray>("Closed");
+  auto width = namedArray<vtkDoubleArray>("Width");
 
   vtkNew<vtkCellArray> verts;
   for (const ConstraintPoint& c : graph.constraints)
@@ -76,6 +77,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     type->InsertNextValue(static_cast<int>(BackboneType::Constraint));
     keep->InsertNextValue(static_cast<int>(c.keep));
     closed->InsertNextValue(0);
+    width->InsertNextValue(0.);
   }
   std::map<int, vtkIdType> pointOf;
   vtkNew<vtkCellArray> lines;
@@ -106,6 +108,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     type->InsertNextValue(static_cast<int>(b.type));
     keep->InsertNextValue(static_cast<int>(b.keep));
     closed->InsertNextValue(b.closed ? 1 : 0);
+    width->InsertNextValue(b.width);
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->SetPoints(points);
@@ -119,6 +122,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   output->GetCellData()->AddArray(type);
   output->GetCellData()->AddArray(keep);
   output->GetCellData()->AddArray(closed);
+  output->GetCellData()->AddArray(width);
   if (!graph.regionArray.empty())
   {
     setRegionArrayName(output, graph.regionArray);
@@ -216,6 +220,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
   vtkDataArray* type = nullptr;
   vtkDataArray* closed = nullptr;
   vtkDataArray* keep = nullptr;
+  vtkDataArray* width = nullptr;
   for (const Status& status :
     { findArray(lines->GetPointData(), "SurfacePointId", 1, numberOfPoints, owner, GraphRemedy,
         surfacePointId),
@@ -223,6 +228,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, GraphRemedy, type),
       findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, GraphRemedy, closed),
       findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, GraphRemedy, keep),
+      findArray(lines->GetCellData(), "Width", 1, numberOfCells, owner, GraphRemedy, width),
       checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
       checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
   {
@@ -255,6 +261,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       return status;
     }
     b.closed = closed->GetComponent(cell, 0) != 0;
+    b.width = width->GetComponent(cell, 0);
     if (n < (b.closed ? 3 : 2))
     {
       return Status::error(

@@ -46,6 +46,8 @@ struct Backbone
   bool closed = false;     ///< a cycle without a node
   std::vector<int> points; ///< surface point ids; a closed backbone does not repeat its first
   Keep keep = Keep::Nothing;
+  double width = 0; ///< of the band that turns here, in units of length; 0 if it is a crease. It is
+                    ///< one for meshes with edges that are long beside that.
   int numberOfSegments() const
   {
     return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1);

@@ -263,11 +263,12 @@ private:
   {
     const Atlas& atlas = this->Mesh.atlas();
     std::vector<char> isOnCrease(atlas.surface().points.size(), 0);
-    for (const Backbone& b : atlas.graph().backbones)
+    for (std::size_t b = 0; b < atlas.graph().backbones.size(); ++b)
     {
-      for (const int p : b.points)
+      for (const int p : atlas.graph().backbones[b].points)
       {
-        isOnCrease[p] = isOnCrease[p] != 0 || b.type != BackboneType::Seam ? 1 : 0;
+        const bool isCrease = this->Mesh.isCreaseBackbone(static_cast<int>(b));
+        isOnCrease[p] = isOnCrease[p] != 0 || isCrease ? 1 : 0;
       }
     }
     ElementArray<Vertex, char> mayBeFar(static_cast<std::size_t>(this->Mesh.vertices().size()), 0);
@@ -293,7 +294,7 @@ private:
     {
       const Backbone& backbone = atlas.graph().backbones[b];
       const BackboneTrace& trace = atlas.traces()[b];
-      if (backbone.type == BackboneType::Seam)
+      if (!this->Mesh.isCreaseBackbone(static_cast<int>(b)))
       {
         continue;
       }

@@ -125,7 +125,7 @@ void MeshEdit::moveAll(
   ElementArray<Vertex, Vec3>& step, const ElementArray<Vertex, double>& arcLength)
 {
   OptimizedMesh& mesh = this->Edited;
-  const SurfaceWalk& surface = mesh.atlas().walk();
+  const SurfaceWalk& surface = mesh.surfaceWalk();
   this->Before.resize(mesh.State.size());
   ElementArray<Vertex, double> share(mesh.State.size(), 1.);
   std::vector<Vertex> drawnBack;

@@ -52,6 +52,60 @@ private:
 };
 }
 
+void OptimizedMesh::findCreaseBackbones(const std::vector<std::vector<int>>& chains)
+{
+  const std::vector<Backbone>& backbones = this->Atlas->graph().backbones;
+  this->IsCreaseBackbone.assign(backbones.size(), 1);
+  bool isLikeAtlas = true;
+  for (std::size_t b = 0; b < backbones.size(); ++b)
+  {
+    const double edges = std::max(1., static_cast<double>(chains[b].size()) - 1.);
+    const double length = this->Atlas->traces()[b].length() / edges;
+    const bool isRound =
+      backbones[b].keep == Keep::Nothing && backbones[b].width > Tuning::RoundedWidth * length;
+    this->IsCreaseBackbone[b] = backbones[b].type != BackboneType::Seam && !isRound ? 1 : 0;
+    isLikeAtlas = isLikeAtlas && !(backbones[b].type == BackboneType::Sharp && isRound);
+  }
+  if (!isLikeAtlas)
+  {
+    std::vector<char> isWall = this->IsCreaseBackbone;
+    for (std::size_t b = 0; b < backbones.size(); ++b)
+    {
+      isWall[b] = isWall[b] != 0 && backbones[b].type == BackboneType::Sharp ? 1 : 0;
+    }
+    this->OwnWalk =
+      std::make_shared<const SurfaceWalk>(this->Atlas->surface(), this->Atlas->halfedgesOn(isWall));
+  }
+}
+
+std::vector<char> OptimizedMesh::fixedNodes() const
+{
+  const FeatureGraph& graph = this->Atlas->graph();
+  // Corners, also tips of cones that a seam runs through, and where creases end.
+  std::vector<char> result = graph.isCorner;
+  result.resize(this->Atlas->surface().points.size(), 0);
+  for (std::size_t b = 0; b < graph.backbones.size(); ++b)
+  {
+    if (graph.backbones[b].type == BackboneType::Sharp &&
+      !this->isCreaseBackbone(static_cast<int>(b)))
+    {
+      for (const int p : graph.backbones[b].points)
+      {
+        result[p] = 0; // they are corners of nothing else, or marked below
+      }
+    }
+  }
+  for (std::size_t b = 0; b < graph.backbones.size(); ++b)
+  {
+    const Backbone& backbone = graph.backbones[b];
+    if (!backbone.closed && this->isCreaseBackbone(static_cast<int>(b)))
+    {
+      result[backbone.points.front()] = result[backbone.points.back()] = 1;
+    }
+  }
+  return result;
+}
+
 Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
   const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
 {
@@ -65,17 +119,9 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   this->BackboneOf.assign(n, -1);
   this->IsConstraint.assign(n, 0);
   this->Absorbed.assign(n, {});
-  // Corners, also tips of cones that a seam runs through, and where sharp and boundary backbones
-  // end.
-  std::vector<char> fixedNode = graph.isCorner;
-  fixedNode.resize(atlas.surface().points.size(), 0);
-  for (const Backbone& b : graph.backbones)
-  {
-    if (!b.closed && b.type != BackboneType::Seam)
-    {
-      fixedNode[b.points.front()] = fixedNode[b.points.back()] = 1;
-    }
-  }
+  const std::vector<std::vector<int>> samplesOf = backboneChains(graph, samples);
+  this->findCreaseBackbones(samplesOf);
+  const std::vector<char> fixedNode = this->fixedNodes();
   const ConstraintFinder named(atlas, false);
   const ConstraintFinder found(atlas, true);
   for (const Vertex v : this->vertices())
@@ -98,7 +144,7 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
           std::to_string(s.backbone) +
           ", which the feature graph does not have: pass the one of the mesh.");
       }
-      if (graph.backbones[s.backbone].type != BackboneType::Seam)
+      if (this->isCreaseBackbone(s.backbone))
       {
         this->Free[v] = this->isConstraint(v) ? Freedom::None : Freedom::Backbone;
         this->BackboneOf[v] = s.backbone;
@@ -114,11 +160,11 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
     }
   }
   std::vector<Chain> chains;
-  for (const std::vector<int>& samplesOfChain : backboneChains(graph, samples))
+  for (const std::vector<int>& samplesOfChain : samplesOf)
   {
     const std::size_t b = chains.size();
     chains.emplace_back();
-    if (graph.backbones[b].type == BackboneType::Seam)
+    if (!this->isCreaseBackbone(static_cast<int>(b)))
     {
       continue;
     }
@@ -157,6 +203,10 @@ Status OptimizedMesh::buildPart(const stipple::Atlas& atlas, const DensityField&
     this->Original[v.index()].bary = place.bary;
     this->put(v, this->pointAt(place));
     this->Free[v] = isMovable[v.index()] != 0 ? Freedom::Surface : Freedom::None;
+  }
+  for (const Backbone& b : atlas.graph().backbones)
+  {
+    this->IsCreaseBackbone.push_back(b.type != BackboneType::Seam ? 1 : 0);
   }
   if (Status status = this->connect(triangles); !status.ok())
   {
@@ -311,13 +361,13 @@ Status OptimizedMesh::markCreases(std::vector<Chain> chains)
 
 SurfacePoint OptimizedMesh::pointAt(const SurfacePlace& place) const
 {
-  return { place, this->Atlas->walk().position(place), this->Atlas->smoothNormal(place.face) };
+  return { place, this->surfaceWalk().position(place), this->Atlas->smoothNormal(place.face) };
 }
 
 SurfacePoint OptimizedMesh::walk(const SurfacePlace& from, const Vec3& step) const
 {
   // Triangles without area have no normal, and what is computed from that no direction.
-  return this->pointAt(step.allFinite() ? this->Atlas->walk().walk(from, step) : from);
+  return this->pointAt(step.allFinite() ? this->surfaceWalk().walk(from, step) : from);
 }
 
 double OptimizedMesh::densityAt(const SurfacePoint& point) const

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace stipple
@@ -119,6 +120,9 @@ public:
   Halfedge halfedge(Vertex v) const { return id(this->Graph.halfedge_handle(raw(v))); }
   bool isBoundary(Halfedge h) const { return this->Graph.is_boundary(raw(h)); }
   bool isBoundary(Vertex v) const { return this->Graph.is_boundary(raw(v)); }
+  /// Whether a backbone of the graph was one to the mesh at first: a boundary, or sharp, with long
+  /// edges beside its width if it is rounded.
+  bool isCreaseBackbone(int b) const { return this->IsCreaseBackbone[b] != 0; }
   /// On a sharp or boundary backbone.
   bool isCrease(Edge e) const { return this->CreaseOf[e] >= 0; }
   /// Of an edge that is one.
@@ -217,6 +221,11 @@ public:
   /// Where a walk from a place along a vector of space ends: where it begins, if that is not
   /// finite.
   SurfacePoint walk(const SurfacePlace& from, const Vec3& step) const;
+  /// On the surface, with the mesh's creases as walls.
+  const SurfaceWalk& surfaceWalk() const
+  {
+    return this->OwnWalk ? *this->OwnWalk : this->Atlas->walk();
+  }
   /// The density is the same everywhere, but for coarse regions.
   bool uniform() const { return this->Field->uniform(); }
   /// From now on, spacing grows in these regions: density() is less there.
@@ -314,6 +323,10 @@ private:
   {
     return this->Free[this->from(h)] == Freedom::None && this->Free[this->to(h)] == Freedom::None;
   }
+  /// With the samples of each backbone of the graph.
+  void findCreaseBackbones(const std::vector<std::vector<int>>& chains);
+  /// By point of the surface.
+  std::vector<char> fixedNodes() const;
   Status connect(const std::vector<Triangle>& triangles);
   Status markCreases(std::vector<Chain> chains);
   double densityAt(const SurfacePoint& point) const;
@@ -334,6 +347,9 @@ private:
   ElementArray<Edge, int> CreaseOf; // in Creases, or -1
   std::vector<Crease> Creases;
   std::vector<Chain> Chains;
+  std::vector<char> IsCreaseBackbone; // of the graph's
+  /// Where rounded creases are none to this mesh; a mesh and its copies have the same.
+  std::shared_ptr<const SurfaceWalk> OwnWalk;
   int Changes = 0;
   int SimplifiedFeatures = 0;
   bool IsPart = false;

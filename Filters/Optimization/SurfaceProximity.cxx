@@ -181,7 +181,7 @@ double SurfaceProximity::agreement(Face f, const Nearest& below) const
   for (const SurfacePlace& view :
     viewsOf(surface, { below.face, clampedBarycentric(bary) }, Tuning::OnEdge))
   {
-    least = std::min(least, n.dot(this->Mesh.atlas().walk().normal(view.face)));
+    least = std::min(least, n.dot(this->Mesh.surfaceWalk().normal(view.face)));
   }
   return least;
 }

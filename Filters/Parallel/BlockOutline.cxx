@@ -102,6 +102,7 @@ Status outlineBlock(
   options.angle = remesher->GetFeatureAngle();
   options.minimumLength = share * remesher->GetAtlas()->GetMinimumFeatureLength();
   options.longLength *= share;
+  options.roundedWidth = 0; // what is found here is kept, however short edges are
   detectFeatures(surface, options);
   if (const char* name = remesher->GetAtlas()->GetRegionArrayName())
   {

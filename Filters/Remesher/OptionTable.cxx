@@ -338,6 +338,9 @@ void Maker::features()
   this->number(Kind::Number, "minimum_feature_length", "L", "of the bounding box's diagonal",
     "shortest connected sharp edges that are features",
     STIPPLE_NUMBER(vtkConformalAtlas, MinimumFeatureLength));
+  this->number(Kind::Number, "rounded_edge_width", "W", "of the bounding box's diagonal",
+    "widest rounded edge that is a feature of coarser meshes; 0: none",
+    STIPPLE_NUMBER(vtkConformalAtlas, RoundedEdgeWidth));
   this->number(Kind::Number, "corner_angle", "DEG", "degrees",
     "a point where a feature turns by more is a corner",
     STIPPLE_NUMBER(vtkConformalAtlas, CornerAngle));

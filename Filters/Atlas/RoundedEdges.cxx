@@ -1,0 +1,479 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RoundedEdges.h"
+
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+
+namespace stipple
+{
+namespace
+{
+/// How a curve turns, by the distance along it from where it begins.
+struct Turn
+{
+  double distance;
+  double angle; ///< signed, radians
+};
+
+/// The section of the surface by the plane across an edge's middle.
+class Section
+{
+public:
+  Section(const CutSurface& surface, Halfedge edge)
+    : Surface(surface)
+    , Middle(0.5 * (surface.point(surface.tail(edge)) + surface.point(surface.head(edge))))
+    , Along(surface.edge(edge).normalized())
+  {
+  }
+
+  /// Signed angle between the surface's normals in two faces, in the plane.
+  double turn(Face from, Face to) const
+  {
+    const Vec3 a = this->Surface.faceNormal(from);
+    const Vec3 b = this->Surface.faceNormal(to);
+    // The parts of both along the edge do not count.
+    const double sine = a.cross(b).dot(this->Along);
+    const double cosine = a.dot(b) - a.dot(this->Along) * b.dot(this->Along);
+    return std::atan2(sine, cosine);
+  }
+
+  /// Follows it into the face of a halfedge of the edge, as far as `reach`.
+  void follow(Halfedge edge, double reach, std::vector<Turn>& turns) const
+  {
+    turns.clear();
+    double distance = 0;
+    Vec3 at = this->Middle;
+    for (Halfedge h = edge;;)
+    {
+      // Of the two other edges of the face one has ends on both sides; a closed section comes back
+      // to the edge, any other to a boundary: each face is passed once.
+      const Halfedge next = nextHalfedge(h);
+      const bool isHeadInFront = this->height(this->Surface.head(h)) >= 0;
+      const bool isTopInFront = this->height(this->Surface.head(next)) >= 0;
+      const Halfedge out = isTopInFront == isHeadInFront ? nextHalfedge(next) : next;
+      const Vec3 crossing = this->crossing(out);
+      distance += (crossing - at).norm();
+      at = crossing;
+      const Halfedge across = this->Surface.twin[out];
+      if (distance > reach || !across.valid() || this->isEnd(out) || across == edge || out == edge)
+      {
+        return;
+      }
+      turns.push_back({ distance, this->turn(faceOf(out), faceOf(across)) });
+      h = across;
+    }
+  }
+
+private:
+  bool isEnd(Halfedge h) const { return this->Surface.isFeature(h) && !this->Surface.isRounded(h); }
+  double height(Vertex v) const { return (this->Surface.point(v) - this->Middle).dot(this->Along); }
+  Vec3 crossing(Halfedge h) const
+  {
+    const Vec3& a = this->Surface.point(this->Surface.tail(h));
+    const Vec3& b = this->Surface.point(this->Surface.head(h));
+    const double high = (a - this->Middle).dot(this->Along);
+    const double low = (b - this->Middle).dot(this->Along);
+    const double t = high == low ? 0.5 : std::clamp(high / (high - low), 0., 1.);
+    return a + t * (b - a);
+  }
+
+  const CutSurface& Surface;
+  const Vec3 Middle;
+  const Vec3 Along;
+};
+
+double sumUpTo(const std::vector<Turn>& turns, double distance)
+{
+  double sum = 0;
+  for (const Turn& t : turns)
+  {
+    sum += t.distance <= distance ? t.angle : 0.;
+  }
+  return sum;
+}
+
+double variationBetween(const std::vector<Turn>& turns, double from, double to)
+{
+  double sum = 0;
+  for (const Turn& t : turns)
+  {
+    sum += t.distance > from && t.distance <= to ? std::abs(t.angle) : 0.;
+  }
+  return sum;
+}
+
+/// How the surface turns on both sides of an edge, as far as the widest band reaches.
+class Profile
+{
+public:
+  Profile(const CutSurface& surface, Halfedge edge, const RoundedEdgeOptions& options)
+    : Options(options)
+    , Angle(options.angle * Pi / 180)
+  {
+    const Section section(surface, edge);
+    const Halfedge twin = surface.twin[edge];
+    this->Own = section.turn(faceOf(twin), faceOf(edge));
+    section.follow(edge, options.width, this->Left);
+    section.follow(twin, options.width, this->Right);
+    for (Turn& turn : this->Right)
+    {
+      turn.angle = -turn.angle; // it was followed the other way
+    }
+  }
+
+  bool isInMiddle() const
+  {
+    double width = this->Options.width;
+    for (int k = 0; k < Halvings; ++k, width /= 2)
+    {
+      const double l = sumUpTo(this->Left, width / 2);
+      const double r = sumUpTo(this->Right, width / 2);
+      const double whole = std::abs(this->Own + l + r);
+      if (whole < this->Angle)
+      {
+        continue;
+      }
+      const double sign = this->Own + l + r < 0 ? -1. : 1.;
+      const double beside = variationBetween(this->Left, width / 2, width) +
+        variationBetween(this->Right, width / 2, width);
+      if (beside <= this->Options.flank * whole)
+      {
+        // Of two edges beside the very middle one is. In narrower bands others would be, too.
+        return sign * l <= (0.5 + Rounding) * whole && sign * r < (0.5 - Rounding) * whole;
+      }
+    }
+    return false;
+  }
+
+  double width() const
+  {
+    std::vector<Turn> both = this->Left;
+    both.insert(both.end(), this->Right.begin(), this->Right.end());
+    std::sort(both.begin(), both.end(),
+      [](const Turn& a, const Turn& b) { return a.distance < b.distance; });
+    double sum = this->Own;
+    if (std::abs(sum) >= this->Angle)
+    {
+      return 0.;
+    }
+    for (const Turn& t : both)
+    {
+      sum += t.angle;
+      if (std::abs(sum) >= this->Angle)
+      {
+        return 2 * t.distance;
+      }
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+private:
+  static constexpr int Halvings = 6;
+  static constexpr double Rounding = 1e-6;
+
+  const RoundedEdgeOptions& Options;
+  const double Angle;
+  double Own = 0;
+  std::vector<Turn> Left;
+  std::vector<Turn> Right;
+};
+
+/// Edges as a graph, grown without cycles that are short.
+class Lines
+{
+public:
+  Lines(const CutSurface& surface, std::vector<Halfedge> found, const RoundedEdgeOptions& options)
+    : Surface(surface)
+    , Options(options)
+    , First(surface.vertexHalfedges())
+    , At(surface.points.size())
+  {
+    std::stable_sort(found.begin(), found.end(),
+      [&](Halfedge a, Halfedge b) { return surface.edgeLength(a) > surface.edgeLength(b); });
+    for (const Halfedge h : found)
+    {
+      this->add(h, Profile(surface, h, options).width());
+    }
+  }
+
+  void join()
+  {
+    for (const Vertex v : this->Surface.vertices())
+    {
+      if (this->At[v.index()].size() == 1)
+      {
+        this->joinFrom(v);
+      }
+    }
+  }
+
+  void dropSpurs()
+  {
+    for (const Vertex v : this->Surface.vertices())
+    {
+      std::vector<Step> spur;
+      double length = 0;
+      Vertex at = v;
+      while (this->At[at.index()].size() == 1 + (spur.empty() ? 0U : 1U))
+      {
+        const std::vector<Step>& steps = this->At[at.index()];
+        const Step& next =
+          spur.empty() || steps[0].to != this->tailOf(spur.back()) ? steps[0] : steps[1];
+        spur.push_back(next);
+        length += this->Surface.edgeLength(next.halfedge);
+        at = next.to;
+        if (length > WidthsOfLine * next.width)
+        {
+          break;
+        }
+      }
+      if (!spur.empty() && this->At[at.index()].size() > 2 &&
+        length <= WidthsOfLine * spur.back().width)
+      {
+        for (const Step& step : spur)
+        {
+          this->remove(step.halfedge);
+        }
+      }
+    }
+  }
+
+  /// What hangs together, if it is long enough.
+  std::vector<Halfedge> lines() const
+  {
+    std::vector<Halfedge> result;
+    std::vector<char> isSeen(this->At.size(), 0);
+    for (const Vertex start : this->Surface.vertices())
+    {
+      if (isSeen[start.index()] != 0 || this->At[start.index()].empty())
+      {
+        continue;
+      }
+      std::vector<Vertex> queue = { start };
+      isSeen[start.index()] = 1;
+      std::vector<Halfedge> edges;
+      double length = 0;
+      double area = 0;
+      for (std::size_t i = 0; i < queue.size(); ++i)
+      {
+        for (const Step& step : this->At[queue[i].index()])
+        {
+          if (step.halfedge < this->Surface.twin[step.halfedge])
+          {
+            edges.push_back(step.halfedge);
+            const double l = this->Surface.edgeLength(step.halfedge);
+            length += l;
+            area += l * step.width;
+          }
+          if (isSeen[step.to.index()] == 0)
+          {
+            isSeen[step.to.index()] = 1;
+            queue.push_back(step.to);
+          }
+        }
+      }
+      if (length >= this->Options.minimumLength && length * length > WidthsOfLine * area)
+      {
+        result.insert(result.end(), edges.begin(), edges.end());
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  /// A line is so many times as long as it is wide.
+  static constexpr double WidthsOfLine = 4;
+
+  struct Step
+  {
+    Halfedge halfedge;
+    Vertex to;
+    double width;
+  };
+  Vertex tailOf(const Step& step) const { return this->Surface.tail(step.halfedge); }
+
+  void add(Halfedge h, double width)
+  {
+    const Vertex a = this->Surface.tail(h);
+    const Vertex b = this->Surface.head(h);
+    // The cycle that it closes is longer than a band's ends are apart.
+    if (this->isNear(a, b, WidthsOfLine * width))
+    {
+      return;
+    }
+    this->At[a.index()].push_back({ h, b, width });
+    this->At[b.index()].push_back({ this->Surface.twin[h], a, width });
+  }
+  void remove(Halfedge h)
+  {
+    for (const Halfedge side : { h, this->Surface.twin[h] })
+    {
+      std::vector<Step>& steps = this->At[this->Surface.tail(side).index()];
+      steps.erase(std::find_if(
+        steps.begin(), steps.end(), [&](const Step& s) { return s.halfedge == side; }));
+    }
+  }
+
+  /// Whether lines lead from one vertex to another on a path that is no longer.
+  bool isNear(Vertex from, Vertex to, double reach) const
+  {
+    std::vector<std::pair<Vertex, double>> queue = { { from, 0. } };
+    std::vector<Vertex> before = { Vertex() };
+    for (std::size_t i = 0; i < queue.size(); ++i)
+    {
+      const auto [v, length] = queue[i];
+      if (v == to)
+      {
+        return true;
+      }
+      for (const Step& step : this->At[v.index()])
+      {
+        const double next = length + this->Surface.edgeLength(step.halfedge);
+        if (step.to != before[i] && next <= reach)
+        {
+          queue.emplace_back(step.to, next);
+          before.push_back(v);
+        }
+      }
+    }
+    return false;
+  }
+
+  /// From where a line ends, along edges, to the nearest vertex of another, or its own other end.
+  void joinFrom(Vertex end)
+  {
+    struct Reached
+    {
+      double length;
+      Vertex vertex;
+      Halfedge by;
+      bool operator<(const Reached& o) const
+      {
+        return this->length != o.length ? this->length > o.length : o.vertex < this->vertex;
+      }
+    };
+    const Step last = this->At[end.index()].front();
+    std::priority_queue<Reached> queue;
+    std::map<Vertex, Halfedge> reachedBy;
+    queue.push({ 0., end, Halfedge() });
+    while (!queue.empty())
+    {
+      const Reached now = queue.top();
+      queue.pop();
+      if (!reachedBy.emplace(now.vertex, now.by).second)
+      {
+        continue;
+      }
+      if (now.vertex != end && !this->At[now.vertex.index()].empty() &&
+        !this->isNear(end, now.vertex, WidthsOfLine * last.width))
+      {
+        for (Halfedge h = now.by; h.valid(); h = reachedBy.at(this->Surface.tail(h)))
+        {
+          this->add(h, last.width);
+        }
+        return;
+      }
+      this->forEachHalfedge(now.vertex, [&](Halfedge h) {
+        const double length = now.length + this->Surface.edgeLength(h);
+        if (length <= last.width && !this->Surface.isFeature(h))
+        {
+          queue.push({ length, this->Surface.head(h), h });
+        }
+      });
+    }
+  }
+  template <typename Visit>
+  void forEachHalfedge(Vertex v, const Visit& visit) const
+  {
+    const Halfedge first = this->First[v];
+    for (Halfedge h = first; h.valid();)
+    {
+      visit(h);
+      const Halfedge in = previousHalfedge(h);
+      h = this->Surface.twin[in];
+      if (h == first)
+      {
+        return;
+      }
+    }
+  }
+
+  const CutSurface& Surface;
+  const RoundedEdgeOptions& Options;
+  const ElementArray<Vertex, Halfedge> First;
+  std::vector<std::vector<Step>> At; ///< by vertex
+};
+}
+
+void measureRoundedEdges(
+  const CutSurface& surface, const RoundedEdgeOptions& options, FeatureGraph& graph)
+{
+  const ElementArray<Vertex, Halfedge> first = surface.vertexHalfedges();
+  for (Backbone& backbone : graph.backbones)
+  {
+    std::vector<double> widths;
+    for (int i = 0; backbone.type == BackboneType::Sharp && i < backbone.numberOfSegments(); ++i)
+    {
+      const Halfedge h =
+        findHalfedge(surface, first, Vertex(backbone.points[i]), Vertex(backbone.segmentEnd(i)));
+      if (!surface.isRounded(h))
+      {
+        break;
+      }
+      widths.push_back(Profile(surface, h, options).width());
+    }
+    if (!widths.empty())
+    {
+      const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+      std::nth_element(widths.begin(), middle, widths.end());
+      backbone.width = *middle;
+    }
+  }
+}
+
+std::vector<Halfedge> findRoundedEdges(const CutSurface& surface, const RoundedEdgeOptions& options)
+{
+  ElementArray<Halfedge, char> isFound(surface.twin.size(), 0);
+  // Where the surface is curved less than half as much as it is in such a band on the average,
+  // there is no middle of one.
+  const double leastCurvature = 0.5 * options.angle * Pi / 180 / options.width;
+  parallelFor(surface.halfedges(), [&](Halfedge h) {
+    const Halfedge t = surface.twin[h];
+    if (!(t > h) || surface.isFeature(h))
+    {
+      return;
+    }
+    const Vec3 a = surface.faceNormal(faceOf(h));
+    const Vec3 b = surface.faceNormal(faceOf(t));
+    const double across =
+      (surface.faceArea(faceOf(h)) + surface.faceArea(faceOf(t))) / surface.edgeLength(h);
+    if (std::atan2(a.cross(b).norm(), a.dot(b)) >= leastCurvature * across)
+    {
+      isFound[h] = Profile(surface, h, options).isInMiddle() ? 1 : 0;
+    }
+  });
+  std::vector<Halfedge> found;
+  for (const Halfedge h : surface.halfedges())
+  {
+    if (isFound[h] != 0)
+    {
+      found.push_back(h);
+    }
+  }
+  if (found.empty())
+  {
+    return found;
+  }
+  Lines lines(surface, std::move(found), options);
+  lines.join();
+  lines.dropSpurs();
+  return lines.lines();
+}
+}
