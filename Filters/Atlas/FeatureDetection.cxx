@@ -363,7 +363,8 @@ RoundedEdgeOptions roundedEdgeOptions(
   RoundedEdgeOptions result;
   result.width = options.roundedWidth * size;
   result.angle = std::max(result.angle, options.angle);
-  result.minimumLength = options.minimumLength * size;
+  result.minimumLength = options.longLength * size;
+  result.shortestBranch = options.minimumLength * size;
   return result;
 }
 

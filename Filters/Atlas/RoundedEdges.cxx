@@ -228,13 +228,13 @@ public:
         spur.push_back(next);
         length += this->Surface.edgeLength(next.halfedge);
         at = next.to;
-        if (length > WidthsOfLine * next.width)
+        if (length > this->longestSpur(next.width))
         {
           break;
         }
       }
       if (!spur.empty() && this->At[at.index()].size() > 2 &&
-        length <= WidthsOfLine * spur.back().width)
+        length <= this->longestSpur(spur.back().width))
       {
         for (const Step& step : spur)
         {
@@ -297,6 +297,10 @@ private:
     Vertex to;
     double width;
   };
+  double longestSpur(double width) const
+  {
+    return std::max(WidthsOfLine * width, this->Options.shortestBranch);
+  }
   Vertex tailOf(const Step& step) const { return this->Surface.tail(step.halfedge); }
 
   void add(Halfedge h, double width)
@@ -415,10 +419,17 @@ private:
 void measureRoundedEdges(
   const CutSurface& surface, const RoundedEdgeOptions& options, FeatureGraph& graph)
 {
-  const ElementArray<Vertex, Halfedge> first = surface.vertexHalfedges();
-  for (Backbone& backbone : graph.backbones)
+  struct Measured
   {
-    std::vector<double> widths;
+    double width;
+    double length;
+  };
+  const ElementArray<Vertex, Halfedge> first = surface.vertexHalfedges();
+  std::vector<std::vector<Measured>> edges(graph.backbones.size());
+  std::map<int, std::vector<std::size_t>> ending; // backbones, by the points at their ends
+  for (std::size_t b = 0; b < graph.backbones.size(); ++b)
+  {
+    const Backbone& backbone = graph.backbones[b];
     for (int i = 0; backbone.type == BackboneType::Sharp && i < backbone.numberOfSegments(); ++i)
     {
       const Halfedge h =
@@ -427,13 +438,55 @@ void measureRoundedEdges(
       {
         break;
       }
-      widths.push_back(Profile(surface, h, options).width());
+      edges[b].push_back({ Profile(surface, h, options).width(), surface.edgeLength(h) });
     }
-    if (!widths.empty())
+    if (!edges[b].empty())
     {
-      const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-      std::nth_element(widths.begin(), middle, widths.end());
-      backbone.width = *middle;
+      ending[backbone.points.front()].push_back(b);
+      ending[backbone.points.back()].push_back(b);
+    }
+  }
+  std::vector<char> isSeen(edges.size(), 0);
+  for (std::size_t start = 0; start < edges.size(); ++start)
+  {
+    if (edges[start].empty() || isSeen[start] != 0)
+    {
+      continue;
+    }
+    std::vector<std::size_t> line = { start };
+    isSeen[start] = 1;
+    std::vector<Measured> all;
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      const Backbone& backbone = graph.backbones[line[i]];
+      all.insert(all.end(), edges[line[i]].begin(), edges[line[i]].end());
+      for (const int end : { backbone.points.front(), backbone.points.back() })
+      {
+        for (const std::size_t next : ending.at(end))
+        {
+          if (isSeen[next] == 0)
+          {
+            isSeen[next] = 1;
+            line.push_back(next);
+          }
+        }
+      }
+    }
+    std::sort(all.begin(), all.end(),
+      [](const Measured& a, const Measured& b) { return a.width < b.width; });
+    double whole = 0;
+    for (const Measured& m : all)
+    {
+      whole += m.length;
+    }
+    std::size_t middle = 0;
+    for (double sum = all[0].length; sum < 0.5 * whole && middle + 1 < all.size();)
+    {
+      sum += all[++middle].length;
+    }
+    for (const std::size_t b : line)
+    {
+      graph.backbones[b].width = all[middle].width;
     }
   }
 }

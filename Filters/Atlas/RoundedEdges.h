@@ -13,7 +13,8 @@ struct RoundedEdgeOptions
   double width = 0;         ///< of the widest band that counts as an edge, in units of length
   double angle = 100;       ///< degrees that the surface turns by across the band, at least
   double flank = 0.25;      ///< at most so much of that it turns by beside the band, over its width
-  double minimumLength = 0; ///< of connected lines, in units of length
+  double minimumLength = 0; ///< of lines that hang together, in units of length
+  double shortestBranch = 0; ///< of a line from where it ends, in units of length
 };
 
 /// Lines along the middle of narrow bands across which the surface turns by the angle or more: the
@@ -28,8 +29,9 @@ struct RoundedEdgeOptions
 STIPPLEFILTERSATLAS_EXPORT std::vector<Halfedge> findRoundedEdges(
   const CutSurface& surface, const RoundedEdgeOptions& options);
 
-/// Tells a surface's backbones along rounded edges how wide their bands are that turn by the angle:
-/// as wide as half of the edges say. Where that is more than the options' width, it is infinite.
+/// Tells backbones along rounded edges how wide their bands are that turn by the angle: as wide as
+/// half of the line's edges say, in its length, of all that hang together. Where that is more than
+/// the options' width, it is infinite.
 STIPPLEFILTERSATLAS_EXPORT void measureRoundedEdges(
   const CutSurface& surface, const RoundedEdgeOptions& options, FeatureGraph& graph);
 }
