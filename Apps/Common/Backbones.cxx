@@ -8,13 +8,17 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <functional>
+
 namespace stipple
 {
-vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
+namespace
+{
+vtkSmartPointer<vtkPolyData> selectedBackbones(
+  vtkPolyData* lines, const std::function<bool(vtkIdType cell)>& isSelected)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkDataArray* types = lines ? lines->GetCellData()->GetArray("BackboneType") : nullptr;
-  if (!types)
+  if (!lines)
   {
     return data;
   }
@@ -22,7 +26,7 @@ vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
   const vtkIdType first = lines->GetNumberOfVerts();
   for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
   {
-    if (static_cast<int>(types->GetComponent(first + i, 0)) == type)
+    if (isSelected(first + i))
     {
       vtkIdType size;
       const vtkIdType* ids;
@@ -33,5 +37,31 @@ vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
   data->SetPoints(lines->GetPoints());
   data->SetLines(cells);
   return data;
+}
+
+/// 0 without such an array.
+double valueOf(vtkPolyData* lines, const char* name, vtkIdType cell)
+{
+  vtkDataArray* array = lines->GetCellData()->GetArray(name);
+  return array ? array->GetComponent(cell, 0) : 0.;
+}
+}
+
+vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
+{
+  return selectedBackbones(lines, [&](vtkIdType cell) {
+    return lines->GetCellData()->HasArray("BackboneType") != 0 &&
+      static_cast<int>(valueOf(lines, "BackboneType", cell)) == type;
+  });
+}
+
+vtkSmartPointer<vtkPolyData> sharpBackbones(vtkPolyData* lines)
+{
+  constexpr int Sharp = 0;
+  return selectedBackbones(lines, [&](vtkIdType cell) {
+    return lines->GetCellData()->HasArray("BackboneType") != 0 &&
+      static_cast<int>(valueOf(lines, "BackboneType", cell)) == Sharp &&
+      valueOf(lines, "Width", cell) == 0.;
+  });
 }
 }

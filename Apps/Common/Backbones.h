@@ -11,6 +11,10 @@ namespace stipple
 {
 /// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
+
+/// The polylines along sharp edges without those that are rounded off, by the cell array Width:
+/// what no mesh should lose.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> sharpBackbones(vtkPolyData* lines);
 }
 
 #endif

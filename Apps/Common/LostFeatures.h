@@ -11,8 +11,9 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// The segments of the sharp lines of `before` that are far from all sharp lines and boundaries of
-/// `after`, over the length of the segment there. Both have the cell array BackboneType.
+/// The segments of the sharp lines of `before`, without those that are rounded off, that are far
+/// from all sharp lines and boundaries of `after`, over the length of the segment there. Both have
+/// the cell array BackboneType.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after);
 
 /// Those of a remesher's last run; null where it has simplified nothing.

@@ -49,10 +49,11 @@ public:
     turns.clear();
     double distance = 0;
     Vec3 at = this->Middle;
-    for (Halfedge h = edge;;)
+    Halfedge h = edge;
+    // Of the two other edges of a face one has ends on both sides; a closed section comes back to
+    // the edge, any other to a boundary: each face is passed once.
+    for (int i = 0; i < this->Surface.numberOfFaces(); ++i)
     {
-      // Of the two other edges of the face one has ends on both sides; a closed section comes back
-      // to the edge, any other to a boundary: each face is passed once.
       const Halfedge next = nextHalfedge(h);
       const bool isHeadInFront = this->height(this->Surface.head(h)) >= 0;
       const bool isTopInFront = this->height(this->Surface.head(next)) >= 0;
@@ -132,20 +133,15 @@ public:
     double width = this->Options.width;
     for (int k = 0; k < Halvings; ++k, width /= 2)
     {
-      const double l = sumUpTo(this->Left, width / 2);
-      const double r = sumUpTo(this->Right, width / 2);
-      const double whole = std::abs(this->Own + l + r);
-      if (whole < this->Angle)
-      {
-        continue;
-      }
-      const double sign = this->Own + l + r < 0 ? -1. : 1.;
+      const double whole =
+        std::abs(this->Own + sumUpTo(this->Left, width / 2) + sumUpTo(this->Right, width / 2));
       const double beside = variationBetween(this->Left, width / 2, width) +
         variationBetween(this->Right, width / 2, width);
-      if (beside <= this->Options.flank * whole)
+      if (whole >= this->Angle && beside <= this->Options.flank * whole)
       {
-        // Of two edges beside the very middle one is. In narrower bands others would be, too.
-        return sign * l <= (0.5 + Rounding) * whole && sign * r < (0.5 - Rounding) * whole;
+        // Of a band that is as wide as this, edges beside the middle do not see all. In narrower
+        // ones they would seem to be in the middle, too.
+        return this->isHalfWay(width);
       }
     }
     return false;
@@ -176,6 +172,17 @@ public:
 private:
   static constexpr int Halvings = 6;
   static constexpr double Rounding = 1e-6;
+
+  /// Of two edges beside the very middle one is.
+  bool isHalfWay(double reach) const
+  {
+    const double l = sumUpTo(this->Left, reach);
+    const double r = sumUpTo(this->Right, reach);
+    const double whole = this->Own + l + r;
+    const double sign = whole < 0 ? -1. : 1.;
+    return sign * l <= (0.5 + Rounding) * sign * whole &&
+      sign * r < (0.5 - Rounding) * sign * whole;
+  }
 
   const RoundedEdgeOptions& Options;
   const double Angle;

@@ -228,7 +228,9 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       findArray(lines->GetCellData(), "BackboneType", 1, numberOfCells, owner, GraphRemedy, type),
       findArray(lines->GetCellData(), "Closed", 1, numberOfCells, owner, GraphRemedy, closed),
       findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, GraphRemedy, keep),
-      findArray(lines->GetCellData(), "Width", 1, numberOfCells, owner, GraphRemedy, width),
+      lines->GetCellData()->HasArray("Width")
+        ? findArray(lines->GetCellData(), "Width", 1, numberOfCells, owner, GraphRemedy, width)
+        : Status::success(),
       checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
       checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
   {
@@ -261,7 +263,11 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       return status;
     }
     b.closed = closed->GetComponent(cell, 0) != 0;
-    b.width = width->GetComponent(cell, 0);
+    b.width = width ? width->GetComponent(cell, 0) : 0.;
+    if (!(b.width >= 0))
+    {
+      return Status::error("The Width of " + name + " is no length: " + GraphRemedy + ".");
+    }
     if (n < (b.closed ? 3 : 2))
     {
       return Status::error(

@@ -166,6 +166,9 @@ TEST(FeatureGraph, SaysWhichArraysItNeeds)
     EXPECT_NE(readFeatureGraph(data, someSurface(), read).message().find(name), std::string::npos);
   }
   const auto data = toPolyData(someGraph(), somePoints());
+  data->GetCellData()->RemoveArray("Width");
+  EXPECT_TRUE(readFeatureGraph(data, someSurface(), read).ok()) << "all are creases then";
+  EXPECT_EQ(read.backbones.front().width, 0.);
   data->GetPointData()->RemoveArray("ChartCellId");
   EXPECT_NE(
     readFeatureGraph(data, someSurface(), read).message().find("ChartCellId"), std::string::npos);

@@ -253,6 +253,8 @@ TEST_F(UserArrays, FeatureGraph)
   this->expectShape(this->graph->GetCellData(), "BackboneType");
   this->expectShape(this->graph->GetCellData(), "Keep");
   this->expectShape(this->graph->GetCellData(), "Closed");
+  this->expectRefused(this->graph->GetCellData(), "Width", line, NaN);
+  this->expectRefused(this->graph->GetCellData(), "Width", line, -1.);
   for (const vtkIdType point : { -1, 1000000 })
   {
     this->expectCellRefused(this->graph, this->graph->GetLines(), point);
