@@ -14,16 +14,24 @@ namespace stipple
 MeshFigures measureFigures(vtkPolyData* mesh)
 {
   MeshFigures figures;
-  const TriangleSurface surface = fromPolyData(mesh);
+  TriangleSurface surface = fromPolyData(mesh);
+  surface.connect();
   figures.quality = measureQuality(surface);
   figures.quads = surface.numberOfFaces() - mesh->GetNumberOfPolys();
   constexpr double Degrees = 57.29577951308232;
-  std::vector<int> valence(surface.points.size(), 0);
+  std::vector<int> valence(surface.points.size(), 0); // inside, as many as triangles
+  std::vector<char> isInside(surface.points.size(), 1);
+  for (const Halfedge h : surface.halfedges())
+  {
+    if (surface.isBoundary(h))
+    {
+      isInside[surface.tail(h).index()] = isInside[surface.head(h).index()] = 0;
+    }
+  }
   for (int f = 0; f < surface.numberOfFaces(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      // A closed surface has as many edges as triangles at a vertex; at a boundary one more.
       ++valence[surface.triangles[f][k]];
       const Vec3 a = surface.point(f, (k + 1) % 3) - surface.point(f, k);
       const Vec3 b = surface.point(f, (k + 2) % 3) - surface.point(f, k);
@@ -31,9 +39,9 @@ MeshFigures measureFigures(vtkPolyData* mesh)
       ++figures.angles[std::clamp(static_cast<int>(angle / 10.), 0, 17)];
     }
   }
-  for (const int v : valence)
+  for (std::size_t p = 0; p < valence.size(); ++p)
   {
-    ++figures.valences[std::clamp(v - 3, 0, 6)];
+    figures.valences[std::clamp(valence[p] - 3, 0, 6)] += isInside[p];
   }
   return figures;
 }
