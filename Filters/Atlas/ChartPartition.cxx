@@ -113,7 +113,7 @@ void openToDisk(
     bool found = false;
     for (const Halfedge h : halfedgesOf(f))
     {
-      found = found || (surface.sharp[h] && surface.cut[h]);
+      found = found || (surface.isCrease(h) && surface.cut[h]);
     }
     return found;
   };

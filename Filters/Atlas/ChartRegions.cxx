@@ -16,8 +16,8 @@ double SeamArc::length(const TriangleSurface& surface) const
 
 bool SeamArc::isSharp(const CutSurface& surface) const
 {
-  return std::all_of(
-    this->halfedges.begin(), this->halfedges.end(), [&](Halfedge h) { return surface.sharp[h]; });
+  return std::all_of(this->halfedges.begin(), this->halfedges.end(),
+    [&](Halfedge h) { return surface.isCrease(h); });
 }
 
 const SeamArc& longest(const CutSurface& surface, const std::vector<SeamArc>& arcs)

@@ -24,7 +24,7 @@ class Patches
 public:
   explicit Patches(const CutSurface& surface)
     : Surface(surface)
-    , Sets(surface, [&](Halfedge h) { return !surface.sharp[h]; })
+    , Sets(surface, [&](Halfedge h) { return !surface.isCrease(h); })
     , Joined(this->Sets.number)
     , Area(this->Sets.number, 0.)
     , LeastArea(this->Sets.number, 0.)
@@ -184,8 +184,8 @@ private:
 
 void cutAlongCreases(CutSurface& surface)
 {
-  if (std::all_of(
-        surface.sharp.begin(), surface.sharp.end(), [](char isSharp) { return isSharp == 0; }))
+  if (std::none_of(surface.sharp.begin(), surface.sharp.end(),
+        [](char mark) { return mark != 0 && mark != CutSurface::Rounded; }))
   {
     return; // no crease: nothing to find out
   }

@@ -40,6 +40,8 @@ struct STIPPLEFILTERSATLAS_EXPORT CutSurface : TriangleSurface
   /// The edge is in the middle of a narrow band that turns: sharp to a mesh that is coarse.
   void setRounded(Halfedge h);
   bool isRounded(Halfedge h) const { return this->sharp[h] == Rounded; }
+  /// Sharp to any mesh.
+  bool isCrease(Halfedge h) const { return this->sharp[h] != 0 && !this->isRounded(h); }
   /// The edge is a feature that is to be kept so far at least.
   void setKeep(Halfedge h, Keep least);
   bool isFeature(Halfedge h) const { return this->sharp[h] != 0 || this->keep[h] != Keep::Nothing; }

@@ -43,7 +43,7 @@ public:
 private:
   bool isWall(Halfedge h) const
   {
-    return this->Surface.isBoundary(h) || this->Surface.sharp[h.index()];
+    return this->Surface.isBoundary(h) || this->Surface.isCrease(h);
   }
 
   /// All corners of one fan, from the one beside its first wall on.
@@ -156,7 +156,7 @@ std::vector<double> largestNormalCurvature(const CutSurface& surface)
     double weights = area;
     for (const Halfedge h : halfedgesOf(f))
     {
-      if (surface.isBoundary(h) || surface.sharp[h.index()])
+      if (surface.isBoundary(h) || surface.isCrease(h))
       {
         continue;
       }

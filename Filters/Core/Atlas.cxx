@@ -171,6 +171,21 @@ std::vector<char> Atlas::halfedgesOn(const std::vector<char>& isMarked) const
   return isOn;
 }
 
+std::vector<char> Atlas::creasesTo(const std::function<double(const SurfacePlace&)>& spacing) const
+{
+  std::vector<char> result(this->Traces.size(), 0);
+  for (std::size_t b = 0; b < result.size(); ++b)
+  {
+    const Backbone& backbone = this->Graph.backbones[b];
+    const bool isRounded = backbone.width > 0;
+    const double length = isRounded
+      ? spacing(this->placeOfBackbone(static_cast<int>(b), 0.5 * this->Traces[b].length()))
+      : 0.;
+    result[b] = backbone.isCreaseTo(length) ? 1 : 0;
+  }
+  return result;
+}
+
 const SurfaceWalk& Atlas::walk() const
 {
   return this->Walk.get(

@@ -10,6 +10,7 @@
 #include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <vector>
@@ -80,6 +81,9 @@ public:
   std::vector<char> halfedgesOn(std::initializer_list<BackboneType> types) const;
   /// The same, on backbones that are marked.
   std::vector<char> halfedgesOn(const std::vector<char>& isMarked) const;
+  /// By backbone: 1 for boundaries, and for those that are creases to a mesh with edges as long as
+  /// `spacing` says at their middles.
+  std::vector<char> creasesTo(const std::function<double(const SurfacePlace&)>& spacing) const;
   /// A point that a triangle uses, as a place.
   SurfacePlace placeOfPoint(int p) const;
 

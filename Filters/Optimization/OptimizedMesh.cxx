@@ -61,10 +61,9 @@ void OptimizedMesh::findCreaseBackbones(const std::vector<std::vector<int>>& cha
   {
     const double edges = std::max(1., static_cast<double>(chains[b].size()) - 1.);
     const double length = this->Atlas->traces()[b].length() / edges;
-    const bool isRound =
-      backbones[b].keep == Keep::Nothing && backbones[b].width > Tuning::RoundedWidth * length;
-    this->IsCreaseBackbone[b] = backbones[b].type != BackboneType::Seam && !isRound ? 1 : 0;
-    isLikeAtlas = isLikeAtlas && !(backbones[b].type == BackboneType::Sharp && isRound);
+    const bool isCrease = backbones[b].isCreaseTo(length);
+    this->IsCreaseBackbone[b] = isCrease ? 1 : 0;
+    isLikeAtlas = isLikeAtlas && (isCrease || backbones[b].type == BackboneType::Seam);
   }
   if (!isLikeAtlas)
   {
@@ -119,6 +118,17 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   this->BackboneOf.assign(n, -1);
   this->IsConstraint.assign(n, 0);
   this->Absorbed.assign(n, {});
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const int backbone = samples[i].backbone;
+    if (samples[i].kind == SampleKind::Backbone &&
+      (backbone < 0 || backbone >= static_cast<int>(graph.backbones.size())))
+    {
+      return Status::error("Point " + std::to_string(i) + " lies on backbone " +
+        std::to_string(backbone) +
+        ", which the feature graph does not have: pass the one of the mesh.");
+    }
+  }
   const std::vector<std::vector<int>> samplesOf = backboneChains(graph, samples);
   this->findCreaseBackbones(samplesOf);
   const std::vector<char> fixedNode = this->fixedNodes();
@@ -138,12 +148,6 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
     }
     else if (s.kind == SampleKind::Backbone)
     {
-      if (s.backbone < 0 || s.backbone >= static_cast<int>(graph.backbones.size()))
-      {
-        return Status::error("Point " + std::to_string(v.index()) + " lies on backbone " +
-          std::to_string(s.backbone) +
-          ", which the feature graph does not have: pass the one of the mesh.");
-      }
       if (this->isCreaseBackbone(s.backbone))
       {
         this->Free[v] = this->isConstraint(v) ? Freedom::None : Freedom::Backbone;

@@ -189,13 +189,6 @@ struct Tuning
   static constexpr double GrowthPlateau = 0.5;
   static constexpr double GrowthSlope = 0.5;
 
-  // Creases that are rounded off (OptimizedMesh).
-  /// Widest band that turns by 100 degrees or more and is a crease, over the length of edges: where
-  /// it is wider, vertices on both its sides and on it have room beside one another. Of bowls with
-  /// round rims a mesh's angles are .2 degrees without creases where the rim turns so in .14 edges,
-  /// 1.8 in .3, and 33 to 35 from .7 on.
-  static constexpr double RoundedWidth = 0.5;
-
   // Features finer than the mesh (FeatureSimplification).
   static constexpr double PoorFeatureAngle = 30. * Pi / 180.; ///< of triangles that an edge is
                                                               ///< collapsed for

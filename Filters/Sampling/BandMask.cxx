@@ -115,8 +115,7 @@ void BandMask::build(
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
   this->addLines(domain, chart);
-  this->sweep(1, stop);
-  this->sweep(-1, stop);
+  this->spread(stop);
   if (isAsked(stop))
   {
     return;
@@ -137,11 +136,13 @@ void BandMask::build(
     }
   });
   std::vector<float>().swap(this->Apart);
+  std::vector<int>().swap(this->Queue);
 }
 
 void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
   this->Lines.clear();
+  this->Queue.clear();
   for (const auto& [backbone, side] : domain.chartSides[chart])
   {
     const BackboneTrace& trace = domain.traces()[backbone];
@@ -182,34 +183,33 @@ void BandMask::offer(int pixel, int line)
   {
     this->Apart[pixel] = apart;
     this->Nearest[pixel] = line;
+    this->Queue.push_back(pixel);
   }
 }
 
-void BandMask::sweep(int step, const Stop& stop)
+void BandMask::spread(const Stop& stop)
 {
   const int width = this->Image.width;
-  const int rows = this->Image.height;
-  const auto handTo = [&](int pixel, int neighbour) {
-    const int line = this->Nearest[neighbour];
-    if (line >= 0 && line != this->Nearest[pixel])
-    {
-      this->offer(pixel, line);
-    }
-  };
-  for (int k = 0; k < rows && !isAsked(stop); ++k)
+  // A pixel is offered lines often: only those that wait are kept, not all that ever did.
+  std::vector<int> front;
+  while (!this->Queue.empty() && !isAsked(stop))
   {
-    const int first = (step > 0 ? k : rows - 1 - k) * width;
-    for (int i = first; k > 0 && i < first + width; ++i)
+    front.swap(this->Queue);
+    this->Queue.clear();
+    for (const int pixel : front)
     {
-      handTo(i, i - step * width);
-    }
-    for (int i = first + 1; i < first + width; ++i)
-    {
-      handTo(i, i - 1);
-    }
-    for (int i = first + width - 2; i >= first; --i)
-    {
-      handTo(i, i + 1);
+      const int line = this->Nearest[pixel];
+      const int x = pixel % width;
+      const auto handTo = [&](bool exists, int neighbour) {
+        if (exists && this->Nearest[neighbour] != line)
+        {
+          this->offer(neighbour, line);
+        }
+      };
+      handTo(x > 0, pixel - 1);
+      handTo(x + 1 < width, pixel + 1);
+      handTo(pixel >= width, pixel - width);
+      handTo(pixel + width < this->Image.numberOfPixels(), pixel + width);
     }
   }
 }

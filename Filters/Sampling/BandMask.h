@@ -38,8 +38,8 @@ struct InteriorRaster
 };
 
 /// How far a chart's pixels are from its backbones and constraints, on the surface: known once for
-/// all controls. A pixel has the line that is nearest to its middle from one beside it, in a sweep
-/// down and one up: P.-E. Danielsson, "Euclidean distance mapping", 1980.
+/// all controls. A pixel has the line that is nearest to its middle from one beside it, as in
+/// P.-E. Danielsson, "Euclidean distance mapping", 1980.
 class STIPPLEFILTERSSAMPLING_EXPORT BandMask
 {
 public:
@@ -73,10 +73,8 @@ private:
   /// What is near to a line where the chart's map has a first fundamental form.
   struct Surroundings;
   void addLines(const SamplingDomain& domain, int chart);
-  /// The line replaces the one that a pixel had, if it is nearer to the pixel's middle.
   void offer(int pixel, int line);
-  /// Offers each pixel the lines of those beside it, row by row, down (step 1) or up (-1).
-  void sweep(int step, const Stop& stop);
+  void spread(const Stop& stop);
   /// A control and what is wanted along backbones.
   struct Control;
   Control controlOf(
@@ -100,6 +98,7 @@ private:
   std::vector<Line> Lines;
   std::vector<int> Nearest; ///< line, by pixel
   std::vector<float> Apart; ///< squared distance over the line's limit, of the pixel's middle
+  std::vector<int> Queue;   ///< of pixels that were offered a nearer line
   std::vector<float> Low;   ///< as Apart, less than it is anywhere in the pixel
   std::vector<float> High;  ///< as Apart, more than it is anywhere in the pixel
 };

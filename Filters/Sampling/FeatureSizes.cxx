@@ -30,7 +30,7 @@ struct BackbonePlace
 class FeatureLines
 {
 public:
-  explicit FeatureLines(const Atlas& atlas)
+  FeatureLines(const Atlas& atlas, const std::vector<char>& isCrease)
     : Source(atlas)
     , At(3 * static_cast<std::size_t>(atlas.surface().numberOfFaces()), -1)
     , Segment(this->At.size(), 0)
@@ -39,7 +39,7 @@ public:
     for (std::size_t b = 0; b < traces.size(); ++b)
     {
       const Backbone& backbone = atlas.graph().backbones[b];
-      if (backbone.type == BackboneType::Seam)
+      if (isCrease[b] == 0)
       {
         continue;
       }
@@ -329,7 +329,7 @@ private:
 std::vector<FeatureSize> featureSizes(
   const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
 {
-  const FeatureLines lines(atlas);
+  const FeatureLines lines(atlas, atlas.creasesTo(spacing));
   const SizeSearch search(atlas, lines, spacing);
   std::vector<std::vector<FeatureSize>> found(lines.lines().size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType begin, vtkIdType end) {

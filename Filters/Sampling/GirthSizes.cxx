@@ -66,9 +66,9 @@ private:
 class GirthSearch
 {
 public:
-  explicit GirthSearch(const Atlas& atlas)
+  GirthSearch(const Atlas& atlas, const std::vector<char>& isCrease)
     : Surface(atlas.surface())
-    , IsFeature(atlas.halfedgesOn({ BackboneType::Sharp, BackboneType::Boundary }))
+    , IsFeature(atlas.halfedgesOn(isCrease))
   {
   }
 
@@ -249,7 +249,7 @@ std::vector<FeatureSize> girthSizes(
   const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
 {
   const std::vector<Probe> probes = placesToLookAt(atlas.surface(), spacing);
-  const GirthSearch search(atlas);
+  const GirthSearch search(atlas, atlas.creasesTo(spacing));
   std::vector<double> size(probes.size(), 0.);
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(probes.size()), Grain, [&](vtkIdType begin, vtkIdType end) {
