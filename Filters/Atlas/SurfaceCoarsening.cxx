@@ -36,7 +36,11 @@ public:
     this->IsLine.assign(fine.numberOfHalfedges(), 0);
     for (const Halfedge h : fine.halfedges())
     {
-      this->IsLine[h] = fine.isBoundary(h) || fine.isFeature(h);
+      this->IsLine[h] = fine.isBoundary(h) || fine.isCrease(h) || fine.keep[h] != Keep::Nothing;
+      if (fine.isRounded(h))
+      {
+        this->Sharp[h] = 0; // no chart ends there for its sake
+      }
       if (fine.keep[h] == Keep::Edges)
       {
         this->IsFixed[fine.tail(h)] = this->IsFixed[fine.head(h)] = 1;
