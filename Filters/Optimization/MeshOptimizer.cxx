@@ -182,11 +182,7 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
           unfold(edit, overlaps.folds);
         }
         // Layers that lie over one another are small at first; Lloyd's method gives each its share.
-        // Where there are none, what comes up later waits for the end.
-        if (overlaps.wereFound)
-        {
-          resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, overlaps);
-        }
+        resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, overlaps);
       }
     }
   }

@@ -444,7 +444,6 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
   const OptimizedMesh& mesh = edit.mesh();
   SelfIntersections intersections(mesh);
   std::vector<Face> bad = intersections.faces();
-  known.wereFound = !bad.empty();
   // Where much of a mesh passes through itself, sheets are closer together than edges are long:
   // then there is nothing to part, and trying takes long.
   const int most = Tuning::FewIntersecting + mesh.faces().size() / 50;

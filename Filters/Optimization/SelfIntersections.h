@@ -49,7 +49,6 @@ struct KnownOverlaps
   FailedEmbeddings folds;    ///< that unfold() could not undo
   FailedEmbeddings layers;   ///< that could not be parted
   std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked
-  bool wereFound = true;     ///< at the last look, or there was none
 };
 
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
