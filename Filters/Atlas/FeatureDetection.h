@@ -22,8 +22,8 @@ struct FeatureDetectionOptions
   double longRoughness = 0.27;    ///< the same as maximumRoughness for long chains
   double steepRoughness = 0.45;   ///< the same for chains of a right angle or more; from 60 degrees
                                   ///< on in between
-  double roundedWidth = 0.02;     ///< of the widest band that is taken for a crease that was rounded
-                                  ///< off, as a fraction of the diagonal; 0: none
+  double roundedWidth = 0.02; ///< of the widest band that is taken for a crease that was rounded
+                              ///< off, as a fraction of the diagonal; 0: none
 };
 
 /// Marks the sharp edges of the surface, and those of joints, by one of their halfedges, where

@@ -41,10 +41,7 @@ public:
   const Vec3& normal(Halfedge corner) const { return this->All[this->OfCorner[corner]].normal; }
 
 private:
-  bool isWall(Halfedge h) const
-  {
-    return this->Surface.isBoundary(h) || this->Surface.isCrease(h);
-  }
+  bool isWall(Halfedge h) const { return this->Surface.isBoundary(h) || this->Surface.isCrease(h); }
 
   /// All corners of one fan, from the one beside its first wall on.
   void add(Halfedge corner)
