@@ -27,8 +27,8 @@
  * - 0: the mesh, with the arrays that vtkCDTRemesh writes, for the new places;
  * - 1: the mesh's edges along sharp and boundary backbones, one polyline a backbone on the mesh's
  * points, with the cell arrays BackboneType, Closed and BackboneId. (Once vertices move, those on
- * seams are ordinary vertices: SampleKind 0. So are those on a crease that is rounded off and wider,
- * by the feature graph's array Width, than half of the edges along it.)
+ * seams are ordinary vertices: SampleKind 0. So are those on a crease that is rounded off and
+ * wider, by the feature graph's array Width, than half of the edges along it.)
  *
  * The result is the same for any number of threads.
  *
