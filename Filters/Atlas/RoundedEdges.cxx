@@ -205,7 +205,8 @@ public:
       [&](Halfedge a, Halfedge b) { return surface.edgeLength(a) > surface.edgeLength(b); });
     for (const Halfedge h : found)
     {
-      this->add(h, Profile(surface, h, options).width());
+      // Finite: cycles that are looked for are.
+      this->add(h, std::min(options.width, Profile(surface, h, options).width()));
     }
   }
 
@@ -393,7 +394,7 @@ private:
       }
       this->forEachHalfedge(now.vertex, [&](Halfedge h) {
         const double length = now.length + this->Surface.edgeLength(h);
-        if (length <= last.width && !this->Surface.isFeature(h))
+        if (length <= last.width && !this->Surface.isFeature(h) && !this->Surface.isBoundary(h))
         {
           queue.push({ length, this->Surface.head(h), h });
         }

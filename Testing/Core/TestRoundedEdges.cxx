@@ -169,6 +169,28 @@ TEST(RoundedEdges, AreJoinedWhereTheMiddleChangesRows)
   EXPECT_GE(found.size(), static_cast<std::size_t>(Steps));
 }
 
+TEST(RoundedEdges, AreJoinedInsideAlone)
+{
+  // The middle is in one row or the next by chance, also where the sheet ends.
+  unsigned int state = 1;
+  const auto chance = [&] { return (state = 1664525 * state + 1013904223) >> 16; };
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    std::vector<double> shift(Steps + 1);
+    for (double& s : shift)
+    {
+      s = chance() % 2 == 0 ? -0.1 : 0.1;
+    }
+    const CutSurface sheet =
+      shapes::cutSurface(bentSheet(180, 0.02, 6, [&](int j) { return shift[j]; }));
+    for (const Halfedge h : findRoundedEdges(sheet, wide(0.2)))
+    {
+      ASSERT_TRUE(h.valid());
+      EXPECT_FALSE(sheet.isBoundary(h));
+    }
+  }
+}
+
 TEST(RoundedEdges, AreLong)
 {
   const CutSurface sheet = shapes::cutSurface(bentSheet(180, 0.02, 7));
