@@ -39,29 +39,24 @@ vtkSmartPointer<vtkPolyData> selectedBackbones(
   return data;
 }
 
-/// 0 without such an array.
-double valueOf(vtkPolyData* lines, const char* name, vtkIdType cell)
+bool isOfType(vtkPolyData* lines, int type, vtkIdType cell)
 {
-  vtkDataArray* array = lines->GetCellData()->GetArray(name);
-  return array ? array->GetComponent(cell, 0) : 0.;
+  vtkDataArray* types = lines->GetCellData()->GetArray("BackboneType");
+  return types && static_cast<int>(types->GetComponent(cell, 0)) == type;
 }
 }
 
 vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
 {
-  return selectedBackbones(lines, [&](vtkIdType cell) {
-    return lines->GetCellData()->HasArray("BackboneType") != 0 &&
-      static_cast<int>(valueOf(lines, "BackboneType", cell)) == type;
-  });
+  return selectedBackbones(lines, [&](vtkIdType cell) { return isOfType(lines, type, cell); });
 }
 
 vtkSmartPointer<vtkPolyData> sharpBackbones(vtkPolyData* lines)
 {
   constexpr int Sharp = 0;
+  vtkDataArray* widths = lines ? lines->GetCellData()->GetArray("Width") : nullptr;
   return selectedBackbones(lines, [&](vtkIdType cell) {
-    return lines->GetCellData()->HasArray("BackboneType") != 0 &&
-      static_cast<int>(valueOf(lines, "BackboneType", cell)) == Sharp &&
-      valueOf(lines, "Width", cell) == 0.;
+    return isOfType(lines, Sharp, cell) && (!widths || widths->GetComponent(cell, 0) == 0.);
   });
 }
 }

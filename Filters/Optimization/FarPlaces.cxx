@@ -265,9 +265,9 @@ private:
     std::vector<char> isOnCrease(atlas.surface().points.size(), 0);
     for (std::size_t b = 0; b < atlas.graph().backbones.size(); ++b)
     {
+      const bool isCrease = this->Mesh.isCreaseBackbone(static_cast<int>(b));
       for (const int p : atlas.graph().backbones[b].points)
       {
-        const bool isCrease = this->Mesh.isCreaseBackbone(static_cast<int>(b));
         isOnCrease[p] = isOnCrease[p] != 0 || isCrease ? 1 : 0;
       }
     }

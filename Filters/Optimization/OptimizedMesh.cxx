@@ -208,6 +208,7 @@ Status OptimizedMesh::buildPart(const stipple::Atlas& atlas, const DensityField&
     this->put(v, this->pointAt(place));
     this->Free[v] = isMovable[v.index()] != 0 ? Freedom::Surface : Freedom::None;
   }
+  this->IsCreaseBackbone.clear();
   for (const Backbone& b : atlas.graph().backbones)
   {
     this->IsCreaseBackbone.push_back(b.type != BackboneType::Seam ? 1 : 0);
