@@ -201,7 +201,7 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
   const auto reduceError = [&]() {
     if (options.errorReduction > 0)
     {
-      reduceSurfaceError(edit, Tuning::ErrorAngle, options.errorReduction);
+      reduceSurfaceError(edit, Tuning::SmallAngle, options.errorReduction);
     }
   };
   swapEdges(edit, options.swaps, Tuning::ManyPasses);
@@ -224,10 +224,7 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
   }
   if (options.swaps == Swaps::Regularity)
   {
-    for (const double angle : Tuning::ValenceAngles)
-    {
-      repairValences(edit, angle, Tuning::PassesOfRepair);
-    }
+    repairValences(edit, Tuning::SmallAngle, Tuning::PassesOfRepair);
     repair(false, true, Tuning::PassesInRound);
     if (options.ribs)
     {

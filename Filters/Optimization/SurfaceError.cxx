@@ -160,8 +160,7 @@ bool moveNearer(MeshEdit& edit, const SurfaceError& error, Vertex v, double mini
   const bool atTip = isTip(mesh, v, best);
   const double reach = meanEdgeLength(mesh, v);
   const VertexStar star(mesh, v);
-  const double quality = std::min(
-    atTip ? std::min(Tuning::AngleAtTip, minimumAngle) : minimumAngle, star.quality(mesh.state(v)));
+  const double quality = std::min(minimumAngle, star.quality(mesh.state(v)));
   if (quality < Tuning::HopelessAngle)
   {
     return false;
@@ -213,7 +212,7 @@ bool moveNearer(MeshEdit& edit, const SurfaceError& error, Vertex v, double mini
 
 /// Swaps an edge near a tip that is cut off and moves the four vertices about it; false, and
 /// nothing is changed, if that brings the mesh no nearer.
-bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e)
+bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e, double minimumAngle)
 {
   const OptimizedMesh& mesh = edit.mesh();
   if (!mesh.isSwappable(e) || !mesh.keepsManifold(e))
@@ -241,7 +240,7 @@ bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e)
   };
   const double sum = errorOfAll();
   const auto irregularBefore = irregular();
-  const double quality = std::min(Tuning::AngleAtTip, worstQuality(mesh, faces));
+  const double quality = std::min(minimumAngle, worstQuality(mesh, faces));
   return quality >= Tuning::HopelessAngle && edit.attempt([&]() {
     edit.flip(e);
     for (int round = 0; round < 2 && irregular() <= irregularBefore; ++round)
@@ -252,7 +251,7 @@ bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e)
         {
           improveByMove(edit, v);
         }
-        moveNearer(edit, error, v, Tuning::AngleAtTip);
+        moveNearer(edit, error, v, minimumAngle);
       }
     }
     return irregular() <= irregularBefore && worstQuality(mesh, faces) >= quality &&
@@ -299,7 +298,7 @@ int reduceSurfaceError(MeshEdit& edit, double minimumAngle, double share)
     });
     for (const Edge e : edges)
     {
-      changes += swapNearer(edit, error, e) ? 1 : 0;
+      changes += swapNearer(edit, error, e, minimumAngle) ? 1 : 0;
     }
   }
   return changes;

@@ -95,13 +95,11 @@ struct Tuning
   // Angles that triangles keep or get. 36 degrees by swaps for valences; they come last: mixed with
   // Delaunay swaps and moves they cost quality, for the moves spread what they disturb.
   static constexpr double RegularityAngle = 36. * Pi / 180.;
-  static constexpr double SmallAngle = 0.62;  ///< below, triangles are repaired at the end
+  /// Below, triangles are repaired at the end; what is done for valences and for the error keeps
+  /// it.
+  static constexpr double SmallAngle = 0.62;
   static constexpr double SliverAngle = 0.25; ///< and in between
-  static constexpr double ErrorAngle = 0.616; ///< kept when the error is reduced
   static constexpr double PartingAngle = 0.5; ///< kept when self-intersections are parted
-  /// Kept when valences are repaired (33 degrees on smooth models): what can be had at a good angle
-  /// is not had at a lesser one. Armadillo at 5,000 points: 99.6 % of valence 5 to 7, for 98.9.
-  static constexpr std::array<double, 2> ValenceAngles = { { 0.613, 0.577 } };
 
   // Repair of single triangles (LocalRepair). Sizes are shares of the mean distance to the ring.
   static constexpr std::array<double, 5> PatternSizes = { { 0.2, 0.1, 0.05, 0.025, 0.0125 } };
@@ -146,10 +144,9 @@ struct Tuning
   /// Smallest area over the mean about a vertex, and the mean over the largest.
   static constexpr double EvennessOfAreas = 0.6;
   /// Over the mean edge: a point that far away was a tip, which is cut off. A ridge of rocker_arm
-  /// stood out by .51 % of the diagonal at .5. There areas may become less even, angles smaller.
+  /// stood out by .51 % of the diagonal at .5. There areas may become less even.
   static constexpr double DistanceOfTip = 0.33;
   static constexpr double EvennessAtTip = 0.5;
-  static constexpr double AngleAtTip = 0.577;
 
   // Parting triangles that pass through each other (SelfIntersections): two thirds of the pairs in
   // the armadillo's ears and claws at 5,000 points.

@@ -387,9 +387,10 @@ TEST(SurfaceError, MovesLowerIt)
   };
   const double before = total();
   const double worst = worstOf(t->mesh);
-  EXPECT_GT(reduceSurfaceError(t->edit, 0.6, 1.), 0);
+  constexpr double angle = 0.6;
+  EXPECT_GT(reduceSurfaceError(t->edit, angle, 1.), 0);
   EXPECT_LT(total(), 0.6 * before);
-  EXPECT_GE(worstOf(t->mesh), std::min(Tuning::AngleAtTip, worst) - 1e-6);
+  EXPECT_GE(worstOf(t->mesh), std::min(angle, worst) - 1e-6);
 }
 
 TEST(SurfaceProximity, KnowsDistancesAndSides)
