@@ -119,7 +119,7 @@ Viewer::Viewer(
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
                         "Lost feature edges of the input are violet in the views.");
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
-  this->Window.setTitle(std::filesystem::path(document.session.text("model")).filename().string());
+  this->renewTitle();
   this->connect();
   this->showSession();
 }
@@ -638,8 +638,21 @@ void Viewer::showStale()
   }
 }
 
+void Viewer::renewTitle()
+{
+  const auto nameOf = [](const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+  };
+  std::error_code error;
+  const bool isInSession =
+    this->isOurs(this->Files.session) && std::filesystem::exists(this->Files.session, error);
+  this->Window.setTitle(
+    nameOf(this->Now.text("model")) + (isInSession ? ", " + nameOf(this->Files.session) : ""));
+}
+
 void Viewer::say(const std::string& sentence, bool alarm)
 {
+  this->HintIsNewer = false;
   if (this->Message != sentence || this->MessageAlarm != alarm)
   {
     this->Message = sentence;

@@ -220,6 +220,8 @@ private:
     const PickedPlace& place, bool path) const;
   /// What the left button does over a view.
   [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
+  /// The model's name, and the session's if it has one.
+  void renewTitle();
   /// Of what is under the pointer now.
   void renewHint();
   void togglePoint(const PickedPlace& place);
@@ -296,7 +298,8 @@ private:
   std::function<void()> AfterSaving; ///< what waits for that
   std::function<void()> AfterDraw;   ///< takes long, once what is said of it can be read
   std::string Message;
-  std::string Hint; ///< of what is under the pointer
+  std::string Hint;         ///< of what is under the pointer
+  bool HintIsNewer = false; ///< than the message, and a control's
   bool MessageAlarm = false;
   Activity Doing; ///< as it is shown
   bool ShownStale = false;

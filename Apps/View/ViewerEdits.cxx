@@ -266,6 +266,7 @@ bool Viewer::writeSessionFile()
   {
     this->Saved = this->Now;
     this->NewSession = wholePath(this->Files.session);
+    this->renewTitle();
   }
   this->say(
     status.ok() ? "Wrote " + wholePath(this->Files.session) + "." : status.message(), !status.ok());

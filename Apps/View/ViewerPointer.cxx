@@ -225,9 +225,12 @@ std::string Viewer::toolHint(const Pointer& pointer) const
                "features, Shift+P takes that away; y mirrors: ") +
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
-      return "Point: a click picks a point that is to be a vertex, a click on it lets it go.";
+      return "Point: a click picks a point that is to be a vertex, a click on it lets it go; "
+             "beside the "
+             "model a drag turns it.";
     case Tool::Edge:
-      return "Edge: a click tags an edge as a feature, Shift all on the way from the last one.";
+      return "Edge: a click tags an edge as a feature, Shift all on the way from the last one; "
+             "beside the model a drag turns it.";
     default:
       return "Drag turns, Shift moves, the wheel zooms at the pointer; r shows the whole model.";
   }
@@ -240,6 +243,7 @@ void Viewer::renewHint()
   if (hint != this->Hint)
   {
     this->Hint = hint;
+    this->HintIsNewer = this->Under && !hint.empty();
     this->Window.touch(ViewerWindow::Status);
   }
 }

@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import pictures
-from live_window import LiveWindow
+from live_window import STATUS_ROWS, LiveWindow
 from stipple_program import CUBE, LIMIT, VIEW, mesh_check, run
 from view_program import FANDISK, ViewTest
 
@@ -288,6 +288,23 @@ class Files(ViewTest):
         save = "Control+S", "Control+a", *"a.off", "Return"
         self.play(*save, *save, "Control+j", model=("part.off", "--points", 300))
         self.assertTrue((self.work / "part-session.json").exists(), "no question is open")
+
+    def test_the_title_names_the_session_and_controls_hint_over_what_was_said(self):
+        session = self.work / "mine.json"
+        with LiveWindow(VIEW, self.work / "part.off", "--points", 300, "--save-session", session) as window:
+            window.move(400, 300)
+            before = window.settle()
+            self.assertEqual(window.title(), "part.off - stipple")
+            window.key("Control_L+j")
+            said = window.settle(after=before)
+            self.assertEqual(window.title(), "part.off, mine.json - stipple")
+            status = np.s_[-STATUS_ROWS:]
+            window.move(1050, 146)
+            hinted = window.settle(after=said)
+            self.assertTrue((hinted[status] != said[status]).any(), "the control says what it is")
+            window.move(400, 300)
+            again = window.settle(after=hinted)
+            self.assertFalse((again[status] != said[status]).any(), "what was said is back")
 
     def test_the_proposed_name_keeps_its_ending(self):
         self.play("Control+S", *"mine", "Return", model=("part.off", "--points", 300))
