@@ -21,8 +21,8 @@ namespace stipple
 {
 namespace
 {
-/// Of the nearest segment's length: a chord of an eighth of a circle is off by a tenth.
-constexpr double Far = 0.3;
+/// Of the nearest segment's length: a chord of a quarter of a circle is off by as much.
+constexpr double Far = 0.2;
 
 void forEachSegment(vtkPolyData* lines, const std::function<void(vtkIdType, vtkIdType)>& f)
 {

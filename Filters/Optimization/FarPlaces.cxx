@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FarPlaces.h"
 
+#include "FaceSets.h"
 #include "LooseMesh.h"
 #include "MeshQuality.h"
 #include "ParallelFor.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace stipple
@@ -360,6 +362,74 @@ private:
   const double Share;
   std::vector<double> SpacingAt; // by point of the surface
 };
+
+/// Triangles of a mesh as a surface of their own.
+TriangleSurface partOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+{
+  TriangleSurface part;
+  std::map<Vertex, int> number;
+  for (const Face f : faces)
+  {
+    Triangle t;
+    const auto corners = mesh.corners(f);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto [found, isNew] =
+        number.try_emplace(corners[k], static_cast<int>(part.points.size()));
+      if (isNew)
+      {
+        part.points.push_back(mesh.position(corners[k]));
+      }
+      t[k] = found->second;
+    }
+    part.triangles.push_back(t);
+  }
+  return part;
+}
+
+/// Tells places the triangles next to them, and how far these are: those of the mesh of their own
+/// component, however near another one comes.
+Status findNearest(
+  const OptimizedMesh& mesh, const Progress& progress, std::vector<FarPlace>& places)
+{
+  const FaceSets components(mesh.atlas().surface(), [](Halfedge) { return true; });
+  const auto n = static_cast<std::size_t>(components.number);
+  std::vector<std::vector<Face>> faces(n);
+  for (const Face f : mesh.faces())
+  {
+    faces[components.of[Face(mesh.place(mesh.corners(f)[0]).face)]].push_back(f);
+  }
+  std::vector<std::vector<std::size_t>> placesOf(n);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    placesOf[components.of[Face(places[i].place.face)]].push_back(i);
+  }
+  for (std::size_t c = 0; c < n; ++c)
+  {
+    if (placesOf[c].empty() || faces[c].empty())
+    {
+      continue;
+    }
+    std::vector<Vec3> positions;
+    for (const std::size_t i : placesOf[c])
+    {
+      positions.push_back(places[i].position);
+    }
+    std::vector<NearestTriangle::Hit> nearest;
+    if (Status status = nearestPlaces(positions, partOf(mesh, faces[c]), progress, nearest);
+        !status.ok())
+    {
+      return status;
+    }
+    for (std::size_t k = 0; k < nearest.size(); ++k)
+    {
+      FarPlace& place = places[placesOf[c][k]];
+      place.face = faces[c][static_cast<std::size_t>(nearest[k].face)];
+      place.distance = std::sqrt(nearest[k].squaredDistance);
+    }
+  }
+  return Status::success();
+}
 }
 
 Status farPlaces(
@@ -380,27 +450,13 @@ Status farPlaces(
   {
     return Status::success();
   }
-  TriangleSurface whole;
-  for (const Vertex v : mesh.vertices())
-  {
-    whole.points.push_back(mesh.position(v));
-  }
-  whole.triangles = mesh.triangles();
-  std::vector<Vec3> positions;
-  std::transform(places.begin(), places.end(), std::back_inserter(positions),
-    [](const FarPlace& place) { return place.position; });
-  std::vector<NearestTriangle::Hit> nearest;
-  if (Status status = nearestPlaces(positions, whole, progress, nearest); !status.ok())
+  if (Status status = findNearest(mesh, progress, places); !status.ok())
   {
     return status;
   }
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    places[i].face = Face(nearest[i].face);
-    places[i].distance = std::sqrt(nearest[i].squaredDistance);
-  }
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](const FarPlace& p) { return p.distance <= lookout.bound(p.face); }),
+  places.erase(
+    std::remove_if(places.begin(), places.end(),
+      [&](const FarPlace& p) { return !p.face.valid() || p.distance <= lookout.bound(p.face); }),
     places.end());
   std::stable_sort(places.begin(), places.end(),
     [](const FarPlace& a, const FarPlace& b) { return a.distance > b.distance; });

@@ -10,7 +10,7 @@
 
 namespace stipple
 {
-/// A place of the surface, and the nearest triangle of the mesh.
+/// A place of the surface, and the nearest triangle of the mesh on the same component.
 struct FarPlace
 {
   SurfacePlace place;

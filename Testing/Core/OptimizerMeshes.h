@@ -71,20 +71,26 @@ struct TestMesh
   }
 };
 
-/// n x n squares with a place each, at(i, j), as one chart that only its outline bounds; not yet
-/// read.
+/// n x n squares with a place each, at(i, j), as one more chart that only its outline bounds.
 template <typename At>
-std::unique_ptr<TestMesh> openChart(const At& at, int n, const Vec2& extent)
+void addOpenChart(synthetic::Builder& builder, const At& at, int n, const Vec2& extent)
 {
-  auto t = std::make_unique<TestMesh>();
-  t->builder.addGrid(n, n, at, extent);
+  builder.addGrid(n, n, at, extent);
   const std::array<std::array<int, 2>, 5> corner = { { { { 0, 0 } }, { { n, 0 } }, { { n, n } },
     { { 0, n } }, { { 0, 0 } } } };
   for (int k = 0; k < 4; ++k)
   {
-    t->builder.addBackbone(BackboneType::Boundary,
+    builder.addBackbone(BackboneType::Boundary,
       synthetic::run(at, corner[k][0], corner[k][1], corner[k + 1][0], corner[k + 1][1]));
   }
+}
+
+/// The same as the only chart; not yet read.
+template <typename At>
+std::unique_ptr<TestMesh> openChart(const At& at, int n, const Vec2& extent)
+{
+  auto t = std::make_unique<TestMesh>();
+  addOpenChart(t->builder, at, n, extent);
   return t;
 }
 

@@ -159,6 +159,43 @@ TEST(FarPlaces, AreFoundAndReached)
   EXPECT_EQ(atTop, 1);
 }
 
+TEST(FarPlaces, AreFarFromTheirOwnComponent)
+{
+  // A thorn of one sheet ends just below another sheet, which is no help to it.
+  constexpr int N = 24;
+  constexpr double Top = 0.3;
+  auto t = std::make_unique<meshes::TestMesh>();
+  const auto sheet = [](double height, double thorn) {
+    return [=](int i, int j) {
+      const bool isThorn = i == N / 2 + 1 && j == N / 2 + 1;
+      return Vec3(
+        static_cast<double>(i) / N, static_cast<double>(j) / N, height + (isThorn ? thorn : 0.));
+    };
+  };
+  meshes::addOpenChart(t->builder, sheet(0., Top), N, Vec2(1, 1));
+  meshes::addOpenChart(t->builder, sheet(Top + 0.01, 0.), N, Vec2(1, 1));
+  t->read();
+  t->samples = synthetic::sample(t->atlas->surface(), t->atlas->graph(), t->atlas->traces(), 60);
+  ASSERT_TRUE(createMesh(*t->atlas, t->samples, t->triangles, {}).ok());
+  t->build();
+  ASSERT_EQ(meshes::eulerOf(t->mesh), 2);
+  std::vector<FarPlace> places;
+  ASSERT_TRUE(farPlaces(t->mesh, 0.5, {}, places).ok());
+  ASSERT_FALSE(places.empty());
+  EXPECT_NEAR(places.front().position.z(), Top, 1e-9);
+  EXPECT_GT(places.front().distance, 0.5 * Top);
+  ASSERT_TRUE(reachPlaces(t->mesh, places, 1.).ok());
+  for (const Face f : t->mesh.faces())
+  {
+    int above = 0;
+    for (const Vertex v : t->mesh.corners(f))
+    {
+      above += t->mesh.position(v).z() > Top + 0.005 ? 1 : 0;
+    }
+    EXPECT_EQ(above % 3, 0) << "no triangle leads from one sheet to the other";
+  }
+}
+
 TEST(FarPlaces, OnCreasesGoIntoTheirEdges)
 {
   const auto t = meshes::patch(10, [](double x, double y) {
