@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Backbones.h"
 
+#include "FeatureGraph.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -51,12 +53,13 @@ vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
   return selectedBackbones(lines, [&](vtkIdType cell) { return isOfType(lines, type, cell); });
 }
 
-vtkSmartPointer<vtkPolyData> sharpBackbones(vtkPolyData* lines)
+vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, double edgeLength)
 {
   constexpr int Sharp = 0;
   vtkDataArray* widths = lines ? lines->GetCellData()->GetArray("Width") : nullptr;
   return selectedBackbones(lines, [&](vtkIdType cell) {
-    return isOfType(lines, Sharp, cell) && (!widths || widths->GetComponent(cell, 0) == 0.);
+    return isOfType(lines, Sharp, cell) &&
+      (!widths || widths->GetComponent(cell, 0) <= Backbone::WidthOfCrease * edgeLength);
   });
 }
 }

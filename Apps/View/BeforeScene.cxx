@@ -153,12 +153,25 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     actor->GetProperty()->SetBackfaceCulling(this->Solid);
     this->Renderer->AddActor(actor);
   }
+  this->Graph = graph;
   for (int type = 0; type < 3; ++type)
   {
     static_cast<vtkPolyDataMapper*>(this->Lines[type]->GetMapper())
-      ->SetInputData(backbonesOfType(graph, type));
+      ->SetInputData(type == 0 ? creasesTo(graph, this->EdgeLength) : backbonesOfType(graph, type));
   }
   this->showRightActors();
+}
+
+void BeforeScene::setEdgeLength(double length)
+{
+  this->EdgeLength = length;
+  auto* mapper = static_cast<vtkPolyDataMapper*>(this->Lines[0]->GetMapper());
+  const vtkSmartPointer<vtkPolyData> creases = creasesTo(this->Graph, length);
+  if (creases->GetNumberOfLines() != mapper->GetInput()->GetNumberOfLines())
+  {
+    mapper->SetInputData(creases);
+    this->showRightActors();
+  }
 }
 
 void BeforeScene::setDensity(std::vector<vtkSmartPointer<vtkImageData>> density)

@@ -271,9 +271,18 @@ void FileChooser::accept()
 
 void FileChooser::acceptName()
 {
-  const fs::path file = this->typedPath();
   const auto& endings = this->Wanted.endings;
-  if (std::find(endings.begin(), endings.end(), fileExtension(this->Typed.text())) == endings.end())
+  const auto hasEnding = [&endings](const std::string& name) {
+    return std::find(endings.begin(), endings.end(), fileExtension(name)) != endings.end();
+  };
+  // Who types over the stem that is selected types an ending, too, before the one that is there.
+  if (const fs::path typed(this->Typed.text());
+      hasEnding(typed.string()) && hasEnding(typed.stem().string()))
+  {
+    this->Typed.set((typed.parent_path() / typed.stem()).string());
+  }
+  const fs::path file = this->typedPath();
+  if (!hasEnding(this->Typed.text()))
   {
     this->Sentence = "The name must end in one of";
     for (const std::string& ending : endings)

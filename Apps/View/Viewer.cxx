@@ -116,8 +116,8 @@ Viewer::Viewer(
   this->Curve.setHint(
     "Blue: importance in, importance out; orange: with gamma; bars: how much of the "
     "surface. Left adds and drags, right removes.");
-  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle. "
-                        "Lost feature edges of the input are violet in the views.");
+  this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle, "
+                        "Shift+G to a lost feature edge of the input, violet in the views.");
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
   this->renewTitle();
   this->connect();
@@ -370,6 +370,7 @@ void Viewer::takeResults()
     this->AfterSide.setLost(this->Mesh->lost);
     this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
     this->BeforeSide.setMissed(this->Mesh->colors);
+    this->NextLost = 0;
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showSession();
@@ -425,6 +426,7 @@ bool Viewer::takePreview()
   {
     this->BeforeSide.setDensity(std::move(preview->density));
     this->BeforeSide.setDots(std::move(preview->dots));
+    this->BeforeSide.setEdgeLength(this->edgeOf(preview->numberOfSamples));
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
@@ -608,15 +610,18 @@ void Viewer::changed(bool rests)
   this->showSession();
 }
 
+double Viewer::edgeOf(vtkIdType points) const
+{
+  return points > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / static_cast<double>(points)) : 0.;
+}
+
 void Viewer::showSession()
 {
   const int points = this->Doing.tried > 0 ? this->Doing.tried
     : this->Shown                          ? static_cast<int>(this->Shown->numberOfSamples)
                                            : 0;
-  // Of equilateral triangles that are alike, as many as the mesh has.
-  const vtkIdType number = this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0;
   this->Controls.show(this->Now, this->View, points,
-    number > 0 ? std::sqrt(2 / std::sqrt(3.) * this->Area / static_cast<double>(number)) : 0);
+    this->edgeOf(this->meshIsCurrent() ? this->Mesh->mesh->GetNumberOfPoints() : 0));
   this->Controls.setUndo(this->Edits.canUndo() || this->Editing, this->Edits.canRedo());
   this->Curve.setPoints(this->Now.rows<2>("transfer"));
   this->Curve.setGamma(this->Now.number("gamma"));

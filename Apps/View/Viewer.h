@@ -155,6 +155,7 @@ private:
   [[nodiscard]] bool showsVertices() const;
   /// The next of the triangles with the smallest angles is marked and looked at.
   void goToWorst();
+  void goToLost();
   /// What is done now, as everything in the window says it.
   [[nodiscard]] Activity activity();
   void showActivity();
@@ -220,6 +221,8 @@ private:
     const PickedPlace& place, bool path) const;
   /// What the left button does over a view.
   [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
+  /// Of equilateral triangles that are alike, as many as a mesh of so many points has; 0 of none.
+  [[nodiscard]] double edgeOf(vtkIdType points) const;
   /// The model's name, and the session's if it has one.
   void renewTitle();
   /// Of what is under the pointer now.
@@ -273,6 +276,7 @@ private:
   Control* Under = nullptr;
   Pointer LastPointer;
   std::size_t NextWorst = 0; ///< of the mesh's worst triangles
+  vtkIdType NextLost = 0;    ///< of the feature edges that it has not
   vtkIdType LastTagged = -1; ///< point where the last tagged edge ends
 
   bool HasAtlas = false;                 ///< there are charts

@@ -219,9 +219,16 @@ std::string Viewer::remark() const
   }
   const vtkIdType cut = this->Mesh->figures.cutEdges;
   const int lost = this->Mesh->figures.lostFeatureEdges;
-  return (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
+  const vtkIdType quads = this->Mesh->figures.quads;
+  const bool fewQuads =
+    this->Now.text("pattern") == "quads" && 2 * quads < this->Mesh->mesh->GetNumberOfPolys();
+  const char* fewQuadsWhy = this->Now.text("importance") == "uniform"
+    ? " Few quads: beside features and seams are triangles."
+    : " Few quads: sizes differ; importance uniform gives more.";
+  return std::string(fewQuads ? fewQuadsWhy : "") +
+    (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
     (lost > 0 ? " Lost (violet): " +
-          countOf(lost, "feature edge", " of the input; more points keep them.")
+          countOf(lost, "feature edge", " of the input; more points keep more of them.")
               : "");
 }
 

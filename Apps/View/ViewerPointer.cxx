@@ -229,7 +229,8 @@ std::string Viewer::toolHint(const Pointer& pointer) const
              "beside the "
              "model a drag turns it.";
     case Tool::Edge:
-      return "Edge: a click tags an edge as a feature, Shift all on the way from the last one; "
+      return "Edge: a click tags an edge as a feature, or no more, Shift all on the way from the "
+             "last one; "
              "beside the model a drag turns it.";
     default:
       return "Drag turns, Shift moves, the wheel zooms at the pointer; r shows the whole model.";

@@ -101,6 +101,15 @@ std::array<double, 2> progressOf(int algorithm, bool subdivides)
   return range;
 }
 
+/// A count that is not known better, as it is read: 4300, 1200000.
+std::string inTwoDigits(double count)
+{
+  const double unit = std::pow(10., std::max(0., std::floor(std::log10(count)) - 1.));
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << unit * std::round(count / unit);
+  return text.str();
+}
+
 /// Whether all went well; if not, what there is to say of it.
 bool noted(const stipple::Status& status, unsigned long& code, std::string& sentence)
 {
@@ -706,8 +715,8 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
              << 100. * search.nearest() / diagonal << " %";
     if (search.tooMany() > 0.)
     {
-      sentence << ", and it takes some " << std::setprecision(2) << search.tooMany() / 1e6
-               << " million points, of which there can be " << static_cast<int>(most);
+      sentence << ", and it takes some " << inTwoDigits(search.tooMany())
+               << " points, of which there can be " << static_cast<int>(most);
     }
     sentence << ": allow a larger deviation" << (most < all ? ", or shorter edges." : ".");
     return fail(sentence.str());

@@ -208,6 +208,17 @@ class Inspection(ViewTest):
             self.assertEqual(violet[1], 0)
             self.assertLess(violet[2], violet[0] / 3)
 
+    def test_a_lost_feature_edge_is_looked_at(self):
+        steps = [self.recorded("v"), self.recorded("l", "G"), self.recorded("G")]
+        before, first, second = self.shots((FANDISK, "--points", 100), *steps)
+        for one in (first, second):
+            # In the middle of the left view, though feature lines were off.
+            ys, xs = np.nonzero((one[..., 2] > 190) & (one[..., 0] < 150) & (one[..., 1] < 70))
+            middle = (abs(xs - 252) < 60) & (abs(ys - 521) < 60)
+            self.assertGreater(middle.sum(), 5)
+        self.assertGreater(pictures.worst_pixel(first[:26], second[:26]), 60, "the status line tells which")
+        self.assertGreater(pictures.worst_pixel(first[self.right], before[self.right]), 60)
+
     def test_the_worst_triangle_is_marked_and_looked_at(self):
         steps = [self.recorded("v"), self.recorded("g"), self.recorded("g"), self.recorded("r")]
         before, worst, next_one, all_of_it = self.shots(self.model, *steps)

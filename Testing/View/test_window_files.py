@@ -310,6 +310,11 @@ class Files(ViewTest):
         self.play("Control+S", *"mine", "Return", model=("part.off", "--points", 300))
         self.assertTrue((self.work / "mine.ply").exists())
 
+    def test_an_ending_that_is_typed_is_not_doubled(self):
+        self.play("Control+S", *"mine.ply", "Return", model=("part.off", "--points", 300))
+        self.assertTrue((self.work / "mine.ply").exists())
+        self.assertFalse((self.work / "mine.ply.ply").exists())
+
     def test_a_path_is_pasted(self):
         """As people copy it from a terminal, the line's end with it."""
         mesh = self.work / "below" / "pasted.off"
