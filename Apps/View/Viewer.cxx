@@ -371,6 +371,7 @@ void Viewer::takeResults()
     this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
     this->BeforeSide.setMissed(this->Mesh->colors);
     this->NextLost = 0;
+    this->HintIsOld = true; // what there is to say of the mesh is seen, wherever the pointer rests
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showSession();

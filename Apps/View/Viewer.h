@@ -304,6 +304,7 @@ private:
   std::string Message;
   std::string Hint;         ///< of what is under the pointer
   bool HintIsNewer = false; ///< than the message, and a control's
+  bool HintIsOld = false;   ///< older than the mesh
   bool MessageAlarm = false;
   Activity Doing; ///< as it is shown
   bool ShownStale = false;

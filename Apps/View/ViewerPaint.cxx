@@ -250,7 +250,7 @@ void Viewer::paintStatus(Canvas& canvas)
   {
     words += words.empty() || doing.empty() ? doing : " " + doing;
   }
-  if (words.empty())
+  if (words.empty() && !this->HintIsOld)
   {
     words = this->Hint;
   }

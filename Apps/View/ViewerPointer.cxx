@@ -245,6 +245,7 @@ void Viewer::renewHint()
   {
     this->Hint = hint;
     this->HintIsNewer = this->Under && !hint.empty();
+    this->HintIsOld = false;
     this->Window.touch(ViewerWindow::Status);
   }
 }
