@@ -226,12 +226,10 @@ std::string Viewer::toolHint(const Pointer& pointer) const
         (this->View.brushMirror < 0 ? "no" : std::string(1, "xyz"[this->View.brushMirror])) + ".";
     case Tool::Point:
       return "Point: a click picks a point that is to be a vertex, a click on it lets it go; "
-             "beside the "
-             "model a drag turns it.";
+             "beside the model a drag turns it.";
     case Tool::Edge:
       return "Edge: a click tags an edge as a feature, or no more, Shift all on the way from the "
-             "last one; "
-             "beside the model a drag turns it.";
+             "last one; beside the model a drag turns it.";
     default:
       return "Drag turns, Shift moves, the wheel zooms at the pointer; r shows the whole model.";
   }

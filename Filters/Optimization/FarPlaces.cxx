@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace stipple
@@ -364,24 +363,24 @@ private:
   std::vector<double> SpacingAt; // by point of the surface
 };
 
-/// Triangles of a mesh as a surface of their own.
-TriangleSurface partOf(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+/// Triangles of a mesh, all of some components, as a surface of their own; `number` has -1 for each
+/// of their vertices.
+TriangleSurface partOf(
+  const OptimizedMesh& mesh, const std::vector<Face>& faces, ElementArray<Vertex, int>& number)
 {
   TriangleSurface part;
-  std::map<Vertex, int> number;
   for (const Face f : faces)
   {
     Triangle t;
     const auto corners = mesh.corners(f);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto [found, isNew] =
-        number.try_emplace(corners[k], static_cast<int>(part.points.size()));
-      if (isNew)
+      if (number[corners[k]] < 0)
       {
+        number[corners[k]] = static_cast<int>(part.points.size());
         part.points.push_back(mesh.position(corners[k]));
       }
-      t[k] = found->second;
+      t[k] = number[corners[k]];
     }
     part.triangles.push_back(t);
   }
@@ -464,6 +463,7 @@ Status findNearest(
   {
     placesOf[components.of[Face(places[i].place.face)]].push_back(i);
   }
+  ElementArray<Vertex, int> number(static_cast<std::size_t>(mesh.vertices().size()), -1);
   for (std::size_t c = 0; c < n; ++c)
   {
     if (placesOf[c].empty() || faces[c].empty())
@@ -476,7 +476,7 @@ Status findNearest(
       positions.push_back(places[i].position);
     }
     std::vector<NearestTriangle::Hit> nearest;
-    if (Status status = nearestPlaces(positions, partOf(mesh, faces[c]), progress, nearest);
+    if (Status status = nearestPlaces(positions, partOf(mesh, faces[c], number), progress, nearest);
         !status.ok())
     {
       return status;
