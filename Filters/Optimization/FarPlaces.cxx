@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace stipple
@@ -387,61 +386,6 @@ TriangleSurface partOf(
   return part;
 }
 
-/// The place of the surface next to one off it, from a place near it: walks towards it as long as
-/// that brings nearer. The surface in between counts, not another sheet that comes near.
-FarPlace nextTo(const OptimizedMesh& mesh, const Vec3& middle, const SurfacePlace& from)
-{
-  constexpr int MostWalks = 8;
-  const Atlas& atlas = mesh.atlas();
-  FarPlace best;
-  best.place = from;
-  best.position = atlas.surface().position(Face(from.face), from.bary);
-  best.distance = (middle - best.position).norm();
-  for (int i = 0; i < MostWalks; ++i)
-  {
-    FarPlace next;
-    next.place = atlas.walk().walk(best.place, middle - best.position, true);
-    next.position = atlas.surface().position(Face(next.place.face), next.place.bary);
-    next.distance = (middle - next.position).norm();
-    if (!(next.distance < best.distance))
-    {
-      break;
-    }
-    best = next;
-  }
-  return best;
-}
-
-/// Places of the surface that triangles of the mesh are far from, as those that lead over a valley:
-/// next to their middles.
-std::vector<FarPlace> placesUnderFaces(const OptimizedMesh& mesh, const Lookout& lookout)
-{
-  ElementArray<Face, FarPlace> under(static_cast<std::size_t>(mesh.faces().size()));
-  parallelFor(mesh.faces(), [&](Face f) {
-    const auto corners = mesh.corners(f);
-    const Vec3 middle =
-      (mesh.position(corners[0]) + mesh.position(corners[1]) + mesh.position(corners[2])) / 3.;
-    const double bound = lookout.bound(f);
-    FarPlace& least = under[f];
-    least.distance = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < 3 && least.distance > bound; ++k)
-    {
-      const FarPlace next = nextTo(mesh, middle, mesh.place(corners[k]));
-      least = next.distance < least.distance ? next : least;
-    }
-    least.face = least.distance > bound ? f : Face();
-  });
-  std::vector<FarPlace> places;
-  for (const Face f : mesh.faces())
-  {
-    if (under[f].face.valid())
-    {
-      places.push_back(under[f]);
-    }
-  }
-  return places;
-}
-
 /// Tells places the triangles next to them, and how far these are: those of the mesh of their own
 /// component, however near another one comes.
 Status findNearest(
@@ -514,8 +458,6 @@ Status farPlaces(
     std::remove_if(places.begin(), places.end(),
       [&](const FarPlace& p) { return !p.face.valid() || p.distance <= lookout.bound(p.face); }),
     places.end());
-  const std::vector<FarPlace> under = placesUnderFaces(mesh, lookout);
-  places.insert(places.end(), under.begin(), under.end());
   std::stable_sort(places.begin(), places.end(),
     [](const FarPlace& a, const FarPlace& b) { return a.distance > b.distance; });
   return Status::success();

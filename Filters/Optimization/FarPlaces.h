@@ -23,8 +23,7 @@ struct FarPlace
 
 /// Places of the surface that are farther from the mesh than a share of the spacing there, or than
 /// what shows (VertexSpacing), the farthest first: of its points, and of others on creases and
-/// inside large triangles, an edge of the mesh apart; and of those next to the middles of the
-/// mesh's triangles, where these are as far.
+/// inside large triangles, an edge of the mesh apart.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status farPlaces(
   const OptimizedMesh& mesh, double share, const Progress& progress, std::vector<FarPlace>& places);
 

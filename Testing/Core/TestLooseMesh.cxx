@@ -196,30 +196,6 @@ TEST(FarPlaces, AreFarFromTheirOwnComponent)
   }
 }
 
-TEST(FarPlaces, AreFoundUnderTheMiddlesOfTriangles)
-{
-  const auto t = hill(10, 0.3);
-  std::vector<FarPlace> places;
-  ASSERT_TRUE(farPlaces(t->mesh, 0.5, {}, places).ok());
-  int under = 0;
-  for (const FarPlace& p : places)
-  {
-    Vec3 middle = Vec3::Zero();
-    for (const Vertex v : t->mesh.corners(p.face))
-    {
-      middle += t->mesh.position(v) / 3.;
-    }
-    if (std::abs((p.position - middle).norm() - p.distance) < 1e-12)
-    {
-      ++under;
-      EXPECT_GT(
-        p.distance, Tuning::VisibleDistance * t->mesh.atlas().surface().boundingBoxDiagonal());
-      EXPECT_LT(std::hypot(p.position.x() - 0.55, p.position.y() - 0.55), 0.1) << "on the hill";
-    }
-  }
-  EXPECT_GE(under, 2) << "the triangles of the square over which the hill stands";
-}
-
 TEST(FarPlaces, OnCreasesGoIntoTheirEdges)
 {
   const auto t = meshes::patch(10, [](double x, double y) {
