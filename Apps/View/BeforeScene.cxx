@@ -164,6 +164,10 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
 
 void BeforeScene::setEdgeLength(double length)
 {
+  if (length == this->EdgeLength)
+  {
+    return;
+  }
   this->EdgeLength = length;
   auto* mapper = static_cast<vtkPolyDataMapper*>(this->Lines[0]->GetMapper());
   const vtkSmartPointer<vtkPolyData> creases = creasesTo(this->Graph, length);

@@ -79,50 +79,13 @@ private:
   vtkPolyData* Mesh;
   vtkNew<vtkStaticCellLocator> Locator;
 };
-}
 
-Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const int* origin = renderer->GetOrigin();
-  const int* size = renderer->GetSize();
-  const Vec3 focus(camera->GetFocalPoint());
-  const Vec3 ahead(camera->GetDirectionOfProjection());
-  const Vec3 right = ahead.cross(Vec3(camera->GetViewUp())).normalized();
-  const Vec3 up = right.cross(ahead);
-  // Of half the view's height.
-  const double dx = 2. * (x - origin[0] - 0.5 * size[0]) / size[1];
-  const double dy = 2. * (y - origin[1] - 0.5 * size[1]) / size[1];
-  const double half =
-    camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
-  return focus + half * (dx * right + dy * up);
-}
+constexpr double Own = 0.05; // of the size: what is so near is not in the way
 
-std::array<double, 9> placeOf(vtkCamera* camera)
-{
-  std::array<double, 9> place;
-  camera->GetPosition(place.data());
-  camera->GetFocalPoint(place.data() + 3);
-  camera->GetViewUp(place.data() + 6);
-  return place;
-}
-
-void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid)
+/// At a place, of something of that size, from a side or, where the mesh is in the way, aslant.
+void look(vtkCamera* camera, const Outlook& outlook, const Vec3& middle, double size, Vec3 from)
 {
   constexpr double ShareOfView = 0.1;
-  const std::array<Vec3, 3> corners = cornersOf(mesh, cell);
-  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
-  const double size = std::max({ (corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
-    (corners[0] - corners[2]).norm() });
-  Vec3 from = normalOf(corners);
-  from = from.norm() > 1e-9 * size * size ? from.normalized()
-                                          : -Vec3(camera->GetDirectionOfProjection());
-  const Outlook outlook(mesh);
-  constexpr double Own = 0.05; // of the size: what is so near is not in the way
-  if (isSolid && outlook.isInside(middle + Own * size * from, from))
-  {
-    from = -from;
-  }
   const double wanted =
     0.5 * size / ShareOfView / std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
   // Straight on, but where the surface is in the way, as in a crevice: aslant from where it is not,
@@ -157,6 +120,56 @@ void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid)
   camera->SetFocalPoint(middle.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(up.data());
+}
+}
+
+Vec3 focalPlaneAt(vtkRenderer* renderer, double x, double y)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const int* origin = renderer->GetOrigin();
+  const int* size = renderer->GetSize();
+  const Vec3 focus(camera->GetFocalPoint());
+  const Vec3 ahead(camera->GetDirectionOfProjection());
+  const Vec3 right = ahead.cross(Vec3(camera->GetViewUp())).normalized();
+  const Vec3 up = right.cross(ahead);
+  // Of half the view's height.
+  const double dx = 2. * (x - origin[0] - 0.5 * size[0]) / size[1];
+  const double dy = 2. * (y - origin[1] - 0.5 * size[1]) / size[1];
+  const double half =
+    camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  return focus + half * (dx * right + dy * up);
+}
+
+std::array<double, 9> placeOf(vtkCamera* camera)
+{
+  std::array<double, 9> place;
+  camera->GetPosition(place.data());
+  camera->GetFocalPoint(place.data() + 3);
+  camera->GetViewUp(place.data() + 6);
+  return place;
+}
+
+void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid)
+{
+  const std::array<Vec3, 3> corners = cornersOf(mesh, cell);
+  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+  const double size = std::max({ (corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
+    (corners[0] - corners[2]).norm() });
+  Vec3 from = normalOf(corners);
+  from = from.norm() > 1e-9 * size * size ? from.normalized()
+                                          : -Vec3(camera->GetDirectionOfProjection());
+  const Outlook outlook(mesh);
+  if (isSolid && outlook.isInside(middle + Own * size * from, from))
+  {
+    from = -from;
+  }
+  look(camera, outlook, middle, size, from);
+}
+
+void lookAt(
+  vtkCamera* camera, vtkPolyData* surface, const Vec3& place, double size, const Vec3& from)
+{
+  look(camera, Outlook(surface), place, size, from);
 }
 
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor)

@@ -26,6 +26,10 @@ namespace stipple
 /// or from outside if that is inside of a solid, as in a fold; aslant where the mesh is in the way.
 void lookAt(vtkCamera* camera, vtkPolyData* mesh, vtkIdType cell, bool isSolid);
 
+/// The same at a place of a surface, at something of that size, from a side.
+void lookAt(
+  vtkCamera* camera, vtkPolyData* surface, const Vec3& place, double size, const Vec3& from);
+
 /// Makes everything larger by a factor; the center stays where it is on the screen.
 void zoomAbout(vtkCamera* camera, const Vec3& center, double factor);
 }

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkTriangleStrip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,14 @@ SurfacePicker::SurfacePicker(vtkPolyData* input)
     this->NumberOfPoints += firstAt[p] == static_cast<vtkIdType>(p);
   }
   this->Input->SetPolys(renumbered(input->GetPolys(), firstAt));
-  this->Input->SetStrips(renumbered(input->GetStrips(), firstAt));
+  const vtkSmartPointer<vtkCellArray> strips = renumbered(input->GetStrips(), firstAt);
+  vtkIdType size;
+  const vtkIdType* corners;
+  for (vtkIdType strip = 0; strip < strips->GetNumberOfCells(); ++strip)
+  {
+    strips->GetCellAtId(strip, size, corners);
+    vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, this->Input->GetPolys());
+  }
   this->Input->BuildLinks();
   this->Locator->SetDataSet(this->Input);
   this->Locator->BuildLocator();
@@ -97,7 +105,25 @@ bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace&
   {
     return false;
   }
-  place.position = Vec3(position);
+  place = this->placeOn(cell, Vec3(position));
+  return true;
+}
+
+PickedPlace SurfacePicker::nearest(const Vec3& position) const
+{
+  double there[3];
+  vtkIdType cell = 0;
+  int part;
+  double squared;
+  vtkNew<vtkGenericCell> face;
+  this->Locator->FindClosestPoint(position.data(), there, face, cell, part, squared);
+  return this->placeOn(cell, Vec3(there));
+}
+
+PickedPlace SurfacePicker::placeOn(vtkIdType cell, const Vec3& position) const
+{
+  PickedPlace place;
+  place.position = position;
   vtkNew<vtkIdList> ids;
   this->Input->GetCellPoints(cell, ids);
   const vtkIdType size = ids->GetNumberOfIds();
@@ -123,7 +149,7 @@ bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace&
     }
   }
   place.normal = normal.norm() > 0 ? normal.normalized() : Vec3::UnitZ();
-  return true;
+  return place;
 }
 
 std::vector<std::array<vtkIdType, 2>> SurfacePicker::shortestPath(

@@ -41,11 +41,17 @@ public:
   /// What the ray through a window's pixel hits first.
   [[nodiscard]] bool pick(vtkRenderer* renderer, double x, double y, PickedPlace& place) const;
 
+  /// The place of the surface next to one off it.
+  [[nodiscard]] PickedPlace nearest(const Vec3& position) const;
+
   /// Edges of the shortest way between two points of the input; empty if there is none.
   [[nodiscard]] std::vector<std::array<vtkIdType, 2>> shortestPath(
     vtkIdType from, vtkIdType to) const;
 
 private:
+  /// What is told of a place on a face.
+  [[nodiscard]] PickedPlace placeOn(vtkIdType cell, const Vec3& position) const;
+
   vtkSmartPointer<vtkPolyData> Input;
   vtkNew<vtkStaticCellLocator> Locator;
   vtkIdType NumberOfPoints = 0;

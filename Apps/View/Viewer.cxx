@@ -371,7 +371,7 @@ void Viewer::takeResults()
     this->Window.renderer(ViewerWindow::After)->AddActor(this->BeforeSide.points());
     this->BeforeSide.setMissed(this->Mesh->colors);
     this->NextLost = 0;
-    this->HintIsOld = true; // what there is to say of the mesh is seen, wherever the pointer rests
+    this->Hinting = HintTurn::Over; // what there is to say of it is seen, wherever the pointer is
     this->showVertices();
     this->Figures.setFigures(this->Mesh->figures);
     this->showSession();
@@ -658,7 +658,7 @@ void Viewer::renewTitle()
 
 void Viewer::say(const std::string& sentence, bool alarm)
 {
-  this->HintIsNewer = false;
+  this->Hinting = this->Hinting == HintTurn::First ? HintTurn::Last : this->Hinting;
   if (this->Message != sentence || this->MessageAlarm != alarm)
   {
     this->Message = sentence;

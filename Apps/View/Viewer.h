@@ -302,9 +302,16 @@ private:
   std::function<void()> AfterSaving; ///< what waits for that
   std::function<void()> AfterDraw;   ///< takes long, once what is said of it can be read
   std::string Message;
-  std::string Hint;         ///< of what is under the pointer
-  bool HintIsNewer = false; ///< than the message, and a control's
-  bool HintIsOld = false;   ///< older than the mesh
+  std::string Hint; ///< of what is under the pointer
+  /// When the hint is read: before the message, where it is a control's and the newer one; where
+  /// there is nothing else to say; or not, for the mesh is newer.
+  enum class HintTurn
+  {
+    First,
+    Last,
+    Over
+  };
+  HintTurn Hinting = HintTurn::Last;
   bool MessageAlarm = false;
   Activity Doing; ///< as it is shown
   bool ShownStale = false;

@@ -4,44 +4,16 @@
 #include "Viewer.h"
 
 #include "CameraMoves.h"
+#include "SurfacePicker.h"
 
-#include "vtkCamera.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 namespace stipple
 {
-namespace
-{
-Vec3 middleOf(vtkPolyData* surface, vtkIdType cell)
-{
-  double bounds[6];
-  surface->GetCellBounds(cell, bounds);
-  return 0.5 * Vec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
-}
-
-/// The cell whose bounding box has its middle next to a place.
-vtkIdType nearestCell(vtkPolyData* surface, const Vec3& place)
-{
-  vtkIdType nearest = 0;
-  double least = std::numeric_limits<double>::max();
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    const double squared = (middleOf(surface, cell) - place).squaredNorm();
-    if (squared < least)
-    {
-      least = squared;
-      nearest = cell;
-    }
-  }
-  return nearest;
-}
-}
-
 bool Viewer::key(const KeyStroke& stroke)
 {
   if (const std::shared_ptr<Page> page = this->Asked)
@@ -297,21 +269,18 @@ void Viewer::goToLost()
   }
   const vtkIdType edge = this->NextLost % number;
   this->NextLost = edge + 1;
-  const Vec3 middle = middleOf(lost, edge);
+  double bounds[6];
+  lost->GetCellBounds(edge, bounds);
+  const Vec3 middle =
+    0.5 * Vec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
   if (!this->View.features)
   {
     this->changeView([](ViewState& v) { v.features = true; });
   }
-  // From where the input is seen, as far away as that a triangle of the mesh is seen well.
-  vtkCamera* camera = this->Window.renderer(ViewerWindow::After)->GetActiveCamera();
-  constexpr double Nearer = 0.5;
-  vtkPolyData* mesh = this->Mesh->mesh;
-  lookAt(camera, mesh, nearestCell(mesh, middle), this->Solid);
-  const double distance = Nearer * camera->GetDistance();
-  lookAt(camera, this->Input, nearestCell(this->Input, middle), this->Solid);
-  const Vec3 position = middle - distance * Vec3(camera->GetDirectionOfProjection());
-  camera->SetPosition(position.data());
-  camera->SetFocalPoint(middle.data());
+  constexpr double Nearer = 0.5; // than at a triangle: it is at an edge, and what is about it
+  lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), this->Input, middle,
+    Nearer * this->edgeOf(this->Mesh->mesh->GetNumberOfPoints()),
+    this->Picker->nearest(middle).normal);
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
   this->say("Lost (violet): feature edge " + std::to_string(edge + 1) + " of " +

@@ -242,7 +242,7 @@ void Viewer::paintStatus(Canvas& canvas)
   // What the user asked for is answered; what goes on, what Return does and problems follow.
   // A control that the pointer has come to since says what it is meanwhile.
   const bool goesOn = this->Doing.alarms() || this->Doing.waits() || this->Doing.works();
-  const bool hints = this->HintIsNewer && !goesOn;
+  const bool hints = this->Hinting == HintTurn::First && !goesOn;
   const bool alarm = this->Doing.alarms() || (this->MessageAlarm && !hints);
   std::string words = hints ? this->Hint : this->Message;
   const std::string doing = this->Doing.sentence();
@@ -250,7 +250,7 @@ void Viewer::paintStatus(Canvas& canvas)
   {
     words += words.empty() || doing.empty() ? doing : " " + doing;
   }
-  if (words.empty() && !this->HintIsOld)
+  if (words.empty() && this->Hinting != HintTurn::Over)
   {
     words = this->Hint;
   }

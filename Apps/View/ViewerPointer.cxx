@@ -242,8 +242,7 @@ void Viewer::renewHint()
   if (hint != this->Hint)
   {
     this->Hint = hint;
-    this->HintIsNewer = this->Under && !hint.empty();
-    this->HintIsOld = false;
+    this->Hinting = this->Under && !hint.empty() ? HintTurn::First : HintTurn::Last;
     this->Window.touch(ViewerWindow::Status);
   }
 }

@@ -362,30 +362,6 @@ private:
   std::vector<double> SpacingAt; // by point of the surface
 };
 
-/// Triangles of a mesh, all of some components, as a surface of their own; `number` has -1 for each
-/// of their vertices.
-TriangleSurface partOf(
-  const OptimizedMesh& mesh, const std::vector<Face>& faces, ElementArray<Vertex, int>& number)
-{
-  TriangleSurface part;
-  for (const Face f : faces)
-  {
-    Triangle t;
-    const auto corners = mesh.corners(f);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (number[corners[k]] < 0)
-      {
-        number[corners[k]] = static_cast<int>(part.points.size());
-        part.points.push_back(mesh.position(corners[k]));
-      }
-      t[k] = number[corners[k]];
-    }
-    part.triangles.push_back(t);
-  }
-  return part;
-}
-
 /// Tells places the triangles next to them, and how far these are: those of the mesh of their own
 /// component, however near another one comes.
 Status findNearest(
@@ -407,12 +383,22 @@ Status findNearest(
   {
     placesOf[components.of[Face(places[i].place.face)]].push_back(i);
   }
-  ElementArray<Vertex, int> number(static_cast<std::size_t>(mesh.vertices().size()), -1);
+  const std::vector<Triangle> triangles = mesh.triangles();
+  TriangleSurface own; // a component's triangles
+  for (const Vertex v : mesh.vertices())
+  {
+    own.points.push_back(mesh.position(v));
+  }
   for (std::size_t c = 0; c < n; ++c)
   {
     if (placesOf[c].empty() || faces[c].empty())
     {
       continue;
+    }
+    own.triangles.clear();
+    for (const Face f : faces[c])
+    {
+      own.triangles.push_back(triangles[static_cast<std::size_t>(f.index())]);
     }
     std::vector<Vec3> positions;
     for (const std::size_t i : placesOf[c])
@@ -420,8 +406,7 @@ Status findNearest(
       positions.push_back(places[i].position);
     }
     std::vector<NearestTriangle::Hit> nearest;
-    if (Status status = nearestPlaces(positions, partOf(mesh, faces[c], number), progress, nearest);
-        !status.ok())
+    if (Status status = nearestPlaces(positions, own, progress, nearest); !status.ok())
     {
       return status;
     }

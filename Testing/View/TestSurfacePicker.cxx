@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkStripper.h"
 
 #include <gtest/gtest.h>
 
@@ -117,6 +118,24 @@ TEST_F(SurfacePickerTest, TrianglesThatShareNoPointsHaveEdgesInCommon)
   }
   ASSERT_TRUE(found);
   EXPECT_EQ(left.edge, right.edge);
+}
+
+TEST_F(SurfacePickerTest, FindsTheNearestPlaceOfStripsToo)
+{
+  vtkNew<vtkStripper> strips;
+  strips->SetInputData(Sphere->GetOutput());
+  strips->Update();
+  ASSERT_EQ(strips->GetOutput()->GetNumberOfPolys(), 0);
+  for (vtkPolyData* surface : { Sphere->GetOutput(), strips->GetOutput() })
+  {
+    const SurfacePicker picker(surface);
+    for (const Vec3& direction : { Vec3(1, 2, 3), Vec3(-3, 1, 0.5) })
+    {
+      const PickedPlace place = picker.nearest(2. * direction.normalized());
+      EXPECT_GT(place.position.normalized().dot(direction.normalized()), 0.99);
+      EXPECT_GT(std::abs(place.normal.dot(direction.normalized())), 0.9);
+    }
+  }
 }
 
 TEST_F(SurfacePickerTest, PlaceDoesNotDependOnWhatElseIsDrawn)
