@@ -296,6 +296,14 @@ bool BeforeScene::hidesEdges() const
     !showsInspectionEdges(this->InputEdge * this->Zoom);
 }
 
+bool BeforeScene::hidesDots(double spacing) const
+{
+  // A dot's radius, a quarter of it, is then the least that is drawn as dark as larger ones.
+  constexpr double LeastSpacing = 3; // pixels
+  return this->View.display == Display::Samples && !this->View.wireframe &&
+    spacing * this->Zoom < LeastSpacing;
+}
+
 bool BeforeScene::setMarks(const Session& session)
 {
   std::vector<double> marks = session.list("constraints");

@@ -57,6 +57,8 @@ public:
   void setZoom(double pixelsPerLength);
   /// The input's edges are asked for, and too short to be seen.
   bool hidesEdges() const;
+  /// Whether samples that are so far apart are less than a pixel.
+  bool hidesDots(double spacing) const;
 
 private:
   /// In one colour, or coloured by density.

@@ -164,7 +164,7 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
     { 12.5F, shades::Word }, this->Wanted.saves ? "name: " : "filter: ");
   const float row = RowHeight * s;
   const float top = field.y - 10 * s;
-  const int rows = std::max(1, static_cast<int>((top - box.y - 40 * s) / row));
+  const int rows = std::max(1, static_cast<int>((top - box.y - 54 * s) / row));
   const int last = std::max(0, static_cast<int>(this->Entries.size()) - rows);
   this->First = std::clamp(this->First, 0, last);
   this->Boxes.clear();
@@ -198,15 +198,36 @@ void FileChooser::paint(Canvas& canvas, const Rect& window)
   const std::string help = this->Wanted.saves
     ? "Return saves, Esc gives up; .ply .obj .stl .off .vtp .vtk, a session .json"
     : "Return opens, letters filter or are a path, ../ leads up, Esc gives up";
+  const float words = this->paintButtons(canvas, box) - box.x - 2 * pad;
   const TextLook foot{ 11.5F, this->Sentence.empty() ? shades::Quiet : shades::Alarm };
   const std::vector<std::string> lines =
-    canvas.lines(this->Sentence.empty() ? help : this->Sentence, inner, 2, foot);
-  float middle = box.y + (lines.size() > 1 ? 27 : 20) * s;
+    canvas.lines(this->Sentence.empty() ? help : this->Sentence, words, 2, foot);
+  float middle = box.y + (lines.size() > 1 ? 35 : 28) * s;
   for (const std::string& line : lines)
   {
     canvas.text(box.x + pad, middle, line, foot);
     middle -= 15 * s;
   }
+}
+
+float FileChooser::paintButtons(Canvas& canvas, const Rect& page)
+{
+  const float s = canvas.scale();
+  const char* const texts[] = { this->Wanted.saves ? "Save" : "Open", "Cancel" };
+  float right = page.right() - 22 * s;
+  for (const int i : { 1, 0 })
+  {
+    const Rect button{ right - 84 * s, page.y + 14 * s, 84 * s, 28 * s };
+    this->Buttons[static_cast<std::size_t>(i)] = button;
+    const bool first = i == 0;
+    const bool under = i == this->UnderButton;
+    canvas.box(button, first ? shades::Accent : (under ? shades::Hover : shades::Card),
+      first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
+    canvas.text(button.x + 0.5F * button.w, button.y + 0.5F * button.h, texts[i],
+      { 12, first ? shades::Card : shades::Word, Align::Center, first });
+    right = button.x - 10 * s;
+  }
+  return right;
 }
 
 int FileChooser::entryAt(const Pointer& pointer) const
@@ -311,6 +332,19 @@ void FileChooser::acceptName()
   chosen(file.string());
 }
 
+int FileChooser::buttonAt(const Pointer& pointer) const
+{
+  const auto found = std::find_if(this->Buttons.begin(), this->Buttons.end(),
+    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
+  return found == this->Buttons.end() ? -1 : static_cast<int>(found - this->Buttons.begin());
+}
+
+void FileChooser::giveUp()
+{
+  const std::function<void()> givenUp = this->OnGivenUp; // this page is gone then
+  givenUp();
+}
+
 void FileChooser::press(const Pointer& pointer)
 {
   const int index = this->entryAt(pointer);
@@ -318,6 +352,10 @@ void FileChooser::press(const Pointer& pointer)
   {
     const Entry entry = this->Entries[static_cast<std::size_t>(index)];
     this->open(entry.path, entry.folder);
+  }
+  else if (const int button = this->buttonAt(pointer); button >= 0)
+  {
+    button == 0 ? this->accept() : this->giveUp();
   }
   else if (this->Field.has(pointer.x, pointer.y))
   {
@@ -328,6 +366,7 @@ void FileChooser::press(const Pointer& pointer)
 void FileChooser::hover(const Pointer& pointer)
 {
   this->Under = this->entryAt(pointer);
+  this->UnderButton = this->buttonAt(pointer);
 }
 
 void FileChooser::wheel(int notches)
@@ -341,8 +380,7 @@ void FileChooser::key(const KeyStroke& stroke)
   const std::string& key = stroke.symbol;
   if (key == "Escape")
   {
-    const std::function<void()> givenUp = this->OnGivenUp;
-    givenUp();
+    this->giveUp();
     return;
   }
   if (key == "Return" || key == "KP_Enter")

@@ -6,6 +6,7 @@
 #include "Page.h"
 #include "TypedText.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,9 +15,9 @@
 namespace stipple
 {
 /// A folder's files to choose from, or a name to save by. Arrows choose, Return opens, Esc gives
-/// up; letters filter the list or, where it is saved, are the name. What has a slash, or begins
-/// with ~, is a path: the list is that of its folder. The name that is proposed is selected up to
-/// its ending. A file that exists is replaced by a second Return only.
+/// up, and so do two buttons; letters filter the list or, where it is saved, are the name. What has
+/// a slash, or begins with ~, is a path: the list is that of its folder. The name that is proposed
+/// is selected up to its ending. A file that exists is replaced by a second Return only.
 class FileChooser : public Page
 {
 public:
@@ -59,7 +60,11 @@ private:
   std::filesystem::path listed() const; ///< the folder, or that of the path that is typed
   /// Proposes a name.
   void propose(const std::string& name);
-  int entryAt(const Pointer& pointer) const; ///< -1: none
+  int entryAt(const Pointer& pointer) const;  ///< -1: none
+  int buttonAt(const Pointer& pointer) const; ///< -1: none
+  /// Both buttons, at the lower right; where what is left of them ends.
+  float paintButtons(Canvas& canvas, const Rect& page);
+  void giveUp();
 
   Wish Wanted;
   Chosen OnChosen;
@@ -71,9 +76,11 @@ private:
   int Current = 0;
   int First = 0; ///< entry that is seen first
   int Under = -1;
-  bool Confirmed = false;  ///< the name exists, and Return was pressed once
-  Rect Field;              ///< of what is typed, as painted last
-  std::vector<Rect> Boxes; ///< of the entries from First on, as painted last
+  bool Confirmed = false;      ///< the name exists, and Return was pressed once
+  Rect Field;                  ///< of what is typed, as painted last
+  std::vector<Rect> Boxes;     ///< of the entries from First on, as painted last
+  std::array<Rect, 2> Buttons; ///< accept, give up; as painted last
+  int UnderButton = -1;
 };
 }
 

@@ -10,7 +10,8 @@ const std::vector<std::pair<std::string, std::string>>& keyHelp()
 {
   static const std::vector<std::pair<std::string, std::string>> lines = { { "Camera", "" },
     { "left button", "turn, both views together" }, { "middle button, Shift", "move" },
-    { "right button, wheel", "zoom" }, { "r", "fit the model into the view" },
+    { "right button, wheel", "zoom" },
+    { "r, Shift+R", "fit the model into the view; as it was opened" },
     { "f", "fly to what is under the pointer" },
     { "Shift+X, Y, Z", "along an axis; again: from the other side" },
     { "u", "y or z is up, from the beginning's side" },

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ListPage.h"
 
+#include "Text.h"
+
 #include <algorithm>
 
 namespace stipple
@@ -80,8 +82,9 @@ void ListPage::press(const Pointer& pointer)
 
 void ListPage::key(const KeyStroke& stroke)
 {
+  const std::string key = stroke.control ? "Ctrl+" + upperCase(stroke.symbol) : stroke.symbol;
   const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-    [&stroke](const Entry& entry) { return entry.key == stroke.symbol; });
+    [&key](const Entry& entry) { return entry.key == key; });
   if (found != this->Entries.end())
   {
     found->action();

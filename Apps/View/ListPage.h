@@ -17,7 +17,7 @@ class ListPage : public Page
 public:
   struct Entry
   {
-    std::string key; ///< X11's name; may be empty
+    std::string key; ///< X11's name, or a letter with Ctrl as "Ctrl+O"; may be empty
     std::string text;
     std::string detail;
     std::function<void()> action;

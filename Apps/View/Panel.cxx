@@ -209,7 +209,7 @@ void Panel::addPointer(Commands& commands)
   this->heading("Pointer");
   this->row({ this->Tools }, 27, 6);
   this->row({ this->Radius, this->Strength }, 34, 6);
-  this->row({ this->Clearing }, 27, 14);
+  this->row({ this->Clearing }, 27, 10);
 }
 
 void Panel::addShow(Commands& commands)
@@ -219,9 +219,9 @@ void Panel::addShow(Commands& commands)
       commands.changeView([word](ViewState& v) { v.show(static_cast<Display>(word)); });
     });
   this->Overlays = this->make<Choice>(Choice::Kind::Several,
-    std::vector<std::string>{ "feature lines", "seams" }, 2, [&commands](int word) {
+    std::vector<std::string>{ "feature lines", "seams", "one view" }, 3, [&commands](int word) {
       commands.changeView([word](ViewState& v) {
-        bool& on = word == 0 ? v.features : v.seams;
+        bool& on = word == 0 ? v.features : (word == 1 ? v.seams : v.oneView);
         on = !on;
       });
     });
@@ -229,10 +229,22 @@ void Panel::addShow(Commands& commands)
     { "d: samples; once the mesh is there, its vertices.", "d: the surface with its edges.",
       "d: the pieces that it is cut into.", "d: how many samples are wanted where." });
   this->Overlays->setHints({ "l: features red, boundaries blue; violet: simplified in the mesh.",
-    "m: where the surface is cut, dark." });
+    "m: where the surface is cut, dark.",
+    "o: both models in one place; drag the line between them." });
+  this->Coloring = this->make<Choice>(Choice::Kind::One,
+    std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
+      commands.changeView([word](ViewState& v) { v.colorBy(static_cast<MeshColoring>(word)); });
+    });
+  this->Coloring->setHints(
+    { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
+      "c: triangles by quality, 1 where they are equilateral.",
+      "c: triangles by their distance from the input; with \"input\" above, that from the mesh, "
+      "too." });
   this->heading("Show");
-  this->row({ this->Displays }, 27);
-  this->row({ this->Overlays }, 27, 18);
+  this->row({ this->Displays }, 25);
+  this->row({ this->Overlays }, 25, 6);
+  this->heading("Mesh colored by");
+  this->row({ this->Coloring }, 25, 10);
 }
 
 void Panel::addCommands(Commands& commands)
@@ -254,17 +266,8 @@ void Panel::addCommands(Commands& commands)
   this->Undoing->setHints({ "Ctrl+Z", "Ctrl+Y", "h: all keys." });
   saving->setHints({ "Ctrl+S: the mesh, in its file.", "Ctrl+P: a picture of the window.",
     "Ctrl+J: everything that makes this mesh again." });
-  this->row({ this->Undoing }, 27);
-  this->row({ saving }, 27);
-  this->Coloring = this->make<Choice>(Choice::Kind::One,
-    std::vector<std::string>{ "plain", "angle", "quality", "distance" }, 4, [&commands](int word) {
-      commands.changeView([word](ViewState& v) { v.colorBy(static_cast<MeshColoring>(word)); });
-    });
-  this->Coloring->setHints(
-    { "c: the mesh in one color.", "c: triangles by their smallest angle; g goes to the worst.",
-      "c: triangles by quality, 1 where they are equilateral.",
-      "c: triangles by their distance from the input; with \"input\" above, that from the mesh, "
-      "too." });
+  this->row({ this->Undoing }, 25, 3);
+  this->row({ saving }, 25, 3);
   auto* files = this->make<Choice>(Choice::Kind::Commands,
     std::vector<std::string>{ "open", "save as", "figures" }, 3, [&commands](int word) {
       word == 0 ? commands.openFile()
@@ -273,7 +276,6 @@ void Panel::addCommands(Commands& commands)
   files->setHints({ "Ctrl+O: another surface, or a session; or drop one.",
     "Ctrl+Shift+S: the mesh, or the session (.json), under a name.",
     "Ctrl+E: both views alone, 2000 pixels high, transparent." });
-  this->row({ this->Coloring }, 25);
   this->row({ files }, 25, 14);
 }
 
@@ -393,6 +395,7 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Displays->choose(v.wireframe ? -1 : static_cast<int>(v.display));
   this->Overlays->setOn(0, v.features);
   this->Overlays->setOn(1, v.seams);
+  this->Overlays->setOn(2, v.oneView);
   this->Undoing->setOn(2, v.help);
   this->Coloring->choose(v.wireframe ? -1 : static_cast<int>(v.coloring));
 }

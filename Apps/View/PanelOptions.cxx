@@ -144,7 +144,7 @@ void Panel::addSizes(Commands& commands)
   for (const auto& [option, label] :
     { std::pair("max_deviation", "Distance, %"), std::pair("curvature_points", "Points per turn"),
       std::pair("size_minimum", "Shortest edge"), std::pair("size_maximum", "Longest edge"),
-      std::pair("growth", "Growth") })
+      std::pair("growth", "Growth of edges") })
   {
     this->row({ this->optionField(commands, option, label) }, FieldHeight);
   }

@@ -129,6 +129,10 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     this->fitCamera();
   }
+  else if (key == "R")
+  {
+    this->resetCamera();
+  }
   else if (key == "q")
   {
     this->askToQuit();

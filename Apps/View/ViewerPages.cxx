@@ -201,9 +201,9 @@ void Viewer::showStart(const std::string& problem)
 {
   this->Starts = true;
   std::vector<ListPage::Entry> entries;
-  entries.push_back({ "o", "Open a file", ".ply .obj .stl .off .vtp .vtk, sessions",
+  entries.push_back({ "Ctrl+O", "Open a file", ".ply .obj .stl .off .vtp .vtk, sessions",
     [this] { this->openFile(); } });
-  entries.push_back({ "x", "Try an example", "a ring with waists", [this] {
+  entries.push_back({ "e", "Try an example", "a ring with waists", [this] {
                        this->Starts = false;
                        this->closePage();
                      } });

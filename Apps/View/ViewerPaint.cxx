@@ -95,6 +95,11 @@ void Viewer::paintView(Canvas& canvas, bool before)
   {
     detail += ", zoom in for edges";
   }
+  else if (before && this->Shown &&
+    this->BeforeSide.hidesDots(this->edgeOf(this->Shown->numberOfSamples)))
+  {
+    detail += ", zoom in for dots";
+  }
   const float y = view.top() - 18 * s;
   const TextLook bold{ 15, shades::Word, Align::Left, true };
   // Readable before a model that reaches up to it, and whole where the line between both models

@@ -26,7 +26,8 @@ public:
 
   /// The fewest points that do; 0 if none did.
   int found() const { return this->Good.points; }
-  /// How many it would take, if that is why the search is over; else 0.
+  /// How many it would take at least, if that is why the search is over; else 0. Deviations do not
+  /// fall faster than with one over their number.
   double tooMany() const { return this->TooMany; }
   /// Of the trial with the least deviation.
   double nearest() const { return this->Nearest; }

@@ -715,7 +715,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
              << 100. * search.nearest() / diagonal << " %";
     if (search.tooMany() > 0.)
     {
-      sentence << ", and it takes some " << inTwoDigits(search.tooMany())
+      sentence << ", and it takes at least some " << inTwoDigits(search.tooMany())
                << " points, of which there can be " << static_cast<int>(most);
     }
     sentence << ": allow a larger deviation" << (most < all ? ", or shorter edges." : ".");

@@ -166,6 +166,11 @@ class LiveWindow:
         X11.XFetchName(self.display, ctypes.c_ulong(self.window()), ctypes.byref(name))
         return name.value.decode()
 
+    def status_rows(self):
+        """Of the status line, which is as much smaller or larger as the window is: Layout."""
+        width, height = self.size
+        return int(STATUS_ROWS * min(max(min(height / 800, width / 1280), 0.7), 2))
+
     def ended(self, limit=LIMIT):
         """Waits for the program's end; its exit status."""
         return self.program.wait(limit)
@@ -190,7 +195,7 @@ class LiveWindow:
             np.ptp(picture) == 0
             or (after is not None and not (picture != after).any())
             or (until is not None and not until(picture))
-            or (picture[-STATUS_ROWS:] == PROGRESS).all(axis=2).any()
+            or (picture[-self.status_rows() :] == PROGRESS).all(axis=2).any()
             or time.monotonic() - since < rest
         ):
             if time.monotonic() > end:

@@ -99,6 +99,20 @@ class Views(ViewTest):
         self.assertAlmostEqual(self.box(along_x[self.left]) / (size[1] / size[2]), 1, delta=0.2)
         np.testing.assert_array_equal(y_up[self.left], begin[self.left])
 
+    def test_as_it_was_opened(self):
+        zoom = [("MouseWheelForwardEvent", 150, 450)] * 3
+        before, other, after = self.shots(
+            self.model, self.recorded("v"), self.recorded(*zoom, "Shift+X"), self.recorded("Shift+R"))
+        self.assertGreater(pictures.worst_pixel(other[VIEWS], before[VIEWS]), 60)
+        np.testing.assert_array_equal(after[VIEWS], before[VIEWS])
+
+    def test_one_view_by_its_button(self):
+        button = ("LeftButtonPressEvent", 1226, 184), ("LeftButtonReleaseEvent", 1226, 184)
+        pressed, again, key = self.shots(
+            self.model, *(self.recorded(*steps, ("MouseMoveEvent", 5, 5)) for steps in (button, button, ["o"])))
+        np.testing.assert_array_equal(pressed, key)
+        self.assertTrue((pressed[270:760, 500:508] != again[270:760, 500:508]).any(), "the line between them")
+
     def test_one_view_with_a_line_to_drag(self):
         drag = ("LeftButtonPressEvent", 504, 600), ("MouseMoveEvent", 300, 600), ("LeftButtonReleaseEvent", 300, 600)
         steps = (self.recorded(*step, ("MouseMoveEvent", 5, 5)) for step in (["v"], ["o"], drag, ["o"]))

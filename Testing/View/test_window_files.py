@@ -40,7 +40,7 @@ class Files(ViewTest):
     def test_without_a_file_there_is_a_start_page(self):
         start, example = self.folder / "start.png", self.folder / "example.png"
         self.play("v", shot=start)
-        self.play("x", shot=example)
+        self.play("e", shot=example)
         start, example = pictures.read(start), pictures.read(example)
         self.assertGreater(np.mean((start == (240, 242, 245)).all(axis=2)), 0.8, "nothing but the page")
         self.assertGreater(np.mean((start != example).any(axis=2)), 0.3)
@@ -68,27 +68,37 @@ class Files(ViewTest):
 
     def test_the_example_is_meshed_and_has_no_session(self):
         mesh = self.work / "mesh.off"
-        self.play("x", "n", *"900", "Return", "Control+j", "Control+s", model=("-o", mesh))
+        self.play("e", "n", *"900", "Return", "Control+j", "Control+s", model=("-o", mesh))
         self.assertEqual(mesh_check(mesh, mesh)["points"], 900)
         self.assertEqual(list(self.work.glob("*.json")), [])
 
     def test_files_are_opened_by_keys(self):
         (self.work / "apart").mkdir()  # has what is typed in it, but does not begin with it
         shutil.copyfile(FANDISK, self.work / "Part2.off")  # follows, whatever letters are capitals
-        self.play("o", *"part", "Return", "Control+j")
+        self.play("Control+o", *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
+
+    def test_buttons_open_save_and_give_up(self):
+        """At the lower right of the page, which is in the middle of the window."""
+        accept, give_up = (("LeftButtonPressEvent", x, 148) for x in (820, 916))
+        self.play("Control+o", give_up, "Control+o", *"part", accept, "Control+j")
+        self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
+        meshes = {self.work / "a.off": accept, self.work / "b.off": give_up}
+        for file, button in meshes.items():
+            self.play("Control+S", "Control+a", *file.name, button, model=("part.off", "--points", 300))
+            self.assertEqual(file.exists(), button == accept)
 
     def test_recent_files_are_found_by_their_names(self):
         """From any folder."""
         recent = self.folder / "state" / "stipple" / "recent"
         recent.parent.mkdir(parents=True)
         recent.write_text(f"{self.work / 'part.off'}\n")
-        self.play("o", *"below", "Return", *"part", "Return", "Control+j")
+        self.play("Control+o", *"below", "Return", *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
     def test_folders_are_gone_through(self):
         """Down into a folder, up again; what is no surface is not offered."""
-        self.play("o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
+        self.play("Control+o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
     def test_another_file_is_opened_in_the_same_window(self):
@@ -109,7 +119,7 @@ class Files(ViewTest):
         kept = self.work / "kept.json"
         (self.work / "part-session.json").rename(kept)
         before = kept.read_text()
-        for model, keys in (((), ("o", *"kept", "Return")), (("kept.json",), ())):
+        for model, keys in (((), ("Control+o", *"kept", "Return")), (("kept.json",), ())):
             self.play(*keys, "Control+j", model=model)
             self.assertEqual(kept.read_text(), before)
             self.play(*keys, "n", *"345", "Return", "Control+j", model=model)
@@ -141,7 +151,7 @@ class Files(ViewTest):
     def test_what_cannot_be_opened_is_said(self):
         (self.work / "broken.off").write_text("OFF\n1 1 0\n")
         shots = [self.folder / f"{i}.png" for i in range(2)]
-        self.play("o", *"broken", "Return", shot=shots[0])
+        self.play("Control+o", *"broken", "Return", shot=shots[0])
         self.play("v", shot=shots[1])
         red = [((p[..., 0] > 150) & (p[..., 1] < 90)).sum() for p in map(pictures.read, shots)]
         self.assertGreater(red[0], 200, "a sentence in red on the start page")
@@ -383,14 +393,14 @@ class Files(ViewTest):
         self.assertEqual(sorted(self.folder.rglob("*.off")), kept)
         for typed in ("~/part.off", f"{self.work}/part.off", "below/../part.off", f"{self.work}/par"):
             with self.subTest(typed):
-                self.play("o", *typed, "Return", "Control+j")
+                self.play("Control+o", *typed, "Return", "Control+j")
                 self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
                 (self.work / "part-session.json").unlink()
 
     def test_a_held_backspace_stays_in_the_folder(self):
         self.play("Control+S", "End", *["BackSpace"] * 60, *"a.off", "Return", model=("part.off", "--points", 300))
         self.assertTrue((self.work / "a.off").exists())
-        self.play("o", *["BackSpace"] * 9, *"part", "Return", "Control+j")
+        self.play("Control+o", *["BackSpace"] * 9, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
     def test_figures_are_the_views_alone(self):
