@@ -14,6 +14,16 @@ namespace stipple
 {
 namespace
 {
+using Normals = ElementArray<Face, Vec3>;
+
+/// Of unit length. Sections pass each face many times.
+Normals normalsOf(const CutSurface& surface)
+{
+  Normals normals(surface.faces().size());
+  parallelFor(surface.faces(), [&](Face f) { normals[f] = surface.faceNormal(f); });
+  return normals;
+}
+
 /// How a curve turns, by the distance along it from where it begins.
 struct Turn
 {
@@ -25,8 +35,9 @@ struct Turn
 class Section
 {
 public:
-  Section(const CutSurface& surface, Halfedge edge)
+  Section(const CutSurface& surface, const Normals& normals, Halfedge edge)
     : Surface(surface)
+    , NormalOf(normals)
     , Middle(0.5 * (surface.point(surface.tail(edge)) + surface.point(surface.head(edge))))
     , Along(surface.edge(edge).normalized())
   {
@@ -35,41 +46,66 @@ public:
   /// Signed angle between the surface's normals in two faces, in the plane.
   double turn(Face from, Face to) const
   {
-    const Vec3 a = this->Surface.faceNormal(from);
-    const Vec3 b = this->Surface.faceNormal(to);
+    const Vec3& a = this->NormalOf[from];
+    const Vec3& b = this->NormalOf[to];
     // The parts of both along the edge do not count.
     const double sine = a.cross(b).dot(this->Along);
     const double cosine = a.dot(b) - a.dot(this->Along) * b.dot(this->Along);
     return std::atan2(sine, cosine);
   }
 
-  /// Follows it into the face of a halfedge of the edge, as far as `reach`.
-  void follow(Halfedge edge, double reach, std::vector<Turn>& turns) const
+  /// One half of it, as far as it was followed.
+  class Walk
   {
-    turns.clear();
-    double distance = 0;
-    Vec3 at = this->Middle;
-    Halfedge h = edge;
-    // Of the two other edges of a face one has ends on both sides; a closed section comes back to
-    // the edge, any other to a boundary: each face is passed once.
-    for (int i = 0; i < this->Surface.numberOfFaces(); ++i)
+  public:
+    /// Into the face of a halfedge of the section's edge.
+    Walk(const Section& section, Halfedge edge)
+      : Edge(edge)
+      , At(section.Middle)
+      , Next(edge)
     {
-      const Halfedge next = nextHalfedge(h);
-      const bool isHeadInFront = this->height(this->Surface.head(h)) >= 0;
-      const bool isTopInFront = this->height(this->Surface.head(next)) >= 0;
-      const Halfedge out = isTopInFront == isHeadInFront ? nextHalfedge(next) : next;
-      const Vec3 crossing = this->crossing(out);
-      distance += (crossing - at).norm();
-      at = crossing;
-      const Halfedge across = this->Surface.twin[out];
-      if (distance > reach || !across.valid() || this->isEnd(out) || across == edge || out == edge)
-      {
-        return;
-      }
-      turns.push_back({ distance, this->turn(faceOf(out), faceOf(across)) });
-      h = across;
     }
-  }
+    const std::vector<Turn>& turns() const { return this->Turns; }
+    /// Goes on to that distance from the edge.
+    void follow(const Section& section, double reach)
+    {
+      const CutSurface& surface = section.Surface;
+      // Of the two other edges of a face one has ends on both sides; a closed section comes back to
+      // the edge, any other to a boundary: each face is passed once.
+      const auto most = static_cast<std::size_t>(surface.numberOfFaces());
+      while (!this->HasEnded && this->Turns.size() < most)
+      {
+        const Halfedge next = nextHalfedge(this->Next);
+        const bool isHeadInFront = section.height(surface.head(this->Next)) >= 0;
+        const bool isTopInFront = section.height(surface.head(next)) >= 0;
+        const Halfedge out = isTopInFront == isHeadInFront ? nextHalfedge(next) : next;
+        const Vec3 crossing = section.crossing(out);
+        const double distance = this->Distance + (crossing - this->At).norm();
+        if (distance > reach)
+        {
+          return;
+        }
+        this->Distance = distance;
+        this->At = crossing;
+        const Halfedge across = surface.twin[out];
+        this->HasEnded =
+          !across.valid() || section.isEnd(out) || across == this->Edge || out == this->Edge;
+        if (!this->HasEnded)
+        {
+          this->Turns.push_back({ distance, section.turn(faceOf(out), faceOf(across)) });
+          this->Next = across;
+        }
+      }
+    }
+
+  private:
+    Halfedge Edge;
+    Vec3 At;
+    double Distance = 0;
+    Halfedge Next; ///< of the face that it goes through next
+    bool HasEnded = false;
+    std::vector<Turn> Turns;
+  };
 
 private:
   bool isEnd(Halfedge h) const { return this->Surface.isFeature(h) && !this->Surface.isRounded(h); }
@@ -85,6 +121,7 @@ private:
   }
 
   const CutSurface& Surface;
+  const Normals& NormalOf;
   const Vec3 Middle;
   const Vec3 Along;
 };
@@ -113,31 +150,32 @@ double variationBetween(const std::vector<Turn>& turns, double from, double to)
 class Profile
 {
 public:
-  Profile(const CutSurface& surface, Halfedge edge, const RoundedEdgeOptions& options)
+  Profile(const CutSurface& surface, const Normals& normals, Halfedge edge,
+    const RoundedEdgeOptions& options)
     : Options(options)
     , Angle(options.angle * Pi / 180)
+    , Across(surface, normals, edge)
+    , Own(this->Across.turn(faceOf(surface.twin[edge]), faceOf(edge)))
+    , Left(this->Across, edge)
+    , Right(this->Across, surface.twin[edge])
   {
-    const Section section(surface, edge);
-    const Halfedge twin = surface.twin[edge];
-    this->Own = section.turn(faceOf(twin), faceOf(edge));
-    section.follow(edge, options.width, this->Left);
-    section.follow(twin, options.width, this->Right);
-    for (Turn& turn : this->Right)
-    {
-      turn.angle = -turn.angle; // it was followed the other way
-    }
   }
 
-  bool isInMiddle() const
+  bool isInMiddle()
   {
     double width = this->Options.width;
     for (int k = 0; k < Halvings; ++k, width /= 2)
     {
-      const double whole =
-        std::abs(this->Own + sumUpTo(this->Left, width / 2) + sumUpTo(this->Right, width / 2));
-      const double beside = variationBetween(this->Left, width / 2, width) +
-        variationBetween(this->Right, width / 2, width);
-      if (whole >= this->Angle && beside <= this->Options.flank * whole)
+      this->follow(width / 2);
+      const double whole = std::abs(this->turnUpTo(width / 2));
+      if (whole < this->Angle)
+      {
+        continue;
+      }
+      this->follow(width);
+      const double beside = variationBetween(this->Left.turns(), width / 2, width) +
+        variationBetween(this->Right.turns(), width / 2, width);
+      if (beside <= this->Options.flank * whole)
       {
         // Of a band that is as wide as this, edges beside the middle do not see all. In narrower
         // ones they would seem to be in the middle, too.
@@ -147,10 +185,14 @@ public:
     return false;
   }
 
-  double width() const
+  double width()
   {
-    std::vector<Turn> both = this->Left;
-    both.insert(both.end(), this->Right.begin(), this->Right.end());
+    this->follow(this->Options.width);
+    std::vector<Turn> both = this->Left.turns();
+    for (const Turn& t : this->Right.turns())
+    {
+      both.push_back({ t.distance, -t.angle });
+    }
     std::sort(both.begin(), both.end(),
       [](const Turn& a, const Turn& b) { return a.distance < b.distance; });
     double sum = this->Own;
@@ -173,11 +215,23 @@ private:
   static constexpr int Halvings = 6;
   static constexpr double Rounding = 1e-6;
 
+  void follow(double reach)
+  {
+    this->Left.follow(this->Across, reach);
+    this->Right.follow(this->Across, reach);
+  }
+  /// Between the ends of a band that reaches so far to both sides. The right half is followed the
+  /// other way.
+  double turnUpTo(double reach) const
+  {
+    return this->Own + sumUpTo(this->Left.turns(), reach) - sumUpTo(this->Right.turns(), reach);
+  }
+
   /// Of two edges beside the very middle one is.
   bool isHalfWay(double reach) const
   {
-    const double l = sumUpTo(this->Left, reach);
-    const double r = sumUpTo(this->Right, reach);
+    const double l = sumUpTo(this->Left.turns(), reach);
+    const double r = -sumUpTo(this->Right.turns(), reach);
     const double whole = this->Own + l + r;
     const double sign = whole < 0 ? -1. : 1.;
     return sign * l <= (0.5 + Rounding) * sign * whole &&
@@ -186,16 +240,18 @@ private:
 
   const RoundedEdgeOptions& Options;
   const double Angle;
-  double Own = 0;
-  std::vector<Turn> Left;
-  std::vector<Turn> Right;
+  const Section Across;
+  const double Own;
+  Section::Walk Left;
+  Section::Walk Right;
 };
 
 /// Edges as a graph, grown without cycles that are short.
 class Lines
 {
 public:
-  Lines(const CutSurface& surface, std::vector<Halfedge> found, const RoundedEdgeOptions& options)
+  Lines(const CutSurface& surface, const Normals& normals, std::vector<Halfedge> found,
+    const RoundedEdgeOptions& options)
     : Surface(surface)
     , Options(options)
     , First(surface.vertexHalfedges())
@@ -206,7 +262,7 @@ public:
     for (const Halfedge h : found)
     {
       // Finite: cycles that are looked for are.
-      this->add(h, std::min(options.width, Profile(surface, h, options).width()));
+      this->add(h, std::min(options.width, Profile(surface, normals, h, options).width()));
     }
   }
 
@@ -432,6 +488,7 @@ void measureRoundedEdges(
     double width;
     double length;
   };
+  Normals normals; // few surfaces need them
   const ElementArray<Vertex, Halfedge> first = surface.vertexHalfedges();
   std::vector<std::vector<Measured>> edges(graph.backbones.size());
   std::map<int, std::vector<std::size_t>> ending; // backbones, by the points at their ends
@@ -446,7 +503,11 @@ void measureRoundedEdges(
       {
         break;
       }
-      edges[b].push_back({ Profile(surface, h, options).width(), surface.edgeLength(h) });
+      if (normals.size() == 0)
+      {
+        normals = normalsOf(surface);
+      }
+      edges[b].push_back({ Profile(surface, normals, h, options).width(), surface.edgeLength(h) });
     }
     if (!edges[b].empty())
     {
@@ -501,6 +562,7 @@ void measureRoundedEdges(
 
 std::vector<Halfedge> findRoundedEdges(const CutSurface& surface, const RoundedEdgeOptions& options)
 {
+  const Normals normals = normalsOf(surface);
   ElementArray<Halfedge, char> isFound(surface.twin.size(), 0);
   // Where the surface is curved less than half as much as it is in such a band on the average,
   // there is no middle of one.
@@ -511,13 +573,13 @@ std::vector<Halfedge> findRoundedEdges(const CutSurface& surface, const RoundedE
     {
       return;
     }
-    const Vec3 a = surface.faceNormal(faceOf(h));
-    const Vec3 b = surface.faceNormal(faceOf(t));
+    const Vec3& a = normals[faceOf(h)];
+    const Vec3& b = normals[faceOf(t)];
     const double across =
       (surface.faceArea(faceOf(h)) + surface.faceArea(faceOf(t))) / surface.edgeLength(h);
     if (std::atan2(a.cross(b).norm(), a.dot(b)) >= leastCurvature * across)
     {
-      isFound[h] = Profile(surface, h, options).isInMiddle() ? 1 : 0;
+      isFound[h] = Profile(surface, normals, h, options).isInMiddle() ? 1 : 0;
     }
   });
   std::vector<Halfedge> found;
@@ -532,7 +594,7 @@ std::vector<Halfedge> findRoundedEdges(const CutSurface& surface, const RoundedE
   {
     return found;
   }
-  Lines lines(surface, std::move(found), options);
+  Lines lines(surface, normals, std::move(found), options);
   lines.join();
   lines.dropSpurs();
   return lines.lines();
