@@ -12,10 +12,10 @@ namespace stipple
 /// The polylines of a type, by the cell array BackboneType; nothing if there is no such array.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type);
 
-/// The polylines along sharp edges that are creases to a mesh whose edges are so long: where they
-/// are rounded off, by the cell array Width, short ones go around. With 0, what no mesh should
-/// lose.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, double edgeLength);
+/// The polylines along sharp edges that are creases to the mesh whose vertices on them are these
+/// samples, by the point array BackboneId: where an edge is rounded off, by the cell array Width,
+/// short edges go around. Without samples, what no mesh should lose.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, vtkPolyData* samples);
 }
 
 #endif

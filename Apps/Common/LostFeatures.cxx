@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* afte
   }
   auto lost = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkCellArray> lines;
-  vtkSmartPointer<vtkPolyData> sharp = creasesTo(before, 0.);
+  vtkSmartPointer<vtkPolyData> sharp = creasesTo(before, nullptr);
   vtkNew<vtkGenericCell> cell;
   forEachSegment(sharp, [&](vtkIdType a, vtkIdType b) {
     const Vec3 middle = 0.5 * (Vec3(sharp->GetPoint(a)) + Vec3(sharp->GetPoint(b)));

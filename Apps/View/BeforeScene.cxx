@@ -153,25 +153,21 @@ void BeforeScene::setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData*
     actor->GetProperty()->SetBackfaceCulling(this->Solid);
     this->Renderer->AddActor(actor);
   }
-  this->Graph = graph;
   for (int type = 0; type < 3; ++type)
   {
     static_cast<vtkPolyDataMapper*>(this->Lines[type]->GetMapper())
-      ->SetInputData(type == 0 ? creasesTo(graph, this->EdgeLength) : backbonesOfType(graph, type));
+      ->SetInputData(type == 0 ? creasesTo(graph, nullptr) : backbonesOfType(graph, type));
   }
   this->showRightActors();
 }
 
-void BeforeScene::setEdgeLength(double length)
+void BeforeScene::setCreases(vtkPolyData* creases)
 {
-  if (length == this->EdgeLength)
-  {
-    return;
-  }
-  this->EdgeLength = length;
   auto* mapper = static_cast<vtkPolyDataMapper*>(this->Lines[0]->GetMapper());
-  const vtkSmartPointer<vtkPolyData> creases = creasesTo(this->Graph, length);
-  if (creases->GetNumberOfLines() != mapper->GetInput()->GetNumberOfLines())
+  const auto sizeOf = [](vtkPolyData* lines) {
+    return std::pair(lines->GetNumberOfLines(), lines->GetLines()->GetNumberOfConnectivityIds());
+  };
+  if (creases && sizeOf(creases) != sizeOf(mapper->GetInput()))
   {
     mapper->SetInputData(creases);
     this->showRightActors();

@@ -33,8 +33,8 @@ public:
   BeforeScene& operator=(const BeforeScene&) = delete;
 
   void setAtlas(vtkPartitionedDataSetCollection* charts, vtkPolyData* graph);
-  /// Of the mesh that is to be: what is a crease to it is shown as one.
-  void setEdgeLength(double length);
+  /// Sharp lines that are creases to the mesh that is to be: the others are not shown.
+  void setCreases(vtkPolyData* creases);
   int numberOfCharts() const { return static_cast<int>(this->Charts.size()); }
   /// Whether sharp edges are known, those of the model or tagged.
   bool hasFeatures() const;
@@ -86,10 +86,8 @@ private:
   vtkSmartPointer<vtkActor> Surface;
   vtkSmartPointer<vtkActor> Wires;              ///< the input's edges alone
   std::vector<vtkSmartPointer<vtkActor>> Lines; ///< sharp, boundary, seam
-  vtkSmartPointer<vtkPolyData> Graph;
-  double EdgeLength = 0;
-  vtkSmartPointer<vtkActor> Points; ///< constraints
-  vtkSmartPointer<vtkActor> Edges;  ///< tagged
+  vtkSmartPointer<vtkActor> Points;             ///< constraints
+  vtkSmartPointer<vtkActor> Edges;              ///< tagged
   vtkSmartPointer<vtkActor> Brush;
   std::vector<double> Marks; ///< that are shown, as the session has them
 };

@@ -4,16 +4,20 @@
 
 #include "vtkBrush.h"
 #include "vtkContext2D.h"
+#include "vtkFreeTypeTools.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPen.h"
 #include "vtkRect.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace stipple
@@ -66,6 +70,24 @@ vtkSmartPointer<vtkImageData> drawBox(
     }
   }
   return image;
+}
+
+/// vtkFreeTypeTools loads a font by the first property of its look, and once more when so many
+/// others came between that its cache was full. VTK 9.1 keeps that property itself: the painter's
+/// would be another look by then.
+void keepForFont(vtkTextProperty* property)
+{
+  using Look = std::tuple<int, int, std::array<double, 3>>;
+  static std::set<Look> kept;
+  std::array<double, 3> color;
+  property->GetColor(color.data());
+  if (kept.emplace(property->GetFontSize(), property->GetBold(), color).second)
+  {
+    vtkNew<vtkTextProperty> copy;
+    copy->ShallowCopy(property);
+    std::size_t id = 0;
+    vtkFreeTypeTools::GetInstance()->MapTextPropertyToId(copy, &id);
+  }
 }
 }
 
@@ -229,6 +251,7 @@ void Canvas::useText(const TextLook& look)
   property->SetJustification(look.align == Align::Left ? VTK_TEXT_LEFT
       : look.align == Align::Center                    ? VTK_TEXT_CENTERED
                                                        : VTK_TEXT_RIGHT);
+  keepForFont(property);
 }
 
 void Canvas::text(float x, float y, const std::string& words, const TextLook& look)

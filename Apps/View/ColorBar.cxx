@@ -42,19 +42,15 @@ ColorBar densityBar()
     "samples per area, times the mean" };
 }
 
-void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar, bool ground)
+void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar)
 {
   const float s = canvas.scale();
   const float width = std::min(220 * s, view.w - 40 * s);
   const Rect place{ view.x + 20 * s, view.y + 28 * s, width, 10 * s };
   const TextLook look{ 11, shades::Word };
   const std::string title = canvas.fitted(bar.title, view.w - 40 * s, look);
-  if (ground)
-  {
-    const float inner = std::max(width, canvas.textWidth(title, look));
-    canvas.fill(
-      { place.x - 12 * s, place.y - 22 * s, inner + 24 * s, 54 * s }, { 255, 255, 255, 205 });
-  }
+  const float inner = std::max(width, canvas.textWidth(title, look));
+  canvas.fill({ place.x - 12 * s, place.y - 22 * s, inner + 24 * s, 54 * s }, { 255, 255, 255 });
   canvas.text(place.x, place.top() + 11 * s, title, look);
   for (int i = 0; i < Steps; ++i)
   {

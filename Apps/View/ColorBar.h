@@ -33,8 +33,8 @@ struct ColorBar
 /// Density over the mean density.
 [[nodiscard]] ColorBar densityBar();
 
-/// At the lower left of a view; on a light ground of its own, if wanted.
-void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar, bool ground = true);
+/// At the lower left of a view, on a ground of its own.
+void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar);
 }
 
 #endif

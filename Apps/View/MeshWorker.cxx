@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshWorker.h"
 
+#include "Backbones.h"
 #include "LostFeatures.h"
 #include "Messages.h"
 #include "NearestTriangle.h"
@@ -164,6 +165,11 @@ void MeshWorker::perform(const Session& session)
   result->deviation = this->Remesher->GetDeviation();
   result->figures = measureFigures(result->mesh);
   result->figures.cutEdges = this->Remesher->GetAtlas()->GetNumberOfSplitEdges();
+  auto* graph = vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1));
+  result->creases = this->Remesher->GetPattern() == vtkGeometryRemesher::QUADS
+    ? backbonesOfType(graph, 0)
+    : creasesTo(
+        graph, vtkPolyData::SafeDownCast(this->Remesher->GetSampler()->GetOutputDataObject(0)));
   result->lost = lostFeatures(this->Remesher);
   if (result->lost)
   {

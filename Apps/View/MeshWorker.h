@@ -42,7 +42,8 @@ struct MeshResult
   Session session; ///< that it was made with
   vtkSmartPointer<vtkPolyData> mesh;
   vtkSmartPointer<vtkPolyData> lines;
-  vtkSmartPointer<vtkPolyData> lost; ///< sharp lines of the input that it has not; null: none
+  vtkSmartPointer<vtkPolyData> creases; ///< sharp lines of the input that are creases to it
+  vtkSmartPointer<vtkPolyData> lost;    ///< sharp lines of the input that it has not; null: none
   MeshFigures figures;
   MeshColors colors;
   std::shared_ptr<const DotImages> dots; ///< its vertices, on the charts that were handed over last

@@ -340,11 +340,14 @@ void Panel::show(const Session& s, const ViewState& v, int points, double edge)
   this->Points = follows && points > 0 ? points : s.integer("points");
   this->Fixed = s.integer("points") > 0 ? s.integer("points") : this->Fixed;
   const bool part = !s.text("select_array").empty();
+  const bool isBase = s.text("pattern") == "semiregular";
   this->Number->setLabel(follows ? "Points that follow"
       : part                     ? "Points of the part"
+      : isBase                   ? "Points of the base"
                                  : "Number of points");
   const std::string hint = part ? "So many new points has the part, besides those on its border."
-                                : "The mesh has exactly so many points.";
+    : isBase ? "So many points has the base mesh; each level has about four times as many."
+             : "The mesh has exactly so many points.";
   this->Number->setOld(follows && edge == 0);
   this->Number->setHint(hint + " Click or n, digits, Return.");
   this->PointsSlider->setHint(hint);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Preview.h"
 
+#include "Backbones.h"
 #include "MeshWorker.h"
 #include "Messages.h"
 #include "SceneActors.h"
@@ -133,6 +134,13 @@ vtkPartitionedDataSetCollection* Preview::halftones()
 vtkPolyData* Preview::samples()
 {
   return vtkPolyData::SafeDownCast(this->Sampler->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkPolyData> Preview::creases(const Session& session)
+{
+  auto* graph = vtkPolyData::SafeDownCast(this->Control->GetInputDataObject(2, 0));
+  return session.text("pattern") == "quads" ? backbonesOfType(graph, 0)
+                                            : creasesTo(graph, this->samples());
 }
 
 std::vector<double> Preview::importanceHistogram(const Session& session, int bars)

@@ -54,6 +54,8 @@ public:
   vtkPartitionedDataSetCollection* controls();
   vtkPartitionedDataSetCollection* halftones();
   vtkPolyData* samples();
+  /// Of the feature graph, to the mesh of the samples.
+  vtkSmartPointer<vtkPolyData> creases(const Session& session);
 
   /// How much of the surface has which importance, before the transfer function, in bars over
   /// [0, 1]; computed anew only if the kind of importance changed.

@@ -177,6 +177,7 @@ std::unique_ptr<PreviewResult> PreviewWorker::sample(const Session& session, Pre
   {
     vtkPolyData* samples = this->Sampling.samples();
     result->numberOfSamples = samples->GetNumberOfPoints();
+    result->creases = this->Sampling.creases(session);
     // Where a frame has time for it; one slow frame among others changes nothing.
     if (stage == PreviewStage::Final)
     {

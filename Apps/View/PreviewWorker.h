@@ -19,6 +19,7 @@ struct PreviewResult
   Session session;     ///< that it was made with
   std::string problem; ///< why there are no samples, a sentence; empty if there are
   vtkIdType numberOfSamples = 0;
+  vtkSmartPointer<vtkPolyData> creases;               ///< to the mesh of the samples
   std::shared_ptr<const DotImages> dots;              ///< on the charts
   std::vector<vtkSmartPointer<vtkImageData>> density; ///< densityImages(), if asked for
   /// Images with `Control` and `FaceIndex`.

@@ -427,7 +427,7 @@ bool Viewer::takePreview()
   {
     this->BeforeSide.setDensity(std::move(preview->density));
     this->BeforeSide.setDots(std::move(preview->dots));
-    this->BeforeSide.setEdgeLength(this->edgeOf(preview->numberOfSamples));
+    this->BeforeSide.setCreases(preview->creases);
     this->Sheet.setControls(preview->controls);
     this->Shown = std::move(preview);
     this->Curve.setHistogram(this->Shown->histogram);
@@ -447,6 +447,7 @@ void Viewer::showVertices()
   if (this->showsVertices())
   {
     this->BeforeSide.setDots(this->Mesh->dots);
+    this->BeforeSide.setCreases(this->Mesh->creases);
     this->Window.touch(ViewerWindow::Before);
   }
 }

@@ -209,7 +209,8 @@ void Viewer::writeFigureFiles()
   this->BeforeSide.setView(this->View, lines);
   this->AfterSide.setView(this->View, lines);
   const int marked = this->AfterSide.marked();
-  this->AfterSide.setMarked(-1); // not the figure's
+  this->AfterSide.setMarked(-1); // not the figure's, nor is the brush
+  this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
   for (const bool before : { true, false })
   {
     const std::string file = this->Files.figures + (before ? "-before.png" : "-after.png");
@@ -220,7 +221,7 @@ void Viewer::writeFigureFiles()
       const auto legend = [&bar](Canvas& canvas, const Rect& view) {
         if (bar)
         {
-          paintColorBar(canvas, view, *bar, false);
+          paintColorBar(canvas, view, *bar);
         }
       };
       status = this->Window.writeFigure(before ? ViewerWindow::Before : ViewerWindow::After,
@@ -234,10 +235,12 @@ void Viewer::writeFigureFiles()
   this->AfterSide.setMarked(marked);
   this->placeControls();
   const std::string name = wholePath(this->Files.figures);
-  this->say(status.ok() ? "Wrote " + name + "-before.png and -after.png, " +
-        std::to_string(FigureHeight) + " pixels high, transparent."
-                        : status.message(),
-    !status.ok());
+  const bool isOld = this->Mesh && !this->meshIsCurrent();
+  this->say(status.ok()
+      ? "Wrote " + name + "-before.png and -after.png, " + std::to_string(FigureHeight) +
+        " pixels high, transparent" + (isOld ? "; the mesh is one of before." : ".")
+      : status.message(),
+    !status.ok() || isOld);
 }
 
 void Viewer::saveSession()

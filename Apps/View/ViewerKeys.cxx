@@ -91,6 +91,9 @@ bool Viewer::key(const KeyStroke& stroke)
   {
     this->changeView(
       [](ViewState& v) { v.brushMirror = v.brushMirror == 2 ? -1 : v.brushMirror + 1; });
+    const int axis = this->View.brushMirror;
+    this->say(axis < 0 ? "Strokes are not mirrored any more."
+                       : std::string("Strokes are mirrored in ") + "xyz"[axis] + ".");
   }
   else if (key == "c")
   {

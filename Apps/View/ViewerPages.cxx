@@ -80,7 +80,7 @@ void Viewer::askFirst(const std::string& title, const std::string& answer,
     action();
   };
   const char* why = this->hasHandMade()
-    ? "Paint, picked points, edges or the transfer function are in no file yet."
+    ? "Changes of paint, points, edges or the transfer function are in no file yet."
     : "Neither these settings nor their mesh are in a file yet.";
   const Question::Answer stay{ "Stay", "Escape", [this] { this->closePage(); } };
   const Question::Answer doNotSave{ "Do not save", "d", leave };
@@ -89,11 +89,11 @@ void Viewer::askFirst(const std::string& title, const std::string& answer,
   const bool isOpened =
     !opened.empty() && std::filesystem::equivalent(opened, this->Files.session, error);
   this->show(std::make_shared<Question>(title, why,
-    isOpened ? std::vector<Question::Answer>{ { "Save under another name", "Return",
-                                                [this] { this->saveMeshAs(); } },
-                 doNotSave, stay }
-             : std::vector<Question::Answer>{
-                 { "Save, then " + answer, "Return", save }, doNotSave, stay }));
+    isOpened
+      ? std::vector<Question::Answer>{ { "Save as", "Return", [this] { this->saveMeshAs(); } },
+          doNotSave, stay }
+      : std::vector<Question::Answer>{
+          { "Save, then " + answer, "Return", save }, doNotSave, stay }));
 }
 
 bool Viewer::askToWait(const std::string& title, const std::string& answer,

@@ -245,10 +245,13 @@ void Viewer::paintStatus(Canvas& canvas)
   canvas.fill(bar, { 228, 231, 236 });
   canvas.rule(bar.x, bar.top() - 1, bar.right(), bar.top() - 1, shades::Line);
   // What the user asked for is answered; what goes on, what Return does and problems follow.
-  // A control that the pointer has come to since says what it is meanwhile.
-  const bool goesOn = this->Doing.alarms() || this->Doing.waits() || this->Doing.works();
-  const bool hints = this->Hinting == HintTurn::First && !goesOn;
-  const bool alarm = this->Doing.alarms() || (this->MessageAlarm && !hints);
+  // A control that the pointer has come to since says what it is meanwhile, be it the one that
+  // mends the problem.
+  const bool hints =
+    this->Hinting == HintTurn::First && !this->Doing.waits() && !this->Doing.works();
+  const bool goesOn =
+    !hints && (this->Doing.alarms() || this->Doing.waits() || this->Doing.works());
+  const bool alarm = !hints && (this->Doing.alarms() || this->MessageAlarm);
   std::string words = hints ? this->Hint : this->Message;
   const std::string doing = this->Doing.sentence();
   if (words.empty() || goesOn)

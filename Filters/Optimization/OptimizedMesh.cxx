@@ -52,7 +52,8 @@ private:
 };
 }
 
-void OptimizedMesh::findCreaseBackbones(const std::vector<std::vector<int>>& chains)
+void OptimizedMesh::findCreaseBackbones(
+  const std::vector<std::vector<int>>& chains, bool allAreCreases)
 {
   const std::vector<Backbone>& backbones = this->Atlas->graph().backbones;
   this->IsCreaseBackbone.assign(backbones.size(), 1);
@@ -61,7 +62,8 @@ void OptimizedMesh::findCreaseBackbones(const std::vector<std::vector<int>>& cha
   {
     const double edges = std::max(1., static_cast<double>(chains[b].size()) - 1.);
     const double length = this->Atlas->traces()[b].length() / edges;
-    const bool isCrease = backbones[b].isCreaseTo(length);
+    const bool isCrease =
+      backbones[b].isCreaseTo(length) || (allAreCreases && backbones[b].type != BackboneType::Seam);
     this->IsCreaseBackbone[b] = isCrease ? 1 : 0;
     isLikeAtlas = isLikeAtlas && (isCrease || backbones[b].type == BackboneType::Seam);
   }
@@ -106,7 +108,7 @@ std::vector<char> OptimizedMesh::fixedNodes() const
 }
 
 Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
-  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles)
+  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles, bool allAreCreases)
 {
   this->Atlas = &atlas;
   this->Field = &density;
@@ -130,7 +132,7 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
     }
   }
   const std::vector<std::vector<int>> samplesOf = backboneChains(graph, samples);
-  this->findCreaseBackbones(samplesOf);
+  this->findCreaseBackbones(samplesOf, allAreCreases);
   const std::vector<char> fixedNode = this->fixedNodes();
   const ConstraintFinder named(atlas, false);
   const ConstraintFinder found(atlas, true);

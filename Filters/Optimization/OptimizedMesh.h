@@ -84,9 +84,11 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT OptimizedMesh
 {
 public:
   /// The atlas and the density are borrowed. Fails if the mesh is no manifold, or lacks an edge of
-  /// a backbone.
+  /// a backbone. Sharp backbones that are rounded off are creases where they are that to edges as
+  /// long as the mesh's, or all of them.
   Status build(const stipple::Atlas& atlas, const DensityField& density,
-    const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);
+    const std::vector<Sample>& samples, const std::vector<Triangle>& triangles,
+    bool allAreCreases = false);
   /// A part of a mesh, on a surface that may go on beyond it: vertices are places on the surface,
   /// of which only those with isMovable move; edges between others are not swapped, nor
   /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones
@@ -324,7 +326,7 @@ private:
     return this->Free[this->from(h)] == Freedom::None && this->Free[this->to(h)] == Freedom::None;
   }
   /// With the samples of each backbone of the graph.
-  void findCreaseBackbones(const std::vector<std::vector<int>>& chains);
+  void findCreaseBackbones(const std::vector<std::vector<int>>& chains, bool allAreCreases);
   /// By point of the surface.
   std::vector<char> fixedNodes() const;
   Status connect(const std::vector<Triangle>& triangles);

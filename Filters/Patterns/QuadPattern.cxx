@@ -4,6 +4,8 @@
 
 #include "GradedLattice.h"
 #include "MeshCreation.h"
+#include "MeshOptimizer.h"
+#include "OptimizedMesh.h"
 #include "SurfaceViews.h"
 
 #include <algorithm>
@@ -329,17 +331,116 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
     distance[i] = -1.;
   }
 }
+
+/// Which cells are quads: those that are about square on the surface, and about as large as wanted.
+class Squares
+{
+public:
+  Squares(const AtlasSurface& surface, const DensityField& density, std::size_t numberOfSamples)
+    : Surface(surface)
+    , Density(density)
+  {
+    for (const Face f : surface.faces())
+    {
+      this->Wanted += surface.faceArea(f) * this->densityAt({ f.index(), Vec3(1, 1, 1) / 3 });
+    }
+    this->Wanted /= static_cast<double>(std::max<std::size_t>(1, numberOfSamples));
+  }
+
+  bool has(const std::vector<Sample>& samples, const std::array<int, 4>& cell) const
+  {
+    // Halfway to where three corners are on a line; and twice as far off as the lattice's halves.
+    constexpr double MostOff = 0.25 * Pi;
+    constexpr double MostTimes = 4;
+    if (*std::min_element(cell.begin(), cell.end()) < 0)
+    {
+      return false;
+    }
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Sample& s = samples[static_cast<std::size_t>(cell[i])];
+      corners[i] = this->Surface.position(s.face, s.bary);
+    }
+    const double area = 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]).norm();
+    const Sample& first = samples[static_cast<std::size_t>(cell[0])];
+    const double amount = area * this->densityAt({ first.face, first.bary });
+    if (!(amount * MostTimes > this->Wanted && amount < MostTimes * this->Wanted))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Vec3 next = corners[(i + 1) % 4] - corners[i];
+      const Vec3 last = corners[(i + 3) % 4] - corners[i];
+      if (std::abs(std::atan2(next.cross(last).norm(), next.dot(last)) - 0.5 * Pi) > MostOff)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  double densityAt(const SurfacePlace& place) const
+  {
+    return this->Density.uniform() ? 1. : this->Density.at(this->Surface, place);
+  }
+  const AtlasSurface& Surface;
+  const DensityField& Density;
+  double Wanted = 0; ///< area, times density, of a sample
+};
+
+/// What is between squares is optimised like any mesh of triangles: seams are not seen any more,
+/// and no triangle is flat that was Delaunay in a chart's plane. Corners of squares stay.
+Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
+  const Squares& squares, const LatticeSamples& placed, std::vector<Triangle>& triangles,
+  QuadMesh& quads, const Progress& progress)
+{
+  std::vector<Sample> fixed = placed.samples;
+  for (const std::array<int, 4>& cell : placed.cells)
+  {
+    if (squares.has(placed.samples, cell))
+    {
+      for (const int corner : cell)
+      {
+        fixed[static_cast<std::size_t>(corner)].kind = SampleKind::Constraint;
+      }
+    }
+  }
+  OptimizedMesh mesh;
+  OptimizerOptions options;
+  options.swaps = OptimizerOptions::Swaps::Regularity;
+  options.featureTolerance = 0;
+  Status status = mesh.build(atlas, density, fixed, triangles, true);
+  status = status.ok() ? optimizeMesh(mesh, options, progress) : status;
+  if (!status.ok())
+  {
+    return status;
+  }
+  quads.samples = mesh.samples();
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+  {
+    const bool isFixed = fixed[i].kind == SampleKind::Constraint;
+    quads.samples[i].kind = isFixed ? placed.samples[i].kind : quads.samples[i].kind;
+  }
+  triangles = mesh.triangles();
+  for (const OptimizedMesh::Chain& chain : mesh.chains())
+  {
+    quads.chains.emplace_back();
+    for (const BackboneVertex& v : chain)
+    {
+      quads.chains.back().push_back(v.vertex.index());
+    }
+  }
+  return status;
+}
 }
 
-Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
-  QuadMesh& mesh, const Progress& progress, const DensityField& density)
+Status placeOnLattices(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
+  LatticeSamples& result, const Progress& progress, const DensityField& density)
 {
-  mesh.samples.clear();
-  mesh.polygons.clear();
-  if (isOneOpenChart(atlas) && density.uniform())
-  {
-    return gridOfOneChart(atlas, static_cast<int>(samples.size()), mesh);
-  }
+  result = {};
   const AtlasSurface& surface = atlas.surface();
   const int charts = surface.numberOfCharts();
   std::vector<std::vector<int>> interior(charts);
@@ -352,17 +453,16 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
       interior[surface.faceChart[s.face]].push_back(static_cast<int>(i));
       continue;
     }
-    mesh.samples.push_back(s);
+    result.samples.push_back(s);
     if (s.kind == SampleKind::Constraint)
     {
       fixed[surface.faceChart[s.face]].push_back(surface.parameter(s.face, s.bary));
     }
   }
   const auto segments = innerSegments(atlas);
-  std::vector<std::array<int, 4>> cells;
   for (int c = 0; c < charts; ++c)
   {
-    if (!report(progress, 0.5 * c / charts))
+    if (!report(progress, static_cast<double>(c) / charts))
     {
       return Status::aborted();
     }
@@ -382,27 +482,53 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
     {
       if (clear[n] && places[n].face >= 0)
       {
-        sampleOf[n] = static_cast<int>(mesh.samples.size());
-        mesh.samples.push_back(interiorSample(places[n]));
+        sampleOf[n] = static_cast<int>(result.samples.size());
+        result.samples.push_back(interiorSample(places[n]));
         present.push_back(lattice.nodes[n]);
         ++added;
       }
     }
     for (const auto& cell : lattice.cells)
     {
-      cells.push_back(
+      result.cells.push_back(
         { { sampleOf[cell[0]], sampleOf[cell[1]], sampleOf[cell[2]], sampleOf[cell[3]] } });
     }
-    addFarthest(surface, samples, interior[c], present, count - added, mesh.samples);
+    addFarthest(surface, samples, interior[c], present, count - added, result.samples);
   }
+  return Status::success();
+}
+
+Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
+  QuadMesh& mesh, const Progress& progress, const DensityField& density)
+{
+  mesh = {};
+  if (isOneOpenChart(atlas) && density.uniform())
+  {
+    const Status status = gridOfOneChart(atlas, static_cast<int>(samples.size()), mesh);
+    mesh.chains = backboneChains(atlas.graph(), mesh.samples);
+    return status;
+  }
+  const auto part = [&progress](double from, double to) {
+    return [&progress, from, to](
+             double fraction) { return report(progress, from + fraction * (to - from)); };
+  };
+  LatticeSamples placed;
+  Status status = placeOnLattices(atlas, samples, placed, part(0., 0.4), density);
   std::vector<Triangle> triangles;
-  Status status = createMesh(atlas, mesh.samples, triangles,
-    [&](double fraction) { return report(progress, 0.5 + 0.5 * fraction); });
+  if (status.ok())
+  {
+    status = createMesh(atlas, placed.samples, triangles, part(0.4, 0.6));
+  }
+  const Squares squares(atlas.surface(), density, samples.size());
+  if (status.ok())
+  {
+    status = relaxBetween(atlas, density, squares, placed, triangles, mesh, part(0.6, 1.));
+  }
   if (!status.ok())
   {
     return status;
   }
-  // Two triangles that fill a cell of the lattice become its quad.
+  // Two triangles that fill a square become a quad.
   std::map<Triangle, int> find;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
@@ -417,9 +543,9 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
     return found == find.end() ? -1 : found->second;
   };
   std::vector<char> used(triangles.size(), 0);
-  for (const auto& q : cells)
+  for (const auto& q : placed.cells)
   {
-    if (*std::min_element(q.begin(), q.end()) < 0)
+    if (!squares.has(mesh.samples, q))
     {
       continue;
     }

@@ -55,11 +55,10 @@ stipple::Status vtkQuadRemesh::MakeMesh(stipple::MeshRequest& request)
     {
       triangles.push_back({ p[0], p[1], p[2] });
     }
-    const stipple::FeatureGraph& graph = request.atlas.graph();
     request.mesh->ShallowCopy(stipple::meshToPolyData(request.atlas, mesh.samples, triangles));
     setPolygons(mesh, request.mesh);
-    request.lines->ShallowCopy(stipple::featureLines(
-      graph, stipple::backboneChains(graph, mesh.samples), request.mesh, true));
+    request.lines->ShallowCopy(
+      stipple::featureLines(request.atlas.graph(), mesh.chains, request.mesh, false));
   }
   return status;
 }

@@ -10,9 +10,11 @@
  * the control asks for the same everywhere.
  * Otherwise the samples inside the charts give way to the nodes of square lattices, whose
  * cells are split or joined where a chart's map stretches the surface, or where the control asks
- * for more or less, so that quads are alike or follow it; those on backbones and the constraints
- * stay, triangles join the quads to them and to those of other sizes, and charts meet along their
- * seams without cracks. The number of points is then that of the samples.
+ * for more or less, so that quads are alike or follow it. Cells that are about squares on the
+ * surface become quads; triangles join them to features, to those of other charts and of other
+ * sizes. The samples between the quads are moved and connected as vtkRemeshOptimizer does it by
+ * default, on their creases and boundaries if they are on some; constraints stay. The number of
+ * points is then that of the samples.
  *
  * Input ports:
  * - 0: samples, a vtkPolyData (vtkErrorDiffusionSampler, port 0);
@@ -24,7 +26,7 @@
  * Output ports, both vtkPolyData:
  * - 0: the mesh of quads and triangles, oriented like the input, with the arrays that vtkCDTRemesh
  * writes;
- * - 1: the mesh's edges along backbones (see vtkCDTRemesh).
+ * - 1: the mesh's edges along backbones, but for seams (see vtkRemeshOptimizer).
  *
  * @warning The quads of a grid follow the chart's area distortion; others have as much area (times
  * Control over AreaDistortion) as each other within a factor of two. Corners of a one-chart

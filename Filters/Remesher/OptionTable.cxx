@@ -442,9 +442,9 @@ void Maker::mesh()
     "features may move by so much where they leave triangles small angles",
     STIPPLE_NUMBER(vtkRemeshOptimizer, FeatureTolerance));
   this->choice("pattern", "KIND", { "triangles", "quads", "semiregular" },
-    "what the mesh is made of; quads are along the axes of every chart and not optimised, "
-    "semiregular "
-    "triangles are split 1 to 4, and the number of points is the base mesh's",
+    "what the mesh is made of; quads are along the axes of every chart, with triangles "
+    "between them, semiregular triangles are split 1 to 4, and the number of points is the base "
+    "mesh's",
     STIPPLE_ENUM(vtkGeometryRemesher, Pattern));
   this->number(Kind::Integer, "subdivisions", "L", "", "levels of the pattern semiregular",
     STIPPLE_NUMBER(vtkSemiRegularSubdivision, NumberOfSubdivisions));

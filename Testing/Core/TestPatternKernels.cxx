@@ -137,10 +137,9 @@ TEST_P(QuadLattices, FillChartsWithTheFarthestSamples)
   });
   ASSERT_NE(constraint, t.samples.end());
   constraint->kind = SampleKind::Constraint;
-  QuadMesh mesh;
-  ASSERT_TRUE(meshWithQuads(*t.atlas, t.samples, mesh, {}).ok());
+  LatticeSamples mesh;
+  ASSERT_TRUE(placeOnLattices(*t.atlas, t.samples, mesh, {}).ok());
   ASSERT_EQ(mesh.samples.size(), t.samples.size());
-  EXPECT_EQ(eulerNumber(mesh.polygons), 1);
 
   const auto keyOf = [](const Sample& s) {
     return std::make_tuple(s.face, s.bary[0], s.bary[1], s.bary[2]);
@@ -158,12 +157,12 @@ TEST_P(QuadLattices, FillChartsWithTheFarthestSamples)
     }
   }
   const auto parameter = [&](const Sample& s) { return surface.parameter(s.face, s.bary); };
-  // The quads of a chart are equal squares along its axes, half a side clear of what is fixed.
+  // The cells of a chart are equal squares along its axes, half a side clear of what is fixed.
   std::vector<double> side(4, 0.);
   std::vector<int> quads(4, 0);
-  for (const auto& q : mesh.polygons)
+  for (const auto& q : mesh.cells)
   {
-    if (q.size() == 4)
+    if (*std::min_element(q.begin(), q.end()) >= 0)
     {
       const int c = surface.faceChart[mesh.samples[q[0]].face];
       const double a = (parameter(mesh.samples[q[1]]) - parameter(mesh.samples[q[0]])).norm();
@@ -227,7 +226,65 @@ TEST_P(QuadLattices, FillChartsWithTheFarthestSamples)
       }
     }
   }
-  EXPECT_TRUE(meshWithQuads(*t.atlas, t.samples, mesh, [](double) { return false; }).isAbort());
+  EXPECT_TRUE(placeOnLattices(*t.atlas, t.samples, mesh, [](double) { return false; }).isAbort());
+}
+
+TEST(QuadPattern, TrianglesBetweenSquaresAreOptimised)
+{
+  meshes::TestMesh t;
+  synthetic::bumpyGrid(t.builder, 2, 12);
+  t.read();
+  const Atlas& atlas = *t.atlas;
+  t.samples = synthetic::sample(atlas.surface(), atlas.graph(), atlas.traces(), 500);
+  const auto constraint = std::find_if(t.samples.begin(), t.samples.end(),
+    [](const Sample& s) { return s.kind == SampleKind::Interior; });
+  constraint->kind = SampleKind::Constraint;
+  LatticeSamples placed;
+  ASSERT_TRUE(placeOnLattices(atlas, t.samples, placed, {}).ok());
+  QuadMesh mesh;
+  ASSERT_TRUE(meshWithQuads(atlas, t.samples, mesh, {}).ok());
+  ASSERT_EQ(mesh.samples.size(), t.samples.size());
+  EXPECT_EQ(eulerNumber(mesh.polygons), 1);
+  std::vector<char> isOfQuad(mesh.samples.size(), 0);
+  double smallest = Pi;
+  for (const auto& polygon : mesh.polygons)
+  {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+    {
+      const Vec3 at = positionOf(atlas, mesh.samples[polygon[k]]);
+      const Vec3 a = positionOf(atlas, mesh.samples[polygon[(k + 1) % polygon.size()]]) - at;
+      const Vec3 b =
+        positionOf(atlas, mesh.samples[polygon[(k + polygon.size() - 1) % polygon.size()]]) - at;
+      const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+      smallest = std::min(smallest, angle);
+      if (polygon.size() == 4)
+      {
+        EXPECT_NEAR(angle, Pi / 2, Pi / 4 + 1e-9);
+        isOfQuad[polygon[k]] = 1;
+      }
+    }
+  }
+  EXPECT_GT(smallest, 20 * Pi / 180);
+  EXPECT_GT(std::count(isOfQuad.begin(), isOfQuad.end(), 1), 150);
+  int moved = 0;
+  for (std::size_t i = 0; i < mesh.samples.size(); ++i)
+  {
+    const SampleKind kind = placed.samples[i].kind;
+    const double away =
+      (positionOf(atlas, mesh.samples[i]) - positionOf(atlas, placed.samples[i])).norm();
+    if (isOfQuad[i] != 0 || kind == SampleKind::Constraint)
+    {
+      EXPECT_LT(away, 1e-9) << i;
+    }
+    moved += away > 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(moved, 30);
+  ASSERT_EQ(mesh.chains.size(), atlas.graph().backbones.size());
+  for (std::size_t b = 0; b < mesh.chains.size(); ++b)
+  {
+    EXPECT_EQ(mesh.chains[b].empty(), atlas.graph().backbones[b].type == BackboneType::Seam) << b;
+  }
+  EXPECT_TRUE(meshWithQuads(atlas, t.samples, mesh, [](double) { return false; }).isAbort());
 }
 
 INSTANTIATE_TEST_SUITE_P(

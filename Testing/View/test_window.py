@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """stipple-view as a window among others: keys, questions, sizes, files."""
 import json
+import time
 import unittest
 
 import numpy as np
@@ -547,6 +548,27 @@ class Sizes(ViewTest):
                     self.assertGreater(red.sum(), 40, "its features")
                     status = picture[-16:-4, :100]
                     self.assertGreater(np.ptp(status), 100, "words in the status line")
+
+    def test_letters_are_as_bold_after_other_sizes(self):
+        """VTK keeps few fonts at a time, and loads them again for words that are new then."""
+        pictures_of = []
+        for heights in (), range(480, 1080, 12):
+            with LiveWindow(VIEW, FANDISK, "--points", 300) as window:
+                window.move(5, 5)
+                window.settle()
+                for height in heights:
+                    window.resize(1900, height)
+                    time.sleep(0.2)
+                    if height % 36 == 0:
+                        window.key("h")
+                        time.sleep(0.1)
+                        window.key("h")
+                window.resize(1280, 800)
+                for x in (1150, 250):  # for the tool's hint, in place of seconds
+                    window.move(x, 300)
+                    picture = window.settle()
+                pictures_of.append(picture)
+        np.testing.assert_array_equal(*pictures_of)
 
     def test_the_number_of_samples_is_that_of_the_dots(self):
         """Too few points cannot be sampled: there is no dot then, and none is told."""
