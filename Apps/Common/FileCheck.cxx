@@ -106,7 +106,12 @@ Status checkObj(const std::string& file)
     }
     else if (key == "f" || key == "l" || key == "p")
     {
-      for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest))
+      std::string_view word = nextWord(rest);
+      if (word.empty() || word[0] == '#')
+      {
+        return error("there is no point after " + inQuotes(key));
+      }
+      for (; !word.empty(); word = nextWord(rest))
       {
         if (word[0] == '#')
         {

@@ -170,12 +170,36 @@ int delaunaySwaps(MeshEdit& edit, int maximumNumberOfPasses)
     edit, maximumNumberOfPasses, [&](Edge e) { return exceedsHalfTurn(edit.mesh(), e); });
 }
 
+/// In space, and with both triangles laid flat as well: over a ridge the other edge is short in
+/// space, for it cuts through what is below.
+bool isAspectSwap(const OptimizedMesh& mesh, Edge e)
+{
+  const auto [before, after] = worstBeforeAndAfter(mesh, e, aspect);
+  const double wanted = (1. + Tuning::LeastGainOfAspect) * before;
+  if (after <= wanted)
+  {
+    return false;
+  }
+  const auto v = mesh.wingVertices(e);
+  const Vec3& origin = mesh.position(v[0]);
+  const Vec3 along = mesh.position(v[1]) - origin;
+  const double length = along.norm();
+  const auto laidFlat = [&](const Vec3& p, double side) {
+    const double x = length > 0 ? (p - origin).dot(along) / length : 0.;
+    return Vec3(x, side * std::sqrt(std::max(0., (p - origin).squaredNorm() - x * x)), 0.);
+  };
+  const Vec3 c = laidFlat(mesh.position(v[2]), 1.);
+  const Vec3 d = laidFlat(mesh.position(v[3]), -1.);
+  const double height = c.y() - d.y();
+  const double middle = height > 0 ? (c.y() * d.x() - d.y() * c.x()) / height : -1.;
+  return middle > 0 && middle < length &&
+    std::min(aspect(Vec3::Zero(), d, c), aspect(Vec3(length, 0, 0), c, d)) > wanted;
+}
+
 int aspectSwaps(MeshEdit& edit, int maximumNumberOfPasses)
 {
-  return swapWhile(edit, maximumNumberOfPasses, [&](Edge e) {
-    const auto [before, after] = worstBeforeAndAfter(edit.mesh(), e, aspect);
-    return after > (1. + Tuning::LeastGainOfAspect) * before;
-  });
+  return swapWhile(
+    edit, maximumNumberOfPasses, [&](Edge e) { return isAspectSwap(edit.mesh(), e); });
 }
 
 int regularitySwaps(MeshEdit& edit, double minimumAngle, int maximumNumberOfPasses)

@@ -24,7 +24,8 @@ STIPPLEFILTERSOPTIMIZATION_EXPORT int delaunaySwaps(MeshEdit& edit, int maximumN
 STIPPLEFILTERSOPTIMIZATION_EXPORT int regularitySwaps(
   MeshEdit& edit, double minimumAngle, int maximumNumberOfPasses);
 
-/// Swaps edges where that raises the smaller area / perimeter^2 of the two triangles.
+/// Swaps edges where that raises the smaller area / perimeter^2 of the two triangles, in space and
+/// as it were if both were laid flat about the edge.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int aspectSwaps(MeshEdit& edit, int maximumNumberOfPasses);
 
 /// Triangles about v that are too many (negative: missing); for v on a crease, in the sector of

@@ -132,6 +132,20 @@ TEST(MeshOptimizer, DoesOnlyWhatItIsTold)
   }
 }
 
+TEST(EdgeSwaps, AspectSwapsDoNotCutThroughRidges)
+{
+  // Two triangles about a ridge, with a base of 1.2 and .72 high, whose tops are .95 apart in
+  // space: these would make fatter triangles over the gap, but thinner ones on the surface.
+  const auto swapsOf = [](double depth) {
+    const auto t = meshes::patchOf(1, [depth](double u, double v) {
+      return Vec3(0.6 * (u + v), 0.475 * (u - v), -depth * std::abs(u - v));
+    });
+    return aspectSwaps(t->edit, 1);
+  };
+  EXPECT_EQ(swapsOf(0.541), 0);
+  EXPECT_EQ(swapsOf(0.), 1) << "a flat one as wide";
+}
+
 TEST(MeshOptimizer, LaplacianMovesEvenOutAreasOrDensities)
 {
   // About the point at the top, vertices are wanted at twice the spacing.
