@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 namespace stipple
@@ -528,18 +529,27 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
   {
     return status;
   }
-  // Two triangles that fill a square become a quad.
+  // Two triangles that fill a square become a quad; where samples were moved around one another the
+  // cell may lie on its back, and is none.
+  const auto fromLeast = [](Triangle t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+  };
   std::map<Triangle, int> find;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    Triangle sorted = triangles[t];
-    std::sort(sorted.begin(), sorted.end());
-    find[sorted] = static_cast<int>(t);
+    find[fromLeast(triangles[t])] = static_cast<int>(t);
+  }
+  std::set<std::pair<int, int>> edges;
+  for (const Triangle& t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+    }
   }
   const auto triangleOf = [&](int a, int b, int c) {
-    Triangle sorted = { a, b, c };
-    std::sort(sorted.begin(), sorted.end());
-    const auto found = find.find(sorted);
+    const auto found = find.find(fromLeast({ a, b, c }));
     return found == find.end() ? -1 : found->second;
   };
   std::vector<char> used(triangles.size(), 0);
@@ -553,7 +563,10 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
     {
       const int s = triangleOf(q[diagonal], q[diagonal + 1], q[diagonal + 2]);
       const int t = triangleOf(q[diagonal], q[diagonal + 2], q[(diagonal + 3) % 4]);
-      if (s >= 0 && t >= 0)
+      // However it is cut again, by the other diagonal, too, the mesh is a manifold: about a thin
+      // tube that may be an edge on the other side.
+      const auto other = std::minmax(q[1 - diagonal], q[3 - diagonal]);
+      if (s >= 0 && t >= 0 && edges.insert(other).second)
       {
         used[s] = used[t] = 1;
         mesh.polygons.push_back({ q[0], q[1], q[2], q[3] });
