@@ -563,6 +563,28 @@ class Patterns(MeshTest):
         self.assertEqual(len(faces) - quads, sum(len(f) == 3 for f in faces))
         self.assertGreater(2 * quads, 0.7 * (2 * quads + len(faces) - quads), "most of the surface is quads")
 
+    def test_quads_of_a_thin_tube_can_be_cut_by_either_diagonal(self):
+        """A few are around it: a diagonal must be no edge on the other side."""
+        sides, rings = 10, 120
+        points = [
+            ((3 + 0.1 * math.cos(a)) * math.cos(t), (3 + 0.1 * math.cos(a)) * math.sin(t), 0.1 * math.sin(a))
+            for t in (2 * math.pi * j / rings for j in range(rings))
+            for a in (2 * math.pi * i / sides for i in range(sides))
+        ]
+        at = lambda i, j: j % rings * sides + i % sides
+        faces = [(at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)) for i in range(sides) for j in range(rings)]
+        for number in (450, 500, 550):
+            with self.subTest(points=number):
+                write_off(self.folder / "ring.off", points, faces)
+                self.succeed(self.folder / "ring.off", "-o", self.folder / "out.off", "--points", number, "--pattern", "quads")
+                polygons = faces_of(self.folder / "out.off")
+                edges = {frozenset((f[k - 1], f[k])) for f in polygons for k in range(len(f))}
+                quads = [f for f in polygons if len(f) == 4]
+                self.assertGreater(len(quads), 40)
+                diagonals = [frozenset(f[k::2]) for f in quads for k in range(2)]
+                self.assertEqual(len(set(diagonals)), len(diagonals))
+                self.assertFalse(edges & set(diagonals))
+
     def test_paint_fills_a_face_of_a_cube(self):
         """A stroke without a radius reaches the edges around it, and one without a strength takes it away again."""
         strokes = {
