@@ -106,12 +106,7 @@ Status checkObj(const std::string& file)
     }
     else if (key == "f" || key == "l" || key == "p")
     {
-      std::string_view word = nextWord(rest);
-      if (word.empty() || word[0] == '#')
-      {
-        return error("there is no point after " + inQuotes(key));
-      }
-      for (; !word.empty(); word = nextWord(rest))
+      for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest))
       {
         if (word[0] == '#')
         {
