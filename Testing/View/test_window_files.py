@@ -434,8 +434,10 @@ class Files(ViewTest):
             self.assertGreater(abs(ends[0][0] - ends[1][0]), 100)
             self.assertGreater((bar[..., :3].min(axis=1) > 200).sum(), 20, "nearly white in the middle")
             for words in (pixels[40:85, 60:900], pixels[140:200, 60:500]):
-                self.assertGreater((words[..., 3] > 128).sum(), 500)
-                self.assertGreater((words[..., 3] == 0).mean(), 0.6, "no ground")
+                self.assertTrue((words[..., 3] == 255).all(), "readable before the model, and on any page")
+                self.assertGreater((words[..., :3].min(axis=2) > 250).mean(), 0.6, "on white")
+                self.assertGreater((words[..., :3].max(axis=2) < 128).sum(), 500)
+            self.assertEqual(pixels[-100:, :, 3].max(), 0, "nothing around the model")
 
     def test_recent_files_are_offered(self):
         environment = dict(self.environment)
