@@ -57,6 +57,8 @@ std::string Activity::sentence() const
     case Mesh::Making:
       return this->tried > 0
         ? "Trying " + grouped(this->tried) + " points for the distance; Esc stops it."
+        : this->byLevels
+        ? "Meshing some " + numberText(twoDigits(this->points)) + " points; Esc stops it."
         : "Meshing; Esc stops it.";
     case Mesh::Asks:
       return (this->byLevels ? "So many levels make some " : "Edges so short take some ") +

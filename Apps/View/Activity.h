@@ -24,15 +24,15 @@ struct Activity
   };
 
   Mesh mesh = Mesh::Waiting;
-  double points = 0;         ///< of the mesh that is asked about
-  bool byLevels = false;     ///< they follow from levels of subdivision, else from a length
-  int tried = 0;             ///< points, where their number is looked for
-  double progress = 0;       ///< 0 to 1 of what showsBar()
-  bool savesMesh = false;    ///< the mesh is written when it is done
-  bool sampling = false;     ///< the samples on the left are not those of the session
-  bool samples = false;      ///< they are on their way, however quick
-  std::string reading;       ///< the file that is opened next
-  std::string meshFile;      ///< that is written then
+  double points = 0;      ///< of the mesh that is asked about, or that levels make; about so many
+  bool byLevels = false;  ///< they follow from levels of subdivision, else from a length
+  int tried = 0;          ///< points, where their number is looked for
+  double progress = 0;    ///< 0 to 1 of what showsBar()
+  bool savesMesh = false; ///< the mesh is written when it is done
+  bool sampling = false;  ///< the samples on the left are not those of the session
+  bool samples = false;   ///< they are on their way, however quick
+  std::string reading;    ///< the file that is opened next
+  std::string meshFile;   ///< that is written then
   std::string sampleProblem; ///< why there are none for the session; empty mostly
   std::string meshProblem;   ///< why it failed
 

@@ -378,11 +378,8 @@ void Viewer::takeResults()
     this->Problem.clear();
     if (this->Mesh->deviation > 0 && this->meshIsCurrent())
     {
-      char percent[32];
-      std::snprintf(percent, sizeof(percent), "%.3g", this->Mesh->deviation);
-      this->say("With " + grouped(this->Mesh->mesh->GetNumberOfPoints()) +
-        " points no place of the mesh or of the input is farther from the other than " + percent +
-        " % of its diagonal.");
+      this->say("With " + grouped(this->Mesh->mesh->GetNumberOfPoints()) + " points" +
+        this->reachedDistance() + ".");
     }
     this->Window.touch(ViewerWindow::Views | ViewerWindow::Strip | ViewerWindow::Status);
     if (this->SaveWhenDone && this->meshIsCurrent())
@@ -400,6 +397,18 @@ void Viewer::takeResults()
     }
     this->Window.touch(ViewerWindow::After | ViewerWindow::Status);
   }
+}
+
+std::string Viewer::reachedDistance() const
+{
+  if (!(this->Mesh->deviation > 0))
+  {
+    return "";
+  }
+  char percent[32];
+  std::snprintf(percent, sizeof(percent), "%.3g", this->Mesh->deviation);
+  return std::string(", mesh and input are within ") + percent +
+    " % of the diagonal of each other everywhere";
 }
 
 void Viewer::showAtlas()
@@ -495,14 +504,16 @@ Activity Viewer::activity()
   const bool works = !this->Stopped && this->Worker.busy();
   // Maps of another number of points say nothing about this one, and there may be others soon.
   now.sampleProblem = works || this->MeshWanted || this->Stopped ? "" : this->PreviewProblem;
-  now.points = this->pointsToAgree();
-  now.byLevels = pointsOfLevels(this->Now, this->Area) > 0;
+  const double toAgree = this->pointsToAgree();
+  const double byLevels = pointsOfLevels(this->Now, this->Area);
+  now.points = toAgree > 0 ? toAgree : byLevels;
+  now.byLevels = byLevels > 0;
   now.tried = this->Worker.tried();
   now.mesh = this->meshIsCurrent()         ? Mesh::Current
     : works && this->Worker.makesCharts()  ? Mesh::Charts
     : this->MeshWanted                     ? Mesh::Waiting
     : !this->Problem.empty()               ? Mesh::Failed
-    : now.points > 0                       ? Mesh::Asks
+    : toAgree > 0                          ? Mesh::Asks
     : this->Stopped || this->Worker.idle() ? Mesh::Stopped
                                            : Mesh::Making;
   return now;

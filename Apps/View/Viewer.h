@@ -223,6 +223,8 @@ private:
   [[nodiscard]] std::string toolHint(const Pointer& pointer) const;
   /// Of equilateral triangles that are alike, as many as a mesh of so many points has; 0 of none.
   [[nodiscard]] double edgeOf(vtkIdType points) const;
+  /// What is sure of the mesh that there is, after a comma; nothing if no distance was asked for.
+  [[nodiscard]] std::string reachedDistance() const;
   /// The model's name, and the session's if it has one.
   void renewTitle();
   /// Of what is under the pointer now.

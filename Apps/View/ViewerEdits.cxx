@@ -166,7 +166,8 @@ void Viewer::writeMesh()
   }
   const std::function<void()> next = std::exchange(this->AfterSaving, nullptr);
   this->say(status.ok() ? "Wrote " + wholePath(this->Files.mesh) + ": " +
-        this->countsOfMesh(fileExtension(this->Files.mesh) == ".stl") + "."
+        this->countsOfMesh(fileExtension(this->Files.mesh) == ".stl") + this->reachedDistance() +
+        "."
                         : status.message(),
     !status.ok());
   if (next && status.ok())

@@ -65,6 +65,10 @@ TEST(Activity, TellsTheNumberThatIsTried)
   a.tried = 3412;
   EXPECT_NE(a, before);
   EXPECT_EQ(a.sentence(), "Trying 3,412 points for the distance; Esc stops it.");
+  a.tried = 0;
+  a.byLevels = true;
+  a.points = 31970;
+  EXPECT_EQ(a.sentence(), "Meshing some 32,000 points; Esc stops it.");
 }
 
 TEST(Activity, TellsWhatWillBeWritten)
