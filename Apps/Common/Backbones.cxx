@@ -89,9 +89,13 @@ vtkSmartPointer<vtkPolyData> backbonesOfType(vtkPolyData* lines, int type)
   return selectedBackbones(lines, [&](vtkIdType cell) { return isOfType(lines, type, cell); });
 }
 
-vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, vtkPolyData* samples)
+vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, vtkPolyData* samples, bool allAreCreases)
 {
   constexpr int Sharp = 0;
+  if (allAreCreases)
+  {
+    return backbonesOfType(lines, Sharp);
+  }
   vtkDataArray* widths = lines ? lines->GetCellData()->GetArray("Width") : nullptr;
   const std::vector<double> edges =
     samples && widths ? edgesOnBackbones(lines, samples) : std::vector<double>();

@@ -14,8 +14,10 @@ namespace stipple
 
 /// The polylines along sharp edges that are creases to the mesh whose vertices on them are these
 /// samples, by the point array BackboneId: where an edge is rounded off, by the cell array Width,
-/// short edges go around. Without samples, what no mesh should lose.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, vtkPolyData* samples);
+/// short edges go around, unless all are creases, as to quads. Without samples, what no mesh should
+/// lose.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> creasesTo(
+  vtkPolyData* lines, vtkPolyData* samples, bool allAreCreases = false);
 }
 
 #endif

@@ -49,6 +49,7 @@ public:
   bool setMarks(const Session& session);
   /// The brush's outline on the surface; no radius: none.
   void setBrush(const Vec3& position, const Vec3& normal, double radius);
+  void hideBrush() { this->setBrush(Vec3::Zero(), Vec3::UnitZ(), 0); }
   /// Edges of the input that a click would tag, in the brush's place.
   void setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges);
   /// The picked points, to be shown in another view as well.

@@ -229,6 +229,15 @@ void Canvas::polyline(
   }
 }
 
+void Canvas::button(const Rect& box, const std::string& words, bool first, bool under)
+{
+  this->box(box, first ? shades::Accent : (under ? shades::Hover : shades::Card),
+    first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
+  const TextLook look{ 12, first ? shades::Card : shades::Word, Align::Center, first };
+  this->text(box.x + 0.5F * box.w, box.y + 0.5F * box.h,
+    this->fitted(words, box.w - 8 * this->Scale, look), look);
+}
+
 void Canvas::image(const Rect& box, vtkImageData* image)
 {
   if (this->notes(box.x, box.y, box.w, box.h, image, image->GetMTime()))

@@ -98,6 +98,8 @@ public:
   void fill(const Rect& box, const Shade& shade);
   /// With smooth round corners and a border.
   void box(const Rect& box, const Shade& fill, const Shade& border, float radius, float width = 1);
+  /// A button of a page; the first is what Return does.
+  void button(const Rect& box, const std::string& words, bool first, bool under);
   /// A page in the middle of the window, which is veiled; the page.
   Rect page(const Rect& window, float width, float height);
   void disc(float x, float y, float radius, const Shade& fill, const Shade& border);

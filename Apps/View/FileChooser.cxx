@@ -219,12 +219,7 @@ float FileChooser::paintButtons(Canvas& canvas, const Rect& page)
   {
     const Rect button{ right - 84 * s, page.y + 14 * s, 84 * s, 28 * s };
     this->Buttons[static_cast<std::size_t>(i)] = button;
-    const bool first = i == 0;
-    const bool under = i == this->UnderButton;
-    canvas.box(button, first ? shades::Accent : (under ? shades::Hover : shades::Card),
-      first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
-    canvas.text(button.x + 0.5F * button.w, button.y + 0.5F * button.h, texts[i],
-      { 12, first ? shades::Card : shades::Word, Align::Center, first });
+    canvas.button(button, texts[i], i == 0, i == this->UnderButton);
     right = button.x - 10 * s;
   }
   return right;
@@ -232,10 +227,8 @@ float FileChooser::paintButtons(Canvas& canvas, const Rect& page)
 
 int FileChooser::entryAt(const Pointer& pointer) const
 {
-  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
-    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
-  return found == this->Boxes.end() ? -1
-                                    : this->First + static_cast<int>(found - this->Boxes.begin());
+  const int box = boxAt(this->Boxes, pointer);
+  return box < 0 ? -1 : this->First + box;
 }
 
 void FileChooser::open(const fs::path& path, bool folder)
@@ -334,9 +327,7 @@ void FileChooser::acceptName()
 
 int FileChooser::buttonAt(const Pointer& pointer) const
 {
-  const auto found = std::find_if(this->Buttons.begin(), this->Buttons.end(),
-    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
-  return found == this->Buttons.end() ? -1 : static_cast<int>(found - this->Buttons.begin());
+  return boxAt(this->Buttons, pointer);
 }
 
 void FileChooser::giveUp()

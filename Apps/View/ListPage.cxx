@@ -67,9 +67,7 @@ void ListPage::paint(Canvas& canvas, const Rect& window)
 
 int ListPage::entryAt(const Pointer& pointer) const
 {
-  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
-    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
-  return found == this->Boxes.end() ? -1 : static_cast<int>(found - this->Boxes.begin());
+  return boxAt(this->Boxes, pointer);
 }
 
 void ListPage::press(const Pointer& pointer)

@@ -165,11 +165,10 @@ void MeshWorker::perform(const Session& session)
   result->deviation = this->Remesher->GetDeviation();
   result->figures = measureFigures(result->mesh);
   result->figures.cutEdges = this->Remesher->GetAtlas()->GetNumberOfSplitEdges();
-  auto* graph = vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1));
-  result->creases = this->Remesher->GetPattern() == vtkGeometryRemesher::QUADS
-    ? backbonesOfType(graph, 0)
-    : creasesTo(
-        graph, vtkPolyData::SafeDownCast(this->Remesher->GetSampler()->GetOutputDataObject(0)));
+  result->creases =
+    creasesTo(vtkPolyData::SafeDownCast(this->Remesher->GetAtlas()->GetOutputDataObject(1)),
+      vtkPolyData::SafeDownCast(this->Remesher->GetSampler()->GetOutputDataObject(0)),
+      this->Remesher->GetPattern() == vtkGeometryRemesher::QUADS);
   result->lost = lostFeatures(this->Remesher);
   if (result->lost)
   {

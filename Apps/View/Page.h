@@ -7,6 +7,8 @@
 
 #include "Control.h"
 
+#include <algorithm>
+
 namespace stipple
 {
 class Page
@@ -25,6 +27,15 @@ public:
   /// Notches of the wheel, away from the user positive.
   virtual void wheel(int) {}
 };
+
+/// Which of the boxes the pointer is in; -1: none.
+template <typename Boxes>
+int boxAt(const Boxes& boxes, const Pointer& pointer)
+{
+  const auto found = std::find_if(boxes.begin(), boxes.end(),
+    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
+  return found == boxes.end() ? -1 : static_cast<int>(found - boxes.begin());
+}
 }
 
 #endif

@@ -139,8 +139,7 @@ vtkPolyData* Preview::samples()
 vtkSmartPointer<vtkPolyData> Preview::creases(const Session& session)
 {
   auto* graph = vtkPolyData::SafeDownCast(this->Control->GetInputDataObject(2, 0));
-  return session.text("pattern") == "quads" ? backbonesOfType(graph, 0)
-                                            : creasesTo(graph, this->samples());
+  return creasesTo(graph, this->samples(), session.text("pattern") == "quads");
 }
 
 std::vector<double> Preview::importanceHistogram(const Session& session, int bars)

@@ -35,22 +35,15 @@ void Question::paint(Canvas& canvas, const Rect& window)
     const Rect button{ box.x + pad + static_cast<float>(i) * (cell + gap), box.y + 18 * s, cell,
       32 * s };
     this->Boxes.push_back(button);
-    const bool first = i == 0;
-    const bool under = static_cast<int>(i) == this->Under;
-    canvas.box(button, first ? shades::Accent : (under ? shades::Hover : shades::Card),
-      first || under ? shades::Accent : shades::Line, 4, under ? 2 : 1);
-    const TextLook look{ 12, first ? shades::Card : shades::Word, Align::Center, first };
-    const std::string text = this->Answers[i].text + " (" + nameOfKey(this->Answers[i].key) + ")";
-    canvas.text(button.x + 0.5F * button.w, button.y + 0.5F * button.h,
-      canvas.fitted(text, button.w - 8 * s, look), look);
+    const Answer& answer = this->Answers[i];
+    canvas.button(button, answer.text + " (" + nameOfKey(answer.key) + ")", i == 0,
+      static_cast<int>(i) == this->Under);
   }
 }
 
 int Question::answerAt(const Pointer& pointer) const
 {
-  const auto found = std::find_if(this->Boxes.begin(), this->Boxes.end(),
-    [&pointer](const Rect& box) { return box.has(pointer.x, pointer.y); });
-  return found == this->Boxes.end() ? -1 : static_cast<int>(found - this->Boxes.begin());
+  return boxAt(this->Boxes, pointer);
 }
 
 void Question::press(const Pointer& pointer)

@@ -81,7 +81,7 @@ void Viewer::changeView(const std::function<void(ViewState&)>& change)
   this->AfterSide.setView(this->View, lines);
   if (this->View.tool == Tool::Camera)
   {
-    this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
+    this->BeforeSide.hideBrush();
   }
   this->renewHint();
   this->Window.touch(ViewerWindow::Views);
@@ -211,7 +211,7 @@ void Viewer::writeFigureFiles()
   this->AfterSide.setView(this->View, lines);
   const int marked = this->AfterSide.marked();
   this->AfterSide.setMarked(-1); // not the figure's, nor is the brush
-  this->BeforeSide.setBrush(Vec3::Zero(), Vec3::UnitZ(), 0);
+  this->BeforeSide.hideBrush();
   for (const bool before : { true, false })
   {
     const std::string file = this->Files.figures + (before ? "-before.png" : "-after.png");

@@ -466,6 +466,20 @@ std::vector<Triangle> OptimizedMesh::triangles() const
   return result;
 }
 
+std::vector<std::vector<int>> OptimizedMesh::chainIds() const
+{
+  std::vector<std::vector<int>> ids;
+  for (const Chain& chain : this->Chains)
+  {
+    ids.emplace_back();
+    for (const BackboneVertex& v : chain)
+    {
+      ids.back().push_back(v.vertex.index());
+    }
+  }
+  return ids;
+}
+
 std::vector<Sample> OptimizedMesh::samples() const
 {
   std::vector<Sample> result = this->Original;

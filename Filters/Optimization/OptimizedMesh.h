@@ -276,6 +276,8 @@ public:
   /// The vertices of every backbone in order, with both ends; empty for seams.
   using Chain = std::vector<BackboneVertex>;
   const std::vector<Chain>& chains() const { return this->Chains; }
+  /// Their ids alone.
+  std::vector<std::vector<int>> chainIds() const;
   /// A position that users named, which must be a vertex.
   bool isConstraint(Vertex v) const { return this->IsConstraint[v] != 0; }
   /// Places of the surface that vertices were at until changes led them, and creases, to this one.

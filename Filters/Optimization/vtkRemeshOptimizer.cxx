@@ -74,17 +74,8 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
       request.mesh->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
     }
   }
-  std::vector<std::vector<int>> chains;
-  for (const stipple::OptimizedMesh::Chain& chain : mesh.chains())
-  {
-    chains.emplace_back();
-    for (const stipple::BackboneVertex& v : chain)
-    {
-      chains.back().push_back(v.vertex.index());
-    }
-  }
   request.lines->ShallowCopy(
-    stipple::featureLines(request.atlas.graph(), chains, request.mesh, false));
+    stipple::featureLines(request.atlas.graph(), mesh.chainIds(), request.mesh, false));
   return status;
 }
 

@@ -426,14 +426,7 @@ Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
     quads.samples[i].kind = isFixed ? placed.samples[i].kind : quads.samples[i].kind;
   }
   triangles = mesh.triangles();
-  for (const OptimizedMesh::Chain& chain : mesh.chains())
-  {
-    quads.chains.emplace_back();
-    for (const BackboneVertex& v : chain)
-    {
-      quads.chains.back().push_back(v.vertex.index());
-    }
-  }
+  quads.chains = mesh.chainIds();
   return status;
 }
 }
