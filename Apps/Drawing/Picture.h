@@ -29,7 +29,8 @@ struct PictureContent
   std::string name; ///< of the input
   vtkPolyData* before = nullptr;
   vtkPartitionedDataSetCollection* charts = nullptr;
-  vtkPolyData* graph = nullptr; ///< feature graph
+  vtkPolyData* graph = nullptr;   ///< feature graph
+  vtkPolyData* creases = nullptr; ///< what of `graph` is a crease to `after`
   vtkPartitionedDataSetCollection* maps = nullptr;
   vtkPolyData* samples = nullptr;
   vtkPolyData* after = nullptr;

@@ -84,19 +84,19 @@ vtkProperty* addSurface(vtkRenderer* renderer, vtkPolyData* mesh)
   return actor->GetProperty();
 }
 
-void addLines(vtkRenderer* renderer, vtkPolyData* lines, int type, const Color& color, double width)
+void addLines(vtkRenderer* renderer, vtkPolyData* lines, const Color& color, double width)
 {
-  const vtkSmartPointer<vtkPolyData> data = backbonesOfType(lines, type);
-  if (data->GetNumberOfLines() > 0)
+  if (lines->GetNumberOfLines() > 0)
   {
-    renderer->AddActor(lineActor(data, color, width));
+    renderer->AddActor(lineActor(lines, color, width));
   }
 }
 
-void addFeatures(vtkRenderer* renderer, vtkPolyData* lines, const PanelLayout& layout)
+void addFeatures(
+  vtkRenderer* renderer, vtkPolyData* lines, vtkPolyData* creases, const PanelLayout& layout)
 {
-  addLines(renderer, lines, 1, BoundaryBlue, 2. * layout.scale);
-  addLines(renderer, lines, 0, FeatureRed, 2. * layout.scale);
+  addLines(renderer, backbonesOfType(lines, 1), BoundaryBlue, 2. * layout.scale);
+  addLines(renderer, creases, FeatureRed, 2. * layout.scale);
 }
 
 void addCharts(vtkRenderer* renderer, const PictureContent& content, const PanelLayout& layout)
@@ -118,14 +118,14 @@ void addCharts(vtkRenderer* renderer, const PictureContent& content, const Panel
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToFlat();
   renderer->AddActor(actor);
-  addLines(renderer, content.graph, 2, Ink, 2. * layout.scale);
-  addFeatures(renderer, content.graph, layout);
+  addLines(renderer, backbonesOfType(content.graph, 2), Ink, 2. * layout.scale);
+  addFeatures(renderer, content.graph, content.creases, layout);
 }
 
 void addSamples(vtkRenderer* renderer, const PictureContent& content, const PanelLayout& layout)
 {
   addSurface(renderer, content.before);
-  addFeatures(renderer, content.graph, layout);
+  addFeatures(renderer, content.graph, content.creases, layout);
   vtkNew<vtkPolyData> points;
   points->SetPoints(content.samples->GetPoints());
   points->SetVerts(content.samples->GetVerts());
@@ -213,7 +213,7 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
     case PicturePanel::Before:
       setEdgeLook(addSurface(renderer, content.before),
         pixelsOf(meanEdge(content.before), renderer, layout), layout.scale);
-      addFeatures(renderer, content.graph, layout);
+      addFeatures(renderer, content.graph, content.creases, layout);
       addLabel(renderer, layout, "before",
         grouped(content.before->GetNumberOfPoints()) + " points, " +
           grouped(content.before->GetNumberOfPolys() + content.before->GetNumberOfStrips()) +
@@ -236,7 +236,7 @@ void fillPanel(vtkRenderer* renderer, const PictureContent& content, PicturePane
     default:
       setEdgeLook(addSurface(renderer, content.after),
         pixelsOf(meanEdge(content.after), renderer, layout), layout.scale);
-      addFeatures(renderer, content.lines, layout);
+      addFeatures(renderer, content.lines, backbonesOfType(content.lines, 0), layout);
       addLabel(renderer, layout, "after",
         grouped(content.after->GetNumberOfPoints()) + " points, " +
           grouped(content.after->GetNumberOfPolys()) +

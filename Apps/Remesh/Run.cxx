@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run.h"
 
+#include "Backbones.h"
 #include "CommandLine.h"
 #include "DrawingLibrary.h"
 #include "LostFeatures.h"
@@ -366,6 +367,9 @@ Status drawPicture(
   content.graph = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(3));
   content.maps = vtkPartitionedDataSetCollection::SafeDownCast(remesher->GetOutputDataObject(4));
   content.samples = vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(5));
+  const vtkSmartPointer<vtkPolyData> creases =
+    creasesTo(content.graph, content.samples, remesher->GetPattern() == vtkGeometryRemesher::QUADS);
+  content.creases = creases;
   const std::vector<std::string> names = { "all", "before", "charts", "maps", "samples", "after" };
   const std::string wanted = o.has("picture_panel") ? o.text("picture_panel") : names.front();
   const std::string picture = o.text("picture");

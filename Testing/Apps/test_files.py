@@ -8,12 +8,16 @@ import struct
 import unittest
 import zlib
 
-from stipple_program import ProgramTest, mesh_check, points_of
+from stipple_program import MODELS, ProgramTest, mesh_check, points_of
 
 SECONDS = ["load", "atlas", "maps", "control", "sampling", "meshing", "optimisation", "write", "total"]
 QUALITY = """V F isolated nonmanifold_edges boundary_edges misoriented_edges nonmanifold_vertices components boundary_loops
 euler genus degenerate Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_gt90 V6_pct V567_pct area_cv edge_cv area
 closed manifold rms_pct hausdorff_pct rms_to_pct hausdorff_to_pct rms_from_pct hausdorff_from_pct area_ratio same_topology""".split()
+
+
+def is_red(color):
+    return color[0] > 170 and color[1] < 90 and color[2] < 90
 
 
 def png_pixels(path):
@@ -131,8 +135,16 @@ class Files(ProgramTest):
                 self.assertTrue(0.2 < white < 0.95, f"{white:.2f} of the picture is empty")
                 self.assertGreater(len(colors), 20)
                 if panel != "maps":
-                    red = sum(c[0] > 170 and c[1] < 90 and c[2] < 90 for c in colors)
-                    self.assertGreater(red, 0, "features are red")
+                    self.assertTrue(any(map(is_red, colors)), "features are red")
+
+    def test_pictures_show_rounded_edges_as_the_mesh_takes_them(self):
+        for points, are_creases in ((1000, True), (10000, False)):
+            picture = self.folder / "picture.png"
+            self.succeed(MODELS / "bunny00.off", "-o", self.folder / "m.ply", "--points", points, "--picture", picture,
+                         "--picture-panel", "before")
+            _, _, rows = png_pixels(picture)
+            colors = {bytes(row[i : i + 3]) for row in rows for i in range(0, len(row), 3)}
+            self.assertEqual(any(map(is_red, colors)), are_creases, f"rims of ears, {points} points")
 
     def test_charts(self):
         cube = self.cube()
