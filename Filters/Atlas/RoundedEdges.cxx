@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <set>
 
 namespace stipple
 {
@@ -361,6 +362,17 @@ private:
     Vertex to;
     double width;
   };
+  /// As a priority_queue has the nearest first.
+  struct Reached
+  {
+    double length;
+    Vertex vertex;
+    Halfedge by;
+    bool operator<(const Reached& o) const
+    {
+      return this->length != o.length ? this->length > o.length : o.vertex < this->vertex;
+    }
+  };
   double longestSpur(double width) const
   {
     return std::max(WidthsOfLine * width, this->Options.shortestBranch);
@@ -372,7 +384,7 @@ private:
     const Vertex a = this->Surface.tail(h);
     const Vertex b = this->Surface.head(h);
     // The cycle that it closes is longer than a band's ends are apart.
-    if (this->isNear(a, b, WidthsOfLine * width))
+    if (this->near(a, WidthsOfLine * width, b).count(b) > 0)
     {
       return;
     }
@@ -389,45 +401,42 @@ private:
     }
   }
 
-  /// Whether lines lead from one vertex to another on a path that is no longer.
-  bool isNear(Vertex from, Vertex to, double reach) const
+  /// The vertices that lines lead to on paths that are no longer, the nearest first, until `last`
+  /// is among them.
+  std::set<Vertex> near(Vertex from, double reach, Vertex last = Vertex()) const
   {
-    std::vector<std::pair<Vertex, double>> queue = { { from, 0. } };
-    std::vector<Vertex> before = { Vertex() };
-    for (std::size_t i = 0; i < queue.size(); ++i)
+    std::set<Vertex> reached;
+    std::priority_queue<Reached> queue;
+    queue.push({ 0., from, Halfedge() });
+    while (!queue.empty())
     {
-      const auto [v, length] = queue[i];
-      if (v == to)
+      const Reached now = queue.top();
+      queue.pop();
+      if (!reached.insert(now.vertex).second)
       {
-        return true;
+        continue;
       }
-      for (const Step& step : this->At[v.index()])
+      if (now.vertex == last)
       {
-        const double next = length + this->Surface.edgeLength(step.halfedge);
-        if (step.to != before[i] && next <= reach)
+        break;
+      }
+      for (const Step& step : this->At[now.vertex.index()])
+      {
+        const double length = now.length + this->Surface.edgeLength(step.halfedge);
+        if (length <= reach && reached.count(step.to) == 0)
         {
-          queue.emplace_back(step.to, next);
-          before.push_back(v);
+          queue.push({ length, step.to, step.halfedge });
         }
       }
     }
-    return false;
+    return reached;
   }
 
   /// From where a line ends, along edges, to the nearest vertex of another, or its own other end.
   void joinFrom(Vertex end)
   {
-    struct Reached
-    {
-      double length;
-      Vertex vertex;
-      Halfedge by;
-      bool operator<(const Reached& o) const
-      {
-        return this->length != o.length ? this->length > o.length : o.vertex < this->vertex;
-      }
-    };
     const Step last = this->At[end.index()].front();
+    const std::set<Vertex> own = this->near(end, WidthsOfLine * last.width);
     std::priority_queue<Reached> queue;
     std::map<Vertex, Halfedge> reachedBy;
     queue.push({ 0., end, Halfedge() });
@@ -439,8 +448,7 @@ private:
       {
         continue;
       }
-      if (now.vertex != end && !this->At[now.vertex.index()].empty() &&
-        !this->isNear(end, now.vertex, WidthsOfLine * last.width))
+      if (!this->At[now.vertex.index()].empty() && own.count(now.vertex) == 0)
       {
         for (Halfedge h = now.by; h.valid(); h = reachedBy.at(this->Surface.tail(h)))
         {

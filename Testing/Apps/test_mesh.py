@@ -36,6 +36,12 @@ class MeshTest(ProgramTest):
 class HardDraws(MeshTest):
     """Hardly more points than the features need, and strong importance."""
 
+    def test_rounded_edges_may_be_as_wide_as_limbs(self):
+        # Lines of narrow ones close cycles that are short beside these.
+        figures, quality = self.remesh("armadillo", 3000, "--rounded-edge-width", 0.3)
+        self.assertEqual((figures["points"], figures["degenerate"]), (3000, 0))
+        self.assertTrue(quality["same_topology"])
+
     def test_no_degenerate_triangle_and_the_topology_of_the_input(self):
         for name, points, options in (
             ("anchor_dense", 220, "--feature-angle 40 --importance l2 --gamma 2"),
