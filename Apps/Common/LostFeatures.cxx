@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkStaticCellLocator.h"
 
@@ -94,11 +95,16 @@ vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* afte
   return lost;
 }
 
+int numberOfSimplifiedFeatures(vtkGeometryRemesher* remesher)
+{
+  return remesher->GetPattern() == vtkGeometryRemesher::QUADS
+    ? remesher->GetQuadMesher()->GetNumberOfSimplifiedFeatures()
+    : remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures();
+}
+
 vtkSmartPointer<vtkPolyData> lostFeatures(vtkGeometryRemesher* remesher)
 {
-  const bool simplified = remesher->GetPattern() != vtkGeometryRemesher::QUADS &&
-    remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() > 0;
-  return !simplified
+  return numberOfSimplifiedFeatures(remesher) == 0
     ? nullptr
     : lostFeatures(vtkPolyData::SafeDownCast(remesher->GetAtlas()->GetOutputDataObject(1)),
         vtkPolyData::SafeDownCast(remesher->GetOutputDataObject(1)));

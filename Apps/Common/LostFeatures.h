@@ -16,6 +16,9 @@ namespace stipple
 /// the cell array BackboneType.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after);
 
+/// Corners and points of creases that went to others in a remesher's last run.
+[[nodiscard]] int numberOfSimplifiedFeatures(vtkGeometryRemesher* remesher);
+
 /// Those of a remesher's last run; null where it has simplified nothing.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkGeometryRemesher* remesher);
 }

@@ -253,7 +253,7 @@ Report makeReport(
     { "reoriented_triangles", atlas->GetNumberOfReorientedTriangles() },
     { "split_edges", atlas->GetNumberOfSplitEdges() },
     { "split_vertices", atlas->GetNumberOfSplitVertices() },
-    { "simplified_features", remesher->GetOptimizer()->GetNumberOfSimplifiedFeatures() },
+    { "simplified_features", numberOfSimplifiedFeatures(remesher) },
     { "lost_feature_edges", countLostFeatures(remesher) } };
   return report;
 }

@@ -29,8 +29,12 @@ std::string hintOf(const Option& option)
 bool counts(const Option& option, const Session& session)
 {
   const std::string& pattern = session.text("pattern");
-  return option.name == "subdivisions" ? pattern == "semiregular"
-                                       : option.stage != "vtkRemeshOptimizer" || pattern != "quads";
+  if (option.name == "subdivisions")
+  {
+    return pattern == "semiregular";
+  }
+  return option.stage != "vtkRemeshOptimizer" || option.name == "feature_tolerance" ||
+    pattern != "quads";
 }
 
 int indexOf(const std::vector<std::string>& words, const std::string& word)

@@ -180,7 +180,8 @@ bool isOneOpenChart(const stipple::Atlas& atlas)
       [](const Backbone& b) { return b.type == BackboneType::Boundary; });
 }
 
-Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, QuadMesh& mesh)
+/// A grid over its rectangle.
+Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, LatticeSamples& grid)
 {
   const AtlasSurface& surface = atlas.surface();
   const Vec2& extent = surface.extent[0];
@@ -226,11 +227,11 @@ Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, QuadMesh
                              "output of vtkConformalAtlas.");
       }
       const bool onOutline = i == 0 || j == 0 || i == width - 1 || j == height - 1;
-      mesh.samples.push_back(onOutline ? outline.at(place) : interiorSample(place));
+      grid.samples.push_back(onOutline ? outline.at(place) : interiorSample(place));
       if (i > 0 && j > 0)
       {
         const int n = j * width + i;
-        mesh.polygons.push_back({ n - width - 1, n - width, n, n - 1 });
+        grid.cells.push_back({ { n - width - 1, n - width, n, n - 1 } });
       }
     }
   }
@@ -333,6 +334,73 @@ void addFarthest(const AtlasSurface& surface, const std::vector<Sample>& samples
   }
 }
 
+std::array<Vec3, 4> cornersOf(
+  const AtlasSurface& surface, const std::vector<Sample>& samples, const std::array<int, 4>& cell)
+{
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const Sample& s = samples[static_cast<std::size_t>(cell[i])];
+    corners[i] = surface.position(s.face, s.bary);
+  }
+  return corners;
+}
+
+std::array<double, 4> anglesOf(const std::array<Vec3, 4>& corners)
+{
+  std::array<double, 4> angles;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const Vec3 next = corners[(i + 1) % 4] - corners[i];
+    const Vec3 last = corners[(i + 3) % 4] - corners[i];
+    angles[i] = std::atan2(next.cross(last).norm(), next.dot(last));
+  }
+  return angles;
+}
+
+bool isAboutSquare(const std::array<Vec3, 4>& corners)
+{
+  constexpr double MostOff = 0.25 * Pi; // halfway to where three corners are on a line
+  const std::array<double, 4> angles = anglesOf(corners);
+  return std::all_of(angles.begin(), angles.end(),
+    [](double angle) { return std::abs(angle - 0.5 * Pi) <= MostOff; });
+}
+
+/// A grid's quads, if they are about square but for those at the rectangle's corners: where the
+/// outline is smooth there, two sides of a cell are one line, and it becomes two triangles.
+std::vector<std::vector<int>> polygonsOfGrid(
+  const AtlasSurface& surface, const LatticeSamples& grid)
+{
+  std::vector<int> cellsAt(grid.samples.size(), 0);
+  for (const std::array<int, 4>& cell : grid.cells)
+  {
+    for (const int corner : cell)
+    {
+      ++cellsAt[static_cast<std::size_t>(corner)];
+    }
+  }
+  std::vector<std::vector<int>> polygons;
+  for (const std::array<int, 4>& cell : grid.cells)
+  {
+    const auto [a, b, c, d] = cell;
+    const std::array<Vec3, 4> at = cornersOf(surface, grid.samples, cell);
+    if (isAboutSquare(at))
+    {
+      polygons.push_back({ a, b, c, d });
+      continue;
+    }
+    if (std::min({ cellsAt[a], cellsAt[b], cellsAt[c], cellsAt[d] }) > 1)
+    {
+      return {};
+    }
+    const std::array<double, 4> angles = anglesOf(at);
+    const bool first = std::max(angles[0], angles[2]) > std::max(angles[1], angles[3]);
+    polygons.push_back(first ? std::vector<int>{ a, b, c } : std::vector<int>{ b, c, d });
+    polygons.push_back(first ? std::vector<int>{ a, c, d } : std::vector<int>{ a, b, d });
+  }
+  return polygons;
+}
+
 /// Which cells are quads: those that are about square on the surface, and about as large as wanted.
 class Squares
 {
@@ -350,36 +418,17 @@ public:
 
   bool has(const std::vector<Sample>& samples, const std::array<int, 4>& cell) const
   {
-    // Halfway to where three corners are on a line; and twice as far off as the lattice's halves.
-    constexpr double MostOff = 0.25 * Pi;
-    constexpr double MostTimes = 4;
+    constexpr double MostTimes = 4; // twice as far off as the lattice's halves
     if (*std::min_element(cell.begin(), cell.end()) < 0)
     {
       return false;
     }
-    std::array<Vec3, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      const Sample& s = samples[static_cast<std::size_t>(cell[i])];
-      corners[i] = this->Surface.position(s.face, s.bary);
-    }
+    const std::array<Vec3, 4> corners = cornersOf(this->Surface, samples, cell);
     const double area = 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]).norm();
     const Sample& first = samples[static_cast<std::size_t>(cell[0])];
     const double amount = area * this->densityAt({ first.face, first.bary });
-    if (!(amount * MostTimes > this->Wanted && amount < MostTimes * this->Wanted))
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      const Vec3 next = corners[(i + 1) % 4] - corners[i];
-      const Vec3 last = corners[(i + 3) % 4] - corners[i];
-      if (std::abs(std::atan2(next.cross(last).norm(), next.dot(last)) - 0.5 * Pi) > MostOff)
-      {
-        return false;
-      }
-    }
-    return true;
+    return amount * MostTimes > this->Wanted && amount < MostTimes * this->Wanted &&
+      isAboutSquare(corners);
   }
 
 private:
@@ -395,8 +444,8 @@ private:
 /// What is between squares is optimised like any mesh of triangles: seams are not seen any more,
 /// and no triangle is flat that was Delaunay in a chart's plane. Corners of squares stay.
 Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
-  const Squares& squares, const LatticeSamples& placed, std::vector<Triangle>& triangles,
-  QuadMesh& quads, const Progress& progress)
+  const Squares& squares, const LatticeSamples& placed, double featureTolerance,
+  std::vector<Triangle>& triangles, QuadMesh& quads, const Progress& progress)
 {
   std::vector<Sample> fixed = placed.samples;
   for (const std::array<int, 4>& cell : placed.cells)
@@ -412,7 +461,7 @@ Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
   OptimizedMesh mesh;
   OptimizerOptions options;
   options.swaps = OptimizerOptions::Swaps::Regularity;
-  options.featureTolerance = 0;
+  options.featureTolerance = featureTolerance;
   Status status = mesh.build(atlas, density, fixed, triangles, true);
   status = status.ok() ? optimizeMesh(mesh, options, progress) : status;
   if (!status.ok())
@@ -427,6 +476,7 @@ Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
   }
   triangles = mesh.triangles();
   quads.chains = mesh.chainIds();
+  quads.numberOfSimplifiedFeatures = mesh.numberOfSimplifiedFeatures();
   return status;
 }
 }
@@ -493,14 +543,20 @@ Status placeOnLattices(const stipple::Atlas& atlas, const std::vector<Sample>& s
 }
 
 Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& samples,
-  QuadMesh& mesh, const Progress& progress, const DensityField& density)
+  QuadMesh& mesh, const Progress& progress, const DensityField& density, double featureTolerance)
 {
   mesh = {};
   if (isOneOpenChart(atlas) && density.uniform())
   {
-    const Status status = gridOfOneChart(atlas, static_cast<int>(samples.size()), mesh);
-    mesh.chains = backboneChains(atlas.graph(), mesh.samples);
-    return status;
+    LatticeSamples grid;
+    const Status status = gridOfOneChart(atlas, static_cast<int>(samples.size()), grid);
+    mesh.polygons = polygonsOfGrid(atlas.surface(), grid);
+    if (!status.ok() || !mesh.polygons.empty())
+    {
+      mesh.samples = std::move(grid.samples);
+      mesh.chains = backboneChains(atlas.graph(), mesh.samples);
+      return status;
+    }
   }
   const auto part = [&progress](double from, double to) {
     return [&progress, from, to](
@@ -516,7 +572,8 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
   const Squares squares(atlas.surface(), density, samples.size());
   if (status.ok())
   {
-    status = relaxBetween(atlas, density, squares, placed, triangles, mesh, part(0.6, 1.));
+    status = relaxBetween(
+      atlas, density, squares, placed, featureTolerance, triangles, mesh, part(0.6, 1.));
   }
   if (!status.ok())
   {

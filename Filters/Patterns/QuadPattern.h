@@ -19,6 +19,7 @@ struct QuadMesh
   std::vector<Sample> samples;
   std::vector<std::vector<int>> polygons; ///< quads and triangles, oriented like the surface
   std::vector<std::vector<int>> chains;   ///< samples along backbones, by backbone
+  int numberOfSimplifiedFeatures = 0;     ///< as OptimizedMesh counts them
 };
 
 struct LatticeSamples
@@ -37,13 +38,16 @@ STIPPLEFILTERSPATTERNS_EXPORT Status placeOnLattices(const Atlas& atlas,
 
 /// A surface that is one chart, bounded by its outline alone, becomes quads only where the density
 /// is the same everywhere: a grid over the rectangle with at most as many nodes as there are
-/// samples. Elsewhere quads are the cells of placeOnLattices() that are about squares on the
+/// samples, if its cells are about squares on the surface but for the four at its corners, which
+/// may be two triangles each.
+/// Elsewhere quads are the cells of placeOnLattices() that are about squares on the
 /// surface and about as large as wanted. Where sizes differ, along features and where charts meet
 /// are triangles; of these, the samples that are no square's corners are optimised: they move, on
-/// their creases if they are on some, and edges are swapped.
+/// their creases if they are on some, and edges are swapped. Features may move by the tolerance
+/// (see OptimizerOptions).
 STIPPLEFILTERSPATTERNS_EXPORT Status meshWithQuads(const Atlas& atlas,
   const std::vector<Sample>& samples, QuadMesh& mesh, const Progress& progress,
-  const DensityField& density = {});
+  const DensityField& density = {}, double featureTolerance = 1.);
 }
 
 #endif

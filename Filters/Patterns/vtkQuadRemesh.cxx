@@ -39,13 +39,15 @@ vtkQuadRemesh::vtkQuadRemesh()
 stipple::Status vtkQuadRemesh::MakeMesh(stipple::MeshRequest& request)
 {
   auto* images = vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0));
+  this->NumberOfSimplifiedFeatures = 0;
   stipple::DensityField density;
   stipple::QuadMesh mesh;
   stipple::Status status = density.read(images, request.atlas.surface());
   if (status.ok())
   {
-    status =
-      stipple::meshWithQuads(request.atlas, request.samples, mesh, request.progress, density);
+    status = stipple::meshWithQuads(
+      request.atlas, request.samples, mesh, request.progress, density, this->FeatureTolerance);
+    this->NumberOfSimplifiedFeatures = mesh.numberOfSimplifiedFeatures;
   }
   if (status.ok())
   {
@@ -66,4 +68,6 @@ stipple::Status vtkQuadRemesh::MakeMesh(stipple::MeshRequest& request)
 void vtkQuadRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FeatureTolerance: " << this->FeatureTolerance << "\n";
+  os << indent << "NumberOfSimplifiedFeatures: " << this->NumberOfSimplifiedFeatures << "\n";
 }

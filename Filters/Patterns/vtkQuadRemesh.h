@@ -7,7 +7,8 @@
  * vtkQuadRemesh stands where vtkCDTRemesh stands, and lays regular quads into the parameter planes
  * of the charts (paper, Figure 1). A surface that is one open chart, without features inside and
  * constraints, becomes a grid of quads only, with at most as many points as there are samples, if
- * the control asks for the same everywhere.
+ * the control asks for the same everywhere and they are about squares on the surface. Where its
+ * outline is smooth at the grid's four corners, the quad there is cut in two triangles.
  * Otherwise the samples inside the charts give way to the nodes of square lattices, whose
  * cells are split or joined where a chart's map stretches the surface, or where the control asks
  * for more or less, so that quads are alike or follow it. Cells that are about squares on the
@@ -47,6 +48,18 @@ public:
   vtkTypeMacro(vtkQuadRemesh, vtkAtlasMeshAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * How far features may move, from 0 to 1 in units of the spacing there, where corners and creases
+   * are closer together than triangles are large, as vtkRemeshOptimizer has it. The default is 1.
+   */
+  vtkSetClampMacro(FeatureTolerance, double, 0., 1.);
+  vtkGetMacro(FeatureTolerance, double);
+  ///@}
+
+  /// After an update: corners and points of creases that went to others.
+  vtkGetMacro(NumberOfSimplifiedFeatures, int);
+
 protected:
   vtkQuadRemesh();
   ~vtkQuadRemesh() override = default;
@@ -56,6 +69,9 @@ protected:
 private:
   vtkQuadRemesh(const vtkQuadRemesh&) = delete;
   void operator=(const vtkQuadRemesh&) = delete;
+
+  double FeatureTolerance = 1.;
+  int NumberOfSimplifiedFeatures = 0;
 };
 
 #endif

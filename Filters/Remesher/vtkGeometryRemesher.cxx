@@ -527,6 +527,7 @@ bool vtkGeometryRemesher::RunStages()
   }
   if (this->Pattern == QUADS)
   {
+    s.QuadMesher->SetFeatureTolerance(s.Optimizer->GetFeatureTolerance());
     return this->RunStage(QuadMeshing);
   }
   s.Optimizer->SetKeepBackbones(this->Pattern == SEMIREGULAR);

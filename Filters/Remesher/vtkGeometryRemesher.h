@@ -188,8 +188,9 @@ public:
   };
   ///@{
   /// What the mesh is made of. TRIANGLES: the optimised mesh. QUADS: regular quads in the charts'
-  /// parameter planes, with triangles along backbones (see vtkQuadRemesh); one open chart becomes a
-  /// grid of quads of at most NumberOfPoints points. SEMIREGULAR: the optimised mesh of
+  /// parameter planes, with triangles along backbones (see vtkQuadRemesh, which takes the
+  /// FeatureTolerance of the optimizer); one open chart may become a grid of quads of at most
+  /// NumberOfPoints points. SEMIREGULAR: the optimised mesh of
   /// NumberOfPoints points is the base mesh, and all its triangles are split 1 to 4
   /// NumberOfSubdivisions times (see vtkSemiRegularSubdivision). The default is TRIANGLES.
   vtkSetClampMacro(Pattern, int, TRIANGLES, SEMIREGULAR);

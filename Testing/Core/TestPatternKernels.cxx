@@ -109,6 +109,46 @@ TEST(QuadPattern, CellsAreAsSquareAsTheChartAllows)
   EXPECT_EQ(mesh.polygons.size(), 1U);
 }
 
+TEST(QuadPattern, AGridsCornerOnASmoothOutlineIsTwoTriangles)
+{
+  // The conformal map z^2 opens a corner of the square to a straight angle.
+  const auto t = meshes::openChart(
+    [](int i, int j) { return Vec3(i * i - j * j, 2. * i * j, 0); }, 32, Vec2(1, 1));
+  t->read();
+  QuadMesh mesh;
+  ASSERT_TRUE(meshWithQuads(*t->atlas, std::vector<Sample>(81), mesh, {}).ok());
+  ASSERT_EQ(mesh.samples.size(), 81U);
+  EXPECT_EQ(eulerNumber(mesh.polygons), 1);
+  ASSERT_EQ(mesh.polygons.size(), 65U) << "one of 64 cells is cut";
+  EXPECT_EQ(mesh.polygons[0], (std::vector<int>{ 0, 1, 10 })) << "through the corner";
+  EXPECT_EQ(mesh.polygons[1], (std::vector<int>{ 0, 10, 9 }));
+}
+
+TEST(QuadPattern, AShearedGridIsNone)
+{
+  const auto t =
+    meshes::openChart([](int i, int j) { return Vec3(i + 1.5 * j, j, 0); }, 16, Vec2(1, 1));
+  t->read();
+  const std::vector<Sample> samples =
+    synthetic::sample(t->atlas->surface(), t->atlas->graph(), t->atlas->traces(), 300);
+  QuadMesh mesh;
+  ASSERT_TRUE(meshWithQuads(*t->atlas, samples, mesh, {}).ok());
+  EXPECT_EQ(mesh.samples.size(), samples.size()) << "exactly";
+  EXPECT_EQ(eulerNumber(mesh.polygons), 1);
+  for (const auto& polygon : mesh.polygons)
+  {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+    {
+      const Vec3 at = positionOf(*t->atlas, mesh.samples[polygon[k]]);
+      const Vec3 next = positionOf(*t->atlas, mesh.samples[polygon[(k + 1) % polygon.size()]]) - at;
+      const Vec3 last =
+        positionOf(*t->atlas, mesh.samples[polygon[(k + polygon.size() - 1) % polygon.size()]]) -
+        at;
+      EXPECT_GT(std::atan2(next.cross(last).norm(), next.dot(last)), 25 * Pi / 180);
+    }
+  }
+}
+
 /// So many samples; and whether those inside have another one beside them.
 class QuadLattices : public testing::TestWithParam<std::pair<int, bool>>
 {
