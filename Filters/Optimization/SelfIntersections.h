@@ -38,7 +38,7 @@ public:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Grid;
+  std::unique_ptr<Internals> Now;
 };
 
 /// What is known of a mesh's overlaps from what was done about them before.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The small things that everything stands on: outcomes, sentences, the feature graph as data.
 #include "AtlasSurface.h"
+#include "BoxGrid.h"
 #include "CoincidentPoints.h"
 #include "FeatureGraph.h"
 #include "MessageText.h"
@@ -18,7 +19,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <random>
+#include <set>
 #include <vector>
 
 using namespace stipple;
@@ -172,6 +178,61 @@ TEST(FeatureGraph, SaysWhichArraysItNeeds)
   data->GetPointData()->RemoveArray("ChartCellId");
   EXPECT_NE(
     readFeatureGraph(data, someSurface(), read).message().find("ChartCellId"), std::string::npos);
+}
+
+TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
+{
+  std::mt19937 random(7);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto anyBox = [&]() {
+    // Sizes of six orders, and points; small ones are many in one place.
+    const double size = uniform(0, 1) < 0.05 ? 0 : std::pow(10., uniform(-5, 1));
+    const Vec3 low = std::sqrt(size) * Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    return Box{ low, low + size * Vec3(uniform(0, 1), uniform(0, 1), 1) };
+  };
+  std::vector<Box> boxes(600);
+  std::generate(boxes.begin(), boxes.end(), anyBox);
+  BoxGrid grid(boxes);
+  const auto expectAll = [&]() {
+    std::set<std::array<int, 2>> expected;
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    {
+      std::vector<int> near;
+      grid.forEachNear(boxes[i], [&](int j) { near.push_back(j); });
+      std::sort(near.begin(), near.end());
+      std::vector<int> overlapping;
+      for (int j = 0; j < static_cast<int>(boxes.size()); ++j)
+      {
+        if (boxes[i].overlaps(boxes[j]))
+        {
+          overlapping.push_back(j);
+          if (i < j)
+          {
+            expected.insert({ { i, j } });
+          }
+        }
+      }
+      ASSERT_EQ(near, overlapping) << "each once";
+    }
+    std::vector<std::array<int, 2>> pairs = grid.pairs([](int, int) { return true; });
+    for (std::array<int, 2>& pair : pairs)
+    {
+      std::sort(pair.begin(), pair.end());
+    }
+    std::sort(pairs.begin(), pairs.end());
+    ASSERT_TRUE(std::equal(pairs.begin(), pairs.end(), expected.begin(), expected.end()));
+    EXPECT_GT(pairs.size(), 1000U);
+  };
+  expectAll();
+  for (std::size_t i = 0; i < boxes.size(); i += 3)
+  {
+    boxes[i] = anyBox();
+    grid.move(static_cast<int>(i), boxes[i]);
+  }
+  expectAll();
+  EXPECT_TRUE(BoxGrid().pairs([](int, int) { return true; }).empty());
 }
 
 TEST(TriangleIntersections, AreNoSharedCornersAndEdges)
