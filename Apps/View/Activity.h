@@ -33,6 +33,7 @@ struct Activity
   bool samples = false;   ///< they are on their way, however quick
   std::string reading;    ///< the file that is opened next
   std::string meshFile;   ///< that is written then
+  std::string meshFolder; ///< that it is in
   std::string sampleProblem; ///< why there are none for the session; empty mostly
   std::string meshProblem;   ///< why it failed
 

@@ -26,7 +26,8 @@ std::string printed(const char* format, double value)
 /// 100 only where it is all.
 std::string share(double percent)
 {
-  return printed("%.1f %%", std::floor(10. * percent) / 10.);
+  constexpr double MostButAll = 99.9;
+  return printed("%.1f %%", percent < 100 ? std::min(percent, MostButAll) : percent);
 }
 
 /// Bars over a base line; `labels` are (bar, text) below it.

@@ -498,6 +498,9 @@ Activity Viewer::activity()
   now.reading = this->Reading;
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = this->meshFile();
+  now.meshFolder = this->Files.mesh.empty()
+    ? std::string()
+    : std::filesystem::absolute(this->Files.mesh).parent_path().string();
   now.sampling = this->Sampler.waiting() > SamplingTime;
   now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
   now.meshProblem = this->Problem;

@@ -156,6 +156,8 @@ private:
   /// The next of the triangles with the smallest angles is marked and looked at.
   void goToWorst();
   void goToLost();
+  /// In one view, of the middle, which is looked at.
+  void showMeshInMiddle();
   /// What is done now, as everything in the window says it.
   [[nodiscard]] Activity activity();
   void showActivity();

@@ -242,6 +242,7 @@ void Viewer::goToWorst()
   this->AfterSide.setMarked(cell);
   lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), this->Mesh->mesh, cell,
     this->Solid);
+  this->showMeshInMiddle();
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
   const auto at = static_cast<std::size_t>(cell);
@@ -263,6 +264,15 @@ void Viewer::goToWorst()
   }
   this->say("Triangle " + std::to_string(cell) + ": " + figure + "; " + std::to_string(place + 1) +
     " of the " + std::to_string(worst.size()) + " worst." + more);
+}
+
+void Viewer::showMeshInMiddle()
+{
+  constexpr float MostOfWipe = 0.3F; // of the view's width, which leaves as much about the middle
+  if (this->View.oneView && this->View.wipe > MostOfWipe)
+  {
+    this->changeView([](ViewState& v) { v.wipe = MostOfWipe; });
+  }
 }
 
 void Viewer::goToLost()
@@ -288,6 +298,7 @@ void Viewer::goToLost()
   lookAt(this->Window.renderer(ViewerWindow::After)->GetActiveCamera(), this->Input, middle,
     Nearer * this->edgeOf(this->Mesh->mesh->GetNumberOfPoints()),
     this->Picker->nearest(middle).normal);
+  this->showMeshInMiddle();
   this->updateZoom();
   this->Window.touch(ViewerWindow::Views);
   this->say("Lost (violet): feature edge " + std::to_string(edge + 1) + " of " +

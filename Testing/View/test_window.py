@@ -127,6 +127,12 @@ class Views(ViewTest):
         self.assertGreater((one[view][:, 320:490] != dragged[view][:, 320:490]).any(axis=2).mean(), 0.1)
         np.testing.assert_array_equal(again[30:], both[30:])
 
+    def test_the_line_of_one_view_makes_way_for_the_worst_triangle(self):
+        steps = (self.recorded(*step, ("MouseMoveEvent", 5, 5)) for step in (["v"], ["o"], ["g"]))
+        _, one, worst = self.shots(self.model, *steps)
+        accent = [(p[400, :1000] == (38, 98, 184)).all(axis=1).nonzero()[0].mean() for p in (one, worst)]
+        np.testing.assert_allclose(accent, (505, 303), atol=4)
+
     def test_samples_stay_until_there_are_others(self):
         """Those of the charts of before are seen until those of the new charts are there."""
         with LiveWindow(VIEW, FANDISK, "--points", 4000) as window:
