@@ -233,7 +233,7 @@ std::string Viewer::remark() const
   return std::string(fewQuads ? fewQuadsWhy : "") +
     (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
     (lost > 0 ? " Lost (violet): " +
-          countOf(lost, "feature edge", " of the input; more points keep more of them.")
+          countOf(lost, "feature edge", " of the input, for want of room; Shift+G goes there.")
               : "");
 }
 
