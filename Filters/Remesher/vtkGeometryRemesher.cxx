@@ -600,11 +600,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
       }
       return false;
     }
-    if (this->Pattern == QUADS)
-    {
-      return true;
-    }
-    status = s.check(s.Optimizer->GetOutput());
+    status = s.check(this->Pattern == QUADS ? s.QuadMesher->GetOutput() : s.Optimizer->GetOutput());
     if (status.ok() && this->Pattern == SEMIREGULAR)
     {
       if (!this->RunStage(Subdivision))

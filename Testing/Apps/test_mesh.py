@@ -591,6 +591,24 @@ class Patterns(MeshTest):
                 self.assertEqual(len(set(diagonals)), len(diagonals))
                 self.assertFalse(edges & set(diagonals))
 
+    def test_quads_that_would_leave_the_surface_are_refused(self):
+        """As triangles are: three turns of a wire, and hardly a point for its girth."""
+        sides, rings = 6, 200
+        points = [
+            ((1 + 0.02 * math.cos(a)) * math.cos(t), (1 + 0.02 * math.cos(a)) * math.sin(t), 0.1 * t + 0.02 * math.sin(a))
+            for t in (6 * math.pi * j / (rings - 1) for j in range(rings))
+            for a in (2 * math.pi * i / sides for i in range(sides))
+        ]
+        at = lambda i, j: j * sides + i % sides
+        faces = [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for i in range(sides) for j in range(rings - 1)]
+        faces += [tuple(at(-i, 0) for i in range(sides)), tuple(at(i, rings - 1) for i in range(sides))]
+        write_off(self.folder / "wire.off", points, faces)
+        for pattern in ("triangles", "quads"):
+            with self.subTest(pattern=pattern):
+                self.fail_with(1, "apart", self.folder / "wire.off", "-o", self.folder / "out.off", "--points", 100,
+                               "--pattern", pattern)
+                self.assertFalse((self.folder / "out.off").exists())
+
     def test_paint_fills_a_face_of_a_cube(self):
         """A stroke without a radius reaches the edges around it, and one without a strength takes it away again."""
         strokes = {
