@@ -165,4 +165,10 @@ Status OutputFiles::commit()
   this->Items.clear();
   return Status::success();
 }
+
+std::string wholePath(const std::string& file)
+{
+  std::error_code error;
+  return fs::absolute(file, error).lexically_normal().string();
+}
 }

@@ -11,6 +11,9 @@
 
 namespace stipple
 {
+/// With its folder, so that nobody has to guess where a file goes.
+[[nodiscard]] std::string wholePath(const std::string& file);
+
 class OutputFiles
 {
 public:

@@ -46,7 +46,7 @@ std::string Activity::sentence() const
   }
   if (this->savesMesh && this->works())
   {
-    return this->meshFile + " will be written to " + this->meshFolder + " when the mesh is done.";
+    return this->meshPath + " will be written when the mesh is done.";
   }
   const std::string makes = "Return makes the mesh" +
     (this->savesMesh ? " and writes " + this->meshFile : std::string()) + ".";
@@ -77,7 +77,7 @@ bool Activity::operator==(const Activity& other) const
 {
   const auto all = [](const Activity& a) {
     return std::tie(a.reading, a.mesh, a.points, a.byLevels, a.tried, a.progress, a.savesMesh,
-      a.sampling, a.samples, a.meshFile, a.meshFolder, a.sampleProblem, a.meshProblem);
+      a.sampling, a.samples, a.meshFile, a.meshPath, a.sampleProblem, a.meshProblem);
   };
   return all(*this) == all(other);
 }

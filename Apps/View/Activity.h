@@ -33,7 +33,7 @@ struct Activity
   bool samples = false;   ///< they are on their way, however quick
   std::string reading;    ///< the file that is opened next
   std::string meshFile;   ///< that is written then
-  std::string meshFolder; ///< that it is in
+  std::string meshPath;   ///< the same with its folder, if it waits for the mesh
   std::string sampleProblem; ///< why there are none for the session; empty mostly
   std::string meshProblem;   ///< why it failed
 

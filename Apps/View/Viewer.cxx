@@ -498,9 +498,7 @@ Activity Viewer::activity()
   now.reading = this->Reading;
   now.savesMesh = this->SaveWhenDone;
   now.meshFile = this->meshFile();
-  now.meshFolder = this->Files.mesh.empty()
-    ? std::string()
-    : std::filesystem::absolute(this->Files.mesh).parent_path().string();
+  now.meshPath = this->SaveWhenDone ? wholePath(this->Files.mesh) : "";
   now.sampling = this->Sampler.waiting() > SamplingTime;
   now.samples = !this->Shown && ((this->PreviewIsOld && this->HasAtlas) || !this->Sampler.idle());
   now.meshProblem = this->Problem;

@@ -10,7 +10,6 @@
 
 #include "vtkPolyData.h"
 
-#include <filesystem>
 #include <utility>
 
 namespace stipple
@@ -19,13 +18,6 @@ namespace
 {
 /// Pixels of the pictures of a view alone.
 constexpr int FigureHeight = 2000;
-
-/// With its folder, so that nobody has to guess where it went.
-std::string wholePath(const std::string& file)
-{
-  std::error_code error;
-  return std::filesystem::absolute(file, error).lexically_normal().string();
-}
 }
 
 void Viewer::edit(const std::function<void(Session&)>& change, bool rests)

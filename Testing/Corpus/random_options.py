@@ -60,12 +60,12 @@ def diagonal_of(model, folder):
     return math.dist(bounds[::2], bounds[1::2])
 
 
-def options_by_chance(chance, diagonal):
-    """One to five of them, as words."""
+def options_by_chance(chance, model, folder):
+    """One to five of them for a model, as words."""
     words = []
     for name in chance.sample(sorted(CHOICES), chance.choice((1, 2, 2, 3, 3, 4, 5))):
         value = chance.choice(CHOICES[name])
-        words += [name, f"{value * diagonal:.6g}" if name in LENGTHS else str(value)]
+        words += [name, f"{value * diagonal_of(model, folder):.6g}" if name in LENGTHS else str(value)]
     return words
 
 
@@ -88,7 +88,7 @@ def main(words):
         for _ in range(asked.runs):
             model = chance.choice(models)
             points = round(math.exp(chance.uniform(math.log(least), math.log(most))))
-            options = options_by_chance(chance, diagonal_of(model, folder))
+            options = options_by_chance(chance, model, folder)
             arguments = corpus.arguments_of([str(model), "--limit", asked.limit, "--distance", asked.distance])
             arguments.options = shlex.join(options)
             result = corpus.Case(model, points, arguments, folder).run()

@@ -16,6 +16,7 @@ Activity of(Mesh mesh)
   Activity activity;
   activity.mesh = mesh;
   activity.meshFile = "mesh.ply";
+  activity.meshPath = "/work/mesh.ply";
   activity.meshProblem = "It failed.";
   return activity;
 }
@@ -76,6 +77,7 @@ TEST(Activity, TellsWhatWillBeWritten)
   Activity a = of(Mesh::Making);
   a.savesMesh = true;
   EXPECT_TRUE(says(a, "mesh.ply will be written"));
+  EXPECT_TRUE(says(a, "/work/mesh.ply")) << "with its folder";
   a.mesh = Mesh::Stopped;
   EXPECT_EQ(a.sentence(), "Stopped. Return makes the mesh and writes mesh.ply.");
 }
