@@ -93,6 +93,7 @@ Status Preview::update(const Session& session, PreviewStage stage)
   const int samples = session.integer("points") + this->Given;
   this->Control->SetNumberOfSamples(follows ? 0 : samples);
   this->Sampler->SetRaiseNumberOfSamples(follows);
+  this->Sampler->SetUpsampleSpikes(!isDraft);
   if (follows)
   {
     this->Control->Update();

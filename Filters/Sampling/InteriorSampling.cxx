@@ -105,7 +105,8 @@ InteriorSampler::InteriorSampler(const SamplingDomain& domain, int chart, const 
 {
 }
 
-double InteriorSampler::upsampling(const ControlImage& image, double scale, const ControlMass& mass)
+double InteriorSampler::upsampling(
+  const ControlImage& image, double scale, const ControlMass& mass, bool spikes)
 {
   const double toWanted = scale * image.pixelArea();
   if (2. * mass.largest * toWanted <= 1.)
@@ -145,7 +146,7 @@ double InteriorSampler::upsampling(const ControlImage& image, double scale, cons
     --factor;
   }
   const double forAll = 0.25 * std::ceil(4. * std::sqrt(2. * mass.largest * toWanted));
-  return forAll <= Constants::LargestForAll * factor && withinLimits(image, forAll)
+  return forAll <= (spikes ? Constants::LargestForAll : 1.) * factor && withinLimits(image, forAll)
     ? forAll
     : static_cast<double>(factor);
 }

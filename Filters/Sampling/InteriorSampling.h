@@ -25,9 +25,10 @@ public:
     const ChartGraph& graph, const std::vector<Sample>& samples, double scale);
 
   /// The factor by which the image must be enlarged so that no pixel wants more than half a sample
-  /// (but for spikes, see SamplingConstants::LargestForAll), in quarters; it may be beyond the
-  /// limits.
-  static double upsampling(const ControlImage& image, double scale, const ControlMass& mass);
+  /// (but for spikes, see SamplingConstants::LargestForAll; or for any spikes), in quarters; it may
+  /// be beyond the limits.
+  static double upsampling(
+    const ControlImage& image, double scale, const ControlMass& mass, bool spikes = true);
   static bool withinLimits(const ControlImage& image, double factor);
 
   /// Fills the raster: the control image, enlarged, less the band of 0.433 s on each side of every

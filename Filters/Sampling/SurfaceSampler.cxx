@@ -68,10 +68,11 @@ class Sampling
 {
 public:
   Sampling(const SamplingDomain& domain, const std::vector<ControlImage>& images,
-    int numberOfSamples, const Progress& progress)
+    int numberOfSamples, const Halftoning& halftoning, const Progress& progress)
     : Domain(domain)
     , Images(images)
     , Number(numberOfSamples)
+    , How(halftoning)
     , Report(progress)
     , Mass(images.size())
     , Left(images.size(), 0.)
@@ -88,8 +89,7 @@ public:
   /// Places the samples on backbones, and masks their bands out of the charts.
   Status place(const std::vector<BandMask>& bands, const ValidPlaces& least);
   /// Halftones what is left, and hands all samples over.
-  Status collect(
-    const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result);
+  Status collect(const std::vector<BandMask>& bands, SurfaceSamples& result);
   /// Has more samples inside charts from here on, so that the fault goes. False if it has no chart.
   bool mend(const MeshFault& fault);
 
@@ -111,6 +111,7 @@ private:
   const SamplingDomain& Domain;
   const std::vector<ControlImage>& Images;
   int Number;
+  const Halftoning& How;
   const Progress& Report;
 
   std::vector<ControlMass> Mass; // by chart
@@ -255,7 +256,8 @@ Status Sampling::makeSamplers()
     const ControlImage& image = this->Images[c];
     this->Samplers.emplace_back(this->Domain, static_cast<int>(c), image, this->Valid.graphs[c],
       this->Valid.samples, this->Scale);
-    double factor = InteriorSampler::upsampling(image, this->Scale, this->Mass[c]);
+    double factor =
+      InteriorSampler::upsampling(image, this->Scale, this->Mass[c], this->How.upsampleSpikes);
     const double mapSize = std::ceil(factor * std::max(image.width, image.height));
     if (!InteriorSampler::withinLimits(image, factor) && mapSize <= Constants::LargestMapSize)
     {
@@ -336,8 +338,7 @@ bool Sampling::mend(const MeshFault& fault)
   return fault.chart.valid();
 }
 
-Status Sampling::collect(
-  const std::vector<BandMask>& bands, DiffusionMethod method, SurfaceSamples& result)
+Status Sampling::collect(const std::vector<BandMask>& bands, SurfaceSamples& result)
 {
   const AtlasSurface& surface = this->Domain.surface();
   std::vector<int> least = this->Valid.leastInterior;
@@ -365,7 +366,7 @@ Status Sampling::collect(
         sampler.prepare(this->Factor[c], bands[c], this->Densities, stop);
       }
       std::vector<Vec2>& inside = result.interior[static_cast<std::size_t>(c)];
-      inside = sampler.sample(share[c] - static_cast<int>(mending.size()), method, stop);
+      inside = sampler.sample(share[c] - static_cast<int>(mending.size()), this->How.method, stop);
       inside.insert(inside.end(), mending.begin(), mending.end());
       sampler.release();
       const ControlImage& image = this->Images[c];
@@ -470,14 +471,14 @@ bool SurfaceSampler::mayNotMesh(const SurfaceSamples& result) const
 }
 
 Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int numberOfSamples,
-  const Progress& progress, DiffusionMethod method, SurfaceSamples& result)
+  const Progress& progress, const Halftoning& halftoning, SurfaceSamples& result)
 {
   if (numberOfSamples < this->Minimum)
   {
     return Status::tooFewPoints("There are fewer samples than charts need.");
   }
   result = {};
-  Sampling sampling(this->Domain, images, numberOfSamples, progress);
+  Sampling sampling(this->Domain, images, numberOfSamples, halftoning, progress);
   if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
   {
     return status;
@@ -488,7 +489,7 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
   }
   for (int attempt = 0;; ++attempt)
   {
-    if (Status status = sampling.collect(this->Bands, method, result); !status.ok())
+    if (Status status = sampling.collect(this->Bands, result); !status.ok())
     {
       return status;
     }
@@ -511,9 +512,9 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
 }
 
 Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numberOfSamples,
-  const Progress& progress, SurfaceSamples& result, DiffusionMethod method)
+  const Progress& progress, SurfaceSamples& result, const Halftoning& halftoning)
 {
-  const Status status = this->sampleToMesh(images, numberOfSamples, progress, method, result);
+  const Status status = this->sampleToMesh(images, numberOfSamples, progress, halftoning, result);
   if (status.code() != StatusCode::TooFewPoints)
   {
     return status;
@@ -533,7 +534,8 @@ Status SurfaceSampler::sample(const std::vector<ControlImage>& images, int numbe
   int enough = -1;
   for (int more = 0; more >= 0;)
   {
-    const StatusCode code = this->sampleToMesh(images, first + more, goOn, method, result).code();
+    const StatusCode code =
+      this->sampleToMesh(images, first + more, goOn, halftoning, result).code();
     result = {};
     if (code == StatusCode::Aborted)
     {

@@ -20,6 +20,13 @@ struct SurfaceSamples
                                            ///< Interior
 };
 
+/// How charts are halftoned between backbones.
+struct Halftoning
+{
+  DiffusionMethod method = DiffusionMethod::Ostromoukhov;
+  bool upsampleSpikes = true; ///< see vtkErrorDiffusionSampler::SetUpsampleSpikes()
+};
+
 class STIPPLEFILTERSSAMPLING_EXPORT SurfaceSampler
 {
 public:
@@ -38,12 +45,11 @@ public:
   /// too few points, and the status has a number that can be had of these images, near the next.
   /// Sooner for images that differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
-    const Progress& progress, SurfaceSamples& result,
-    DiffusionMethod method = DiffusionMethod::Ostromoukhov);
+    const Progress& progress, SurfaceSamples& result, const Halftoning& halftoning = {});
 
 private:
   Status sampleToMesh(const std::vector<ControlImage>& images, int numberOfSamples,
-    const Progress& progress, DiffusionMethod method, SurfaceSamples& result);
+    const Progress& progress, const Halftoning& halftoning, SurfaceSamples& result);
   bool mayNotMesh(const SurfaceSamples& result) const;
 
   SamplingDomain Domain;

@@ -213,9 +213,9 @@ int vtkErrorDiffusionSampler::RequestData(
     }
     stipple::SurfaceSamples result;
     const auto sample = [&](int n) {
-      return sampler.sample(
-        control.views, n, [&](double fraction) { return progress(0.1 + 0.8 * fraction); }, result,
-        static_cast<stipple::DiffusionMethod>(this->DiffusionMethod));
+      return sampler.sample(control.views, n,
+        [&](double fraction) { return progress(0.1 + 0.8 * fraction); }, result,
+        { static_cast<stipple::DiffusionMethod>(this->DiffusionMethod), this->UpsampleSpikes });
     };
     status = sample(this->NumberOfSamples);
     if (status.leastNumberOfPoints() > 0)
@@ -240,5 +240,6 @@ void vtkErrorDiffusionSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "RaiseNumberOfSamples: " << this->RaiseNumberOfSamples << "\n";
   os << indent << "DiffusionMethod: " << this->DiffusionMethod << "\n";
+  os << indent << "UpsampleSpikes: " << this->UpsampleSpikes << "\n";
   os << indent << "MinimumNumberOfSamples: " << this->MinimumNumberOfSamples << "\n";
 }

@@ -85,6 +85,19 @@ public:
   void SetDiffusionMethodToZhouFang() { this->SetDiffusionMethod(ZHOU_FANG); }
   ///@}
 
+  ///@{
+  /**
+   * Whether maps are enlarged until none of their pixels wants more than half a sample, where that
+   * takes at most twice the enlargement along a side that leaves 5 % of a chart's samples in pixels
+   * that want more (and 0.5 % in such that want more than one). False is for drafts: up to four
+   * times as fast, and samples at the densest places show the lattice of the pixels. The default is
+   * true.
+   */
+  vtkSetMacro(UpsampleSpikes, bool);
+  vtkGetMacro(UpsampleSpikes, bool);
+  vtkBooleanMacro(UpsampleSpikes, bool);
+  ///@}
+
   /**
    * The least NumberOfSamples that these charts, features and constraints allow. Valid after an
    * update; after one that failed with error code 40003 (vtkGeometryRemesher::TOO_FEW_POINTS) it is
@@ -114,6 +127,7 @@ private:
   int DiffusionMethod = OSTROMOUKHOV;
   int MinimumNumberOfSamples = 0;
   bool RaiseNumberOfSamples = false;
+  bool UpsampleSpikes = true;
 
   struct Internals;
   std::unique_ptr<Internals> Data;

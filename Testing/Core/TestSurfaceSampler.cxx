@@ -629,6 +629,7 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
       EXPECT_TRUE(spike > 0 || InteriorSampler::withinLimits(image, factor));
       EXPECT_LE(crowded, (spike > 0 ? SamplingConstants::CrowdedShare : 0.) * samples)
         << samples << " of " << spike;
+      EXPECT_LE(InteriorSampler::upsampling(image, scale, mass, false), factor);
       const double least = std::sqrt(2. * mass.largest * scale * image.pixelArea());
       EXPECT_LT(factor, least + (spike > 0 ? 1. : 0.25)) << "no more pixels than that takes";
       if (samples < 10000.)
@@ -641,6 +642,35 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
       }
     }
   }
+}
+
+TEST(SurfaceSampler, DraftsLeaveSpikesToCoarsePixels)
+{
+  Fixture f;
+  flatSquare(f.builder, 8);
+  f.take();
+  const ControlMaps maps(
+    f.surface(), 200, [](const Vec3& p) { return 1. + 4. * (p.norm() < 0.01); });
+  const ControlImage& image = maps.images[0];
+  const ControlMass mass = controlMass(image);
+  constexpr int Number = 10000;
+  const double scale = Number / mass.total;
+  const double coarse = InteriorSampler::upsampling(image, scale, mass, false);
+  EXPECT_LT(coarse, 0.8 * InteriorSampler::upsampling(image, scale, mass));
+  const double toRaster = scale * image.pixelArea() / (coarse * coarse);
+  double crowded = 0;
+  for (int i = 0; i < image.numberOfPixels(); ++i)
+  {
+    const double wanted = image.control[i] * toRaster;
+    crowded += wanted > 0.5 ? wanted * coarse * coarse : 0.;
+  }
+  EXPECT_GT(crowded, 0.);
+  EXPECT_LE(crowded, SamplingConstants::CrowdedShare * Number);
+  SurfaceSamples result;
+  const Status status = f.sampler.sample(
+    maps.images, Number, nullptr, result, { DiffusionMethod::Ostromoukhov, false });
+  EXPECT_TRUE(status.ok()) << status.message();
+  expectSound(result, f, Number);
 }
 
 TEST(SurfaceSampler, PixelsThatAreNotSquareLeaveNoTrace)
