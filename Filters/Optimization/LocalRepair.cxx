@@ -147,7 +147,7 @@ double foldOf(const OptimizedMesh& mesh, Face f)
   return std::min(0., faceQuality(mesh, f));
 }
 
-double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
+double sumOfFoldAngles(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 {
   return std::accumulate(
     faces.begin(), faces.end(), 0., [&](double sum, Face f) { return sum + foldOf(mesh, f); });
@@ -381,7 +381,7 @@ private:
       const auto quad = this->Mesh.wingVertices(e);
       const std::vector<Vertex> vertices(quad.begin(), quad.end());
       const std::vector<Face> faces = facesAbout(this->Mesh, vertices);
-      const double before = sumOfFolds(this->Mesh, faces);
+      const double before = sumOfFoldAngles(this->Mesh, faces);
       const auto flat = [&]() {
         return std::count_if(faces.begin(), faces.end(),
           [&](Face g) { return this->Mesh.isFlat(this->Mesh.triangleCorners(g)); });
@@ -393,7 +393,7 @@ private:
         {
           improveByMove(this->Edit, v);
         }
-        return sumOfFolds(this->Mesh, faces) > before + Tuning::LeastGainOfFolds &&
+        return sumOfFoldAngles(this->Mesh, faces) > before + Tuning::LeastGainOfFolds &&
           flat() <= flatBefore;
       });
       if (isBetter)

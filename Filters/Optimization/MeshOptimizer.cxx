@@ -3,6 +3,7 @@
 #include "MeshOptimizer.h"
 
 #include "AcuteCorners.h"
+#include "BridgeSwaps.h"
 #include "EdgeSwaps.h"
 #include "FarPlaces.h"
 #include "FeatureSimplification.h"
@@ -269,7 +270,12 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
     }
     repairTriangles(edit, Tuning::SmallAngle, true, true, Tuning::LastPassesOfRepair);
   }
-  if (mesh.numberOfChanges() > changes)
+  const int swaps = swapBridges(edit, Tuning::FarShare, options.featureTolerance);
+  if (swaps > 0)
+  {
+    repairTriangles(edit, Tuning::SmallAngle, false, true, Tuning::LastPassesOfRepair);
+  }
+  if (mesh.numberOfChanges() > changes || swaps > 0)
   {
     resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
   }

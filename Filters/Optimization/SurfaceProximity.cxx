@@ -69,11 +69,11 @@ SurfaceDistances SurfaceProximity::largest() const
   SurfaceDistances result;
   for (const Face f : this->Mesh.faces())
   {
-    result.faces = std::max(result.faces, this->Surface->nearest(this->centroid(f)).distance);
+    result.faces = std::max(result.faces, this->distanceOf(f));
   }
   for (const Edge e : this->Mesh.edges())
   {
-    result.faces = std::max(result.faces, this->Surface->nearest(this->middle(e)).distance);
+    result.faces = std::max(result.faces, this->distanceOf(e));
     result.creases = std::max(result.creases, this->distanceOfCrease(e));
   }
   return result;
@@ -91,9 +91,7 @@ bool SurfaceProximity::isNear(const std::vector<Face>& faces, const SurfaceDista
     }
   }
   makeUnique(edges);
-  const auto isEdgeNear = [&](Edge e) {
-    return this->Surface->nearest(this->middle(e)).distance <= bound.faces;
-  };
+  const auto isEdgeNear = [&](Edge e) { return this->distanceOf(e) <= bound.faces; };
   const auto isFaceNear = [&](Face f) {
     const Nearest below = this->Surface->nearest(this->centroid(f));
     return below.distance <= bound.faces &&
@@ -105,15 +103,22 @@ bool SurfaceProximity::isNear(const std::vector<Face>& faces, const SurfaceDista
     std::all_of(edges.begin(), edges.end(), isEdgeNear);
 }
 
+double SurfaceProximity::distanceOf(Face f) const
+{
+  return this->Surface->nearest(this->centroid(f)).distance;
+}
+
+double SurfaceProximity::distanceOf(Edge e) const
+{
+  return this->Surface->nearest(this->middle(e)).distance;
+}
+
 double SurfaceProximity::distanceAbout(Vertex v) const
 {
   double largest = 0;
-  this->Mesh.forEachHalfedge(v, [&](Halfedge h) {
-    largest = std::max(largest, this->Surface->nearest(this->middle(this->Mesh.edge(h))).distance);
-  });
-  this->Mesh.forEachFace(v, [&](Face f) {
-    largest = std::max(largest, this->Surface->nearest(this->centroid(f)).distance);
-  });
+  this->Mesh.forEachHalfedge(
+    v, [&](Halfedge h) { largest = std::max(largest, this->distanceOf(this->Mesh.edge(h))); });
+  this->Mesh.forEachFace(v, [&](Face f) { largest = std::max(largest, this->distanceOf(f)); });
   return largest;
 }
 

@@ -33,6 +33,9 @@ public:
   /// No distance of these triangles is larger, and they all face the way the surface does.
   bool isNear(const std::vector<Face>& faces, const SurfaceDistances& bound) const;
 
+  /// Of a triangle's centroid, and of an edge's middle.
+  double distanceOf(Face f) const;
+  double distanceOf(Edge e) const;
   /// Of the edges that meet at a vertex and of its triangles.
   double distanceAbout(Vertex v) const;
   /// Zero for edges that are no features.

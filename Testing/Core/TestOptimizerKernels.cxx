@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Swaps, steps, repairs and measures of the optimisation, each alone, where the answer is known.
+#include "BridgeSwaps.h"
 #include "CoarseRegions.h"
 #include "EdgeSwaps.h"
 #include "LocalEmbedding.h"
@@ -77,6 +78,38 @@ TEST(EdgeSwaps, AspectSwapsRaiseTheLeastAspect)
   t->edit.flip(t->edgeBetween(12, 18));
   EXPECT_EQ(aspectSwaps(t->edit, 1) > 0, true);
   EXPECT_TRUE(t->edgeBetween(12, 18).valid());
+}
+
+TEST(BridgeSwaps, AnEdgeOverAValleyGoesDownIntoIt)
+{
+  // Two slopes that meet in a valley along x = 1/2, where edges of the mesh lie.
+  const auto t =
+    meshes::patchOf(4, [](double x, double y) { return Vec3(x, y, 3. * std::abs(x - 0.5)); });
+  const auto swap = [&]() { return swapBridges(t->edit, Tuning::FarShare, 1.); };
+  EXPECT_EQ(swap(), 0) << "all edges are on the surface";
+  const Edge valley = t->edgeBetween(7, 12);
+  t->edit.flip(valley);
+  const SurfaceProximity surface(t->mesh);
+  EXPECT_GT(surface.distanceOf(t->edgeBetween(6, 13)), 0.2);
+  EXPECT_EQ(swap(), 1);
+  EXPECT_LT(surface.distanceOf(t->edgeBetween(7, 12)), 1e-12);
+  EXPECT_LT(surface.largest().faces, 1e-12);
+}
+
+TEST(BridgeSwaps, AnEdgeStaysWhereTheOtherWouldBeNoNearer)
+{
+  // A ridge that no edge of the mesh runs along: both diagonals cut through it.
+  const auto t =
+    meshes::patchOf(5, [](double x, double y) { return Vec3(x, y, -3. * std::abs(x - 0.5)); });
+  const SurfaceProximity surface(t->mesh);
+  const double largest = surface.largest().faces;
+  EXPECT_GT(largest, 0.05);
+  swapBridges(t->edit, Tuning::FarShare, 1.);
+  EXPECT_LE(surface.largest().faces, largest);
+  for (const Face f : t->mesh.faces())
+  {
+    EXPECT_TRUE(surface.facesOutwards(f));
+  }
 }
 
 TEST(EdgeSwaps, ExcessesCountSectors)

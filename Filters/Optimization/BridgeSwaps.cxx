@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BridgeSwaps.h"
+
+#include "ParallelFor.h"
+#include "Relaxation.h"
+#include "SurfaceProximity.h"
+#include "Tuning.h"
+#include "VertexStar.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace stipple
+{
+namespace
+{
+class Bridges
+{
+public:
+  Bridges(MeshEdit& edit, double share, double tolerance)
+    : Edit(edit)
+    , Mesh(edit.mesh())
+    , Spacing(edit.mesh())
+    , Share(share)
+    , Tolerance(tolerance)
+  {
+  }
+
+  /// Edges that may be far away: as the ends are on the surface, only long ones are, and their
+  /// triangles do not lie in one plane.
+  std::vector<Edge> candidates() const
+  {
+    ElementArray<Edge, char> mayBeFar(static_cast<std::size_t>(this->Mesh.edges().size()), 0);
+    parallelFor(this->Mesh.edges(), [&](Edge e) {
+      const Halfedge h = this->Mesh.halfedge(e);
+      mayBeFar[e] = this->Mesh.isSwappable(e) && 0.5 * this->length(h) > this->bound(e) &&
+          this->Mesh.faceNormal(this->Mesh.face(h))
+              .dot(this->Mesh.faceNormal(this->Mesh.face(this->Mesh.opposite(h)))) <
+            Tuning::LeastBend
+        ? 1
+        : 0;
+    });
+    std::vector<Edge> result;
+    for (const Edge e : this->Mesh.edges())
+    {
+      if (mayBeFar[e] != 0)
+      {
+        result.push_back(e);
+      }
+    }
+    return result;
+  }
+
+  bool swap(const SurfaceProximity& surface, Edge e)
+  {
+    if (surface.distanceOf(e) <= this->bound(e))
+    {
+      return false;
+    }
+    const double worth =
+      this->Spacing.farthest(this->Mesh.from(this->Mesh.halfedge(e)), this->Tolerance);
+    const double distance = this->distance(surface, e);
+    const double angle = this->angle(e);
+    return this->Edit.attempt([&]() {
+      if (!this->Edit.swap(e))
+      {
+        return false;
+      }
+      const double gain = (distance - this->distance(surface, e)) / worth;
+      const double wanted = std::max(Tuning::HopelessAngle, (1. - gain) * Tuning::PoorFeatureAngle);
+      const Halfedge h = this->Mesh.halfedge(e);
+      return gain > 0 && this->angle(e) >= std::min(angle, wanted) &&
+        surface.facesOutwards(this->Mesh.face(h)) &&
+        surface.facesOutwards(this->Mesh.face(this->Mesh.opposite(h)));
+    });
+  }
+
+private:
+  double length(Halfedge h) const
+  {
+    return (this->Mesh.position(this->Mesh.to(h)) - this->Mesh.position(this->Mesh.from(h))).norm();
+  }
+  /// What is farther from the surface is far.
+  double bound(Edge e) const
+  {
+    const Halfedge h = this->Mesh.halfedge(e);
+    return 0.5 *
+      (this->Spacing.farthest(this->Mesh.from(h), this->Share) +
+        this->Spacing.farthest(this->Mesh.to(h), this->Share));
+  }
+  /// Of an edge and its triangles.
+  double distance(const SurfaceProximity& surface, Edge e) const
+  {
+    const Halfedge h = this->Mesh.halfedge(e);
+    return std::max({ surface.distanceOf(e), surface.distanceOf(this->Mesh.face(h)),
+      surface.distanceOf(this->Mesh.face(this->Mesh.opposite(h))) });
+  }
+  double angle(Edge e) const
+  {
+    const Halfedge h = this->Mesh.halfedge(e);
+    return std::min(faceQuality(this->Mesh, this->Mesh.face(h)),
+      faceQuality(this->Mesh, this->Mesh.face(this->Mesh.opposite(h))));
+  }
+
+  MeshEdit& Edit;
+  const OptimizedMesh& Mesh;
+  const VertexSpacing Spacing;
+  const double Share;
+  const double Tolerance;
+};
+}
+
+int swapBridges(MeshEdit& edit, double share, double tolerance)
+{
+  Bridges bridges(edit, share, tolerance);
+  std::vector<Edge> edges = bridges.candidates();
+  if (edges.empty())
+  {
+    return 0;
+  }
+  const SurfaceProximity surface(edit.mesh());
+  int total = 0;
+  for (int pass = 0, swaps = 1; pass < Tuning::LooksAtFarPlaces && swaps > 0; ++pass)
+  {
+    swaps = 0;
+    for (const Edge e : edges)
+    {
+      swaps += bridges.swap(surface, e) ? 1 : 0;
+    }
+    total += swaps;
+    edges = bridges.candidates();
+  }
+  return total;
+}
+}
