@@ -33,22 +33,25 @@ Status Application::open(const OptionValues& options, std::chrono::milliseconds 
 {
   const std::string name = options.text(options.has("session") ? "session" : "model");
   this->Reader.start(name, [options](Document& d) { return readDocument(options, d); });
-  if (const auto read = this->Reader.take(patience))
+  const auto read = this->Reader.take(patience);
+  if (read && read->status.ok())
   {
-    if (read->status.ok())
-    {
-      this->show(read->document);
-      this->openWindow();
-    }
+    this->show(read->document);
+    this->openWindow();
+    return read->status;
+  }
+  const bool stays = options.has("stay");
+  if (read && !stays)
+  {
     return read->status;
   }
   Document example;
   const Status status = readDocument(OptionValues(), example);
-  this->ReadsFirst = true;
+  this->ReadsFirst = !stays;
   this->show(example);
   this->openWindow();
-  this->Now->showStart();
-  this->Now->setReading(name);
+  this->Now->showStart(read ? read->status.message() : "");
+  this->Now->setReading(read ? "" : name);
   return status;
 }
 

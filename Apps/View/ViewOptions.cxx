@@ -30,6 +30,8 @@ std::vector<Option> viewOptions()
       "where \"session\" writes (default: MODEL-session.json)"),
     option(Kind::Text, "size", "WxH",
       "size of the window in pixels (default: 1280x800, or as much as fits the screen)"),
+    option(Kind::Flag, "stay", "",
+      "open the window even if MODEL cannot be read, and say so there, as from a desktop's icon"),
     option(Kind::File, "record", "FILE", "write what is done in the window, to be played again"),
     option(Kind::File, "play", "FILE", "do what was recorded, wait for the mesh, and end"),
     option(Kind::File, "shot", "FILE.png",

@@ -162,7 +162,9 @@ class Packages(unittest.TestCase):
         self.assertEqual(run("desktop-file-validate", entry), "")
         with open(entry, encoding="utf-8") as file:
             entry = dict(line.split("=", 1) for line in file.read().splitlines() if "=" in line)
-        self.assertTrue(os.path.exists(usr("bin", entry["Exec"].split()[0])))
+        program, *arguments = entry["Exec"].split()
+        self.assertTrue(os.path.exists(usr("bin", program)))
+        self.assertEqual(arguments, ["--stay", "%f"], "what cannot be read is said in the window")
         self.assertTrue(os.path.exists(usr("share", "icons", "hicolor", "scalable", "apps", f"{entry['Icon']}.svg")))
         skip_unless("update-mime-database")
         run("update-mime-database", usr("share", "mime"))

@@ -157,6 +157,28 @@ class Files(ViewTest):
         self.assertGreater(red[0], 200, "a sentence in red on the start page")
         self.assertEqual(red[1], 0)
 
+    def test_what_cannot_be_opened_may_be_said_in_the_window(self):
+        """As from a desktop's icon, where nobody reads what a program writes."""
+        (self.work / "broken.off").write_text("OFF\n1 1 0\n")
+        shots = [self.folder / f"{i}.png" for i in range(3)]
+        self.play("v", model=("broken.off", "--stay"), shot=shots[0])
+        self.play("v", model=("--stay",), shot=shots[1])
+        self.play("v", model=("part.off", "--stay"), shot=shots[2])
+        start, empty, part = map(pictures.read, shots)
+        red = [((p[..., 0] > 150) & (p[..., 1] < 90)).sum() for p in (start, empty)]
+        self.assertGreater(red[0], 200, "a sentence in red on the start page")
+        self.assertEqual(red[1], 0)
+        self.assertGreater(np.mean((part != start).any(axis=2)), 0.3)
+        self.assertEqual(run("broken.off", program=VIEW, cwd=self.work, env=self.environment)[0], 1)
+        slow = self.work / "slow.off"
+        os.mkfifo(slow)
+        with LiveWindow(VIEW, slow, "--stay") as window:
+            page = window.settle()
+            with self.fed(slow, b"OFF\n1 1 0\n"):
+                window.settle(after=page)
+            window.key("q")
+            self.assertEqual(window.ended(), 0)
+
     def test_what_has_no_area_is_not_opened(self):
         """The model at work stays; the command line says the same."""
         (self.work / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
