@@ -121,15 +121,19 @@ int swapBridges(MeshEdit& edit, double share, double tolerance)
   }
   const SurfaceProximity surface(edit.mesh());
   int total = 0;
-  for (int pass = 0, swaps = 1; pass < Tuning::LooksAtFarPlaces && swaps > 0; ++pass)
+  for (int pass = 0; pass < Tuning::LooksAtFarPlaces; ++pass)
   {
-    swaps = 0;
+    int swaps = 0;
     for (const Edge e : edges)
     {
       swaps += bridges.swap(surface, e) ? 1 : 0;
     }
+    if (swaps == 0)
+    {
+      break;
+    }
     total += swaps;
-    edges = bridges.candidates();
+    edges = bridges.candidates(); // of triangles that changed, others may be far now
   }
   return total;
 }
