@@ -9,6 +9,7 @@
 #include "VertexStar.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace stipple
@@ -27,17 +28,14 @@ public:
   {
   }
 
-  /// Edges that may be far away: as the ends are on the surface, only long ones are, and their
-  /// triangles do not lie in one plane.
+  /// Edges that may be far away: as the ends are on the surface, only long ones are. Where their
+  /// triangles lie nearly in one plane, the other edge would run by the same place.
   std::vector<Edge> candidates() const
   {
     ElementArray<Edge, char> mayBeFar(static_cast<std::size_t>(this->Mesh.edges().size()), 0);
     parallelFor(this->Mesh.edges(), [&](Edge e) {
-      const Halfedge h = this->Mesh.halfedge(e);
-      mayBeFar[e] = this->Mesh.isSwappable(e) && 0.5 * this->length(h) > this->bound(e) &&
-          this->Mesh.faceNormal(this->Mesh.face(h))
-              .dot(this->Mesh.faceNormal(this->Mesh.face(this->Mesh.opposite(h)))) <
-            Tuning::LeastBend
+      mayBeFar[e] = this->Mesh.isSwappable(e) && 0.5 * this->length(e) > this->bound(e) &&
+          this->cosineAt(e) < Tuning::LeastBend
         ? 1
         : 0;
     });
@@ -58,8 +56,7 @@ public:
     {
       return false;
     }
-    const double worth =
-      this->Spacing.farthest(this->Mesh.from(this->Mesh.halfedge(e)), this->Tolerance);
+    const Vertex end = this->Mesh.from(this->Mesh.halfedge(e));
     const double distance = this->distance(surface, e);
     const double angle = this->angle(e);
     return this->Edit.attempt([&]() {
@@ -67,18 +64,29 @@ public:
       {
         return false;
       }
-      const double gain = (distance - this->distance(surface, e)) / worth;
-      const double wanted = std::max(Tuning::HopelessAngle, (1. - gain) * Tuning::PoorFeatureAngle);
-      const Halfedge h = this->Mesh.halfedge(e);
-      return gain > 0 && this->angle(e) >= std::min(angle, wanted) &&
-        surface.facesOutwards(this->Mesh.face(h)) &&
-        surface.facesOutwards(this->Mesh.face(this->Mesh.opposite(h)));
+      const double nearer = distance - this->distance(surface, e);
+      const double wanted = this->Spacing.poorestAngle(end, this->Tolerance, nearer);
+      const auto [left, right] = this->trianglesOf(e);
+      return nearer > 0 && this->angle(e) >= std::min(angle, wanted) &&
+        surface.facesOutwards(left) && surface.facesOutwards(right);
     });
   }
 
 private:
-  double length(Halfedge h) const
+  std::array<Face, 2> trianglesOf(Edge e) const
   {
+    const Halfedge h = this->Mesh.halfedge(e);
+    return { { this->Mesh.face(h), this->Mesh.face(this->Mesh.opposite(h)) } };
+  }
+  /// Between their normals.
+  double cosineAt(Edge e) const
+  {
+    const auto [left, right] = this->trianglesOf(e);
+    return this->Mesh.faceNormal(left).dot(this->Mesh.faceNormal(right));
+  }
+  double length(Edge e) const
+  {
+    const Halfedge h = this->Mesh.halfedge(e);
     return (this->Mesh.position(this->Mesh.to(h)) - this->Mesh.position(this->Mesh.from(h))).norm();
   }
   /// What is farther from the surface is far.
@@ -92,15 +100,13 @@ private:
   /// Of an edge and its triangles.
   double distance(const SurfaceProximity& surface, Edge e) const
   {
-    const Halfedge h = this->Mesh.halfedge(e);
-    return std::max({ surface.distanceOf(e), surface.distanceOf(this->Mesh.face(h)),
-      surface.distanceOf(this->Mesh.face(this->Mesh.opposite(h))) });
+    const auto [left, right] = this->trianglesOf(e);
+    return std::max({ surface.distanceOf(e), surface.distanceOf(left), surface.distanceOf(right) });
   }
   double angle(Edge e) const
   {
-    const Halfedge h = this->Mesh.halfedge(e);
-    return std::min(faceQuality(this->Mesh, this->Mesh.face(h)),
-      faceQuality(this->Mesh, this->Mesh.face(this->Mesh.opposite(h))));
+    const auto [left, right] = this->trianglesOf(e);
+    return std::min(faceQuality(this->Mesh, left), faceQuality(this->Mesh, right));
   }
 
   MeshEdit& Edit;

@@ -56,8 +56,7 @@ public:
       }
     }
     const Vertex corner(this->Now.triangle(best.disk.front())[0]);
-    const double lack = place.distance / this->Spacing.farthest(corner, this->Tolerance);
-    if (best.angle < std::max(Tuning::HopelessAngle, (1. - lack) * Tuning::PoorFeatureAngle))
+    if (best.angle < this->Spacing.poorestAngle(corner, this->Tolerance, place.distance))
     {
       return;
     }

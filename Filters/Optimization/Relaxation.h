@@ -7,6 +7,7 @@
 
 #include "OptimizedMesh.h"
 #include "StippleFiltersOptimizationModule.h"
+#include "Tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,13 @@ public:
   double farthest(Vertex v, double share) const
   {
     return std::min(share * this->at(v), this->Visible);
+  }
+  /// The smallest angle (radians) that triangles may have for coming so much nearer to the surface
+  /// at v: as far as farthest(v, share) is worth any that are not hopeless.
+  double poorestAngle(Vertex v, double share, double nearer) const
+  {
+    return std::max(
+      Tuning::HopelessAngle, (1. - nearer / this->farthest(v, share)) * Tuning::PoorFeatureAngle);
   }
 
 private:

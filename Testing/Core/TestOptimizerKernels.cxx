@@ -98,18 +98,21 @@ TEST(BridgeSwaps, AnEdgeOverAValleyGoesDownIntoIt)
 
 TEST(BridgeSwaps, AnEdgeStaysWhereTheOtherWouldBeNoNearer)
 {
-  // A ridge that no edge of the mesh runs along: both diagonals cut through it.
-  const auto t =
-    meshes::patchOf(5, [](double x, double y) { return Vec3(x, y, -3. * std::abs(x - 0.5)); });
+  // A saddle over the square in the middle, less high than deep: one diagonal runs over it, the
+  // other one farther away below.
+  const auto t = meshes::patchOf(5, [](double x, double y) {
+    const double p = 100. * std::clamp(x - 0.5, -0.1, 0.1) * std::clamp(y - 0.5, -0.1, 0.1);
+    return Vec3(x, y, (p > 0 ? 0.1 : 0.2) * p);
+  });
   const SurfaceProximity surface(t->mesh);
-  const double largest = surface.largest().faces;
-  EXPECT_GT(largest, 0.05);
-  swapBridges(t->edit, Tuning::FarShare, 1.);
-  EXPECT_LE(surface.largest().faces, largest);
-  for (const Face f : t->mesh.faces())
-  {
-    EXPECT_TRUE(surface.facesOutwards(f));
-  }
+  const Edge over = t->edgeBetween(14, 21);
+  const double near = surface.distanceOf(over);
+  EXPECT_GT(near, 0.03) << "which shows";
+  EXPECT_EQ(swapBridges(t->edit, Tuning::FarShare, 1.), 0);
+  t->edit.flip(over);
+  EXPECT_GT(surface.distanceOf(t->edgeBetween(15, 20)), near);
+  EXPECT_EQ(swapBridges(t->edit, Tuning::FarShare, 1.), 1);
+  EXPECT_EQ(surface.distanceOf(t->edgeBetween(14, 21)), near);
 }
 
 TEST(EdgeSwaps, ExcessesCountSectors)

@@ -599,6 +599,21 @@ TEST(SurfaceSampler, SliversHaveRoom)
   }
 }
 
+namespace
+{
+/// Samples in pixels of an image, enlarged by a factor, that want more than half of one.
+double crowdedIn(const ControlImage& image, double scale, double factor)
+{
+  double crowded = 0;
+  for (int i = 0; i < image.numberOfPixels(); ++i)
+  {
+    const double wanted = image.control[i] * scale * image.pixelArea();
+    crowded += wanted / (factor * factor) > 0.5 ? wanted : 0.;
+  }
+  return crowded;
+}
+}
+
 TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
 {
   Fixture f;
@@ -616,15 +631,7 @@ TEST(SurfaceSampler, NoPixelWantsMoreThanHalfASample)
     {
       const double scale = samples / mass.total;
       const double factor = InteriorSampler::upsampling(image, scale, mass);
-      double crowded = 0;
-      double largest = 0;
-      for (int i = 0; i < image.numberOfPixels(); ++i)
-      {
-        const double wanted = image.control[i] * scale * image.pixelArea();
-        const double inRaster = wanted / (factor * factor);
-        largest = std::max(largest, inRaster);
-        crowded += inRaster > 0.5 ? wanted : 0.;
-      }
+      const double crowded = crowdedIn(image, scale, factor);
       EXPECT_GE(factor, 1.);
       EXPECT_TRUE(spike > 0 || InteriorSampler::withinLimits(image, factor));
       EXPECT_LE(crowded, (spike > 0 ? SamplingConstants::CrowdedShare : 0.) * samples)
@@ -657,13 +664,7 @@ TEST(SurfaceSampler, DraftsLeaveSpikesToCoarsePixels)
   const double scale = Number / mass.total;
   const double coarse = InteriorSampler::upsampling(image, scale, mass, false);
   EXPECT_LT(coarse, 0.8 * InteriorSampler::upsampling(image, scale, mass));
-  const double toRaster = scale * image.pixelArea() / (coarse * coarse);
-  double crowded = 0;
-  for (int i = 0; i < image.numberOfPixels(); ++i)
-  {
-    const double wanted = image.control[i] * toRaster;
-    crowded += wanted > 0.5 ? wanted * coarse * coarse : 0.;
-  }
+  const double crowded = crowdedIn(image, scale, coarse);
   EXPECT_GT(crowded, 0.);
   EXPECT_LE(crowded, SamplingConstants::CrowdedShare * Number);
   SurfaceSamples result;
