@@ -288,7 +288,7 @@ Status readChecked(
   {
     return Status::error("there is no file '" + file + "'");
   }
-  if (std::filesystem::is_directory(file, code) || !std::ifstream(file))
+  if (std::filesystem::is_directory(file, code) || !canBeRead(file))
   {
     return Status::error("cannot read '" + file + "'");
   }

@@ -248,7 +248,7 @@ Status fromJson(const std::string& text, Session& session)
 
 Status readSession(const std::string& file, Session& session)
 {
-  if (!std::ifstream(file) || std::filesystem::is_directory(file))
+  if (!canBeRead(file) || std::filesystem::is_directory(file))
   {
     return Status::error("cannot read '" + file + "'");
   }
@@ -307,7 +307,7 @@ Status readImage(const std::string& file, vtkSmartPointer<vtkImageData>& result)
     image->SetFileName(file.c_str());
     reader = image;
   }
-  if (!reader || !std::ifstream(file))
+  if (!reader || !canBeRead(file))
   {
     return Status::error("cannot read the image '" + file + "'");
   }

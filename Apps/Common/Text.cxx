@@ -5,8 +5,15 @@
 #include <algorithm>
 #include <fstream>
 
+#include <unistd.h>
+
 namespace stipple
 {
+bool canBeRead(const std::string& file)
+{
+  return access(file.c_str(), R_OK) == 0;
+}
+
 std::string contentOf(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);

@@ -9,6 +9,9 @@
 
 namespace stipple
 {
+/// Whether it may be read, a folder too. It is not opened: what a pipe gives is given once.
+[[nodiscard]] bool canBeRead(const std::string& file);
+
 /// All of a file's bytes; none if it cannot be read.
 [[nodiscard]] std::string contentOf(const std::string& file);
 

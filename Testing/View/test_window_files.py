@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Stipple developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of stipple-view: the start page, opening, saving under a name, figures."""
-import contextlib
 import json
 import os
 import shutil
@@ -174,8 +173,8 @@ class Files(ViewTest):
         os.mkfifo(slow)
         with LiveWindow(VIEW, slow, "--stay") as window:
             page = window.settle()
-            with self.fed(slow, b"OFF\n1 1 0\n"):
-                window.settle(after=page)
+            self.feed(slow, b"OFF\n1 1 0\n")
+            window.settle(after=page)
             window.key("q")
             self.assertEqual(window.ended(), 0)
 
@@ -229,26 +228,26 @@ class Files(ViewTest):
                     window.key("Escape")
                     again = window.settle()
                     self.assertGreater((read != again)[-26:].any(axis=2).sum(), 300, "and no more")
-                    with self.fed(slow, CUBE.encode()):  # nothing comes of it
-                        time.sleep(0.5)
+                    self.feed(slow, CUBE.encode())  # nothing comes of it
+                    time.sleep(0.5)
                     self.assertEqual(np.abs(window.picture() - again).max(), 0)
             before = window.settle()
-            with self.fed(slow, CUBE.encode()):
-                after = window.settle(until=another_model(before))
+            self.feed(slow, CUBE.encode())
+            after = window.settle(until=another_model(before))
             # A page that was opened meanwhile stays, with what is typed there.
             for key in ("Control_L+o", *"slow", "Return"):
                 window.key(key)
             window.settle(after=after)
             window.key("Control_L+o")
             page = window.settle()
-            with self.fed(slow, FANDISK.read_bytes()):
-                for key in "quit":
-                    window.key(key)
-                typed = window.settle(after=page)
-                time.sleep(1)
-                self.assertEqual(np.abs(window.picture() - typed)[100:600, 300:900].max(), 0)
-                window.key("Escape")
-                window.settle(until=another_model(after))
+            self.feed(slow, FANDISK.read_bytes())
+            for key in "quit":
+                window.key(key)
+            typed = window.settle(after=page)
+            time.sleep(1)
+            self.assertEqual(np.abs(window.picture() - typed)[100:600, 300:900].max(), 0)
+            window.key("Escape")
+            window.settle(until=another_model(after))
 
     def test_a_file_that_takes_long_is_waited_for_on_a_page(self):
         """Where it is named on the command line; what cannot be read ends the program as ever."""
@@ -258,32 +257,19 @@ class Files(ViewTest):
             with LiveWindow(VIEW, slow, "--points", 300) as window:
                 page = window.settle()
                 self.assertGreater(np.mean((page == (245, 242, 240)).all(axis=2)), 0.8, "nothing but the page")
-                with self.fed(slow, content):
-                    if status is None:
-                        model = window.settle(after=page)
-                        self.assertLess(np.mean((model == (245, 242, 240)).all(axis=2)), 0.6)
-                    else:
-                        self.assertEqual(window.ended(), status)
+                self.feed(slow, content)
+                if status is None:
+                    model = window.settle(after=page)
+                    self.assertLess(np.mean((model == (245, 242, 240)).all(axis=2)), 0.6)
+                else:
+                    self.assertEqual(window.ended(), status)
 
-    @staticmethod
-    @contextlib.contextmanager
-    def fed(pipe, content):
-        """Whoever opens the pipe meanwhile, however often, reads the content."""
-        over = threading.Event()
-
-        def feed():
-            while not over.is_set():
-                with contextlib.suppress(BrokenPipeError), pipe.open("wb", buffering=0) as stream:
-                    if not over.is_set():
-                        stream.write(content)
-                time.sleep(0.05)
-
-        thread = threading.Thread(target=feed)
+    def feed(self, pipe, content):
+        """To its one reader; returns once the last of it is in the pipe."""
+        thread = threading.Thread(target=pipe.write_bytes, args=(content,), daemon=True)
         thread.start()
-        yield
-        over.set()
-        with open(os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)):  # it may wait for a reader
-            thread.join()
+        thread.join(LIMIT)
+        self.assertFalse(thread.is_alive(), "it has been read")
 
     def test_paint_is_not_lost_by_opening(self):
         paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)
