@@ -113,7 +113,11 @@ double InteriorSampler::upsampling(
   {
     return 1;
   }
-  // Mass by the factor that its pixel needs to want no more than half, or no more than one.
+  // Mass by the factor that its pixel needs to want no more than half, or no more than one. Pixels
+  // that are enlarged by a whole number each lie in one of the image's; a draft takes quarters, and
+  // has fewer.
+  const double step = spikes ? 1. : 0.25;
+  const int least = spikes ? 1 : 4;
   constexpr int most = 4096;
   std::vector<double> crowded(most + 1, 0.);
   std::vector<double> overfull(most + 1, 0.);
@@ -124,31 +128,32 @@ double InteriorSampler::upsampling(
     if (image.control[i] > limit)
     {
       const double wanted = image.control[i] * toWanted;
-      const auto factor = [](double x) {
+      const auto steps = [step](double x) {
         return static_cast<std::size_t>(
-          std::min(std::ceil(std::sqrt(x)), static_cast<double>(most)));
+          std::min(std::ceil(std::sqrt(x) / step), static_cast<double>(most)));
       };
-      crowded[factor(2. * wanted)] += wanted;
-      overfull[factor(wanted)] += wanted;
+      crowded[steps(2. * wanted)] += wanted;
+      overfull[steps(wanted)] += wanted;
     }
   }
   const double total = scale * mass.total;
   double aboveHalf = 0;
   double aboveOne = 0;
-  int factor = most;
+  int steps = most;
   const double mayCrowd = std::max(Constants::CrowdedShare * total, Constants::MissedSample);
   const double mayOverfill = std::max(Constants::OverfullShare * total, Constants::MissedSample);
-  while (factor > 1 && aboveHalf + crowded[factor] <= mayCrowd &&
-    aboveOne + overfull[factor] <= mayOverfill)
+  while (steps > least && aboveHalf + crowded[steps] <= mayCrowd &&
+    aboveOne + overfull[steps] <= mayOverfill)
   {
-    aboveHalf += crowded[factor];
-    aboveOne += overfull[factor];
-    --factor;
+    aboveHalf += crowded[steps];
+    aboveOne += overfull[steps];
+    --steps;
   }
+  const double factor = steps * step;
   const double forAll = 0.25 * std::ceil(4. * std::sqrt(2. * mass.largest * toWanted));
   return forAll <= (spikes ? Constants::LargestForAll : 1.) * factor && withinLimits(image, forAll)
     ? forAll
-    : static_cast<double>(factor);
+    : factor;
 }
 
 bool InteriorSampler::withinLimits(const ControlImage& image, double factor)
