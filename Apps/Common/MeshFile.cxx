@@ -391,12 +391,45 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
   return stream ? Status::success() : Status::error("cannot write '" + file + "'");
 }
 
+/// Whoever asked for an array's range has left it in the array's information, which VTK's files
+/// have, too.
+vtkSmartPointer<vtkDataArray> withoutRange(vtkDataArray* array)
+{
+  auto bare = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  bare->ShallowCopy(array);
+  bare->SetName(array->GetName());
+  return bare;
+}
+
+void forgetRanges(vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      data->AddArray(withoutRange(array));
+    }
+  }
+}
+
+/// The same file for the same mesh, whatever was done with it meanwhile.
 template <typename WriterT>
 Status writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
 {
+  vtkNew<vtkPolyData> bare;
+  bare->ShallowCopy(mesh);
+  vtkNew<vtkPoints> points;
+  if (mesh->GetPoints())
+  {
+    points->SetData(withoutRange(mesh->GetPoints()->GetData()));
+  }
+  bare->SetPoints(points);
+  forgetRanges(bare->GetPointData());
+  forgetRanges(bare->GetCellData());
+  forgetRanges(bare->GetFieldData());
   ErrorCollector errors(writer);
   writer->SetFileName(file.c_str());
-  writer->SetInputData(mesh);
+  writer->SetInputData(bare);
   return writer->Write() && writer->GetErrorCode() == 0 && errors.first().empty()
     ? Status::success()
     : Status::error("cannot write '" + file + "'");

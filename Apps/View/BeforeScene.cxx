@@ -337,34 +337,36 @@ bool BeforeScene::setMarks(const Session& session)
   return true;
 }
 
-void BeforeScene::setBrush(const Vec3& position, const Vec3& normal, double radius)
+void BeforeScene::setBrush(const std::vector<PickedPlace>& places, double radius)
 {
-  vtkNew<vtkPolyData> circle;
-  if (radius > 0)
+  constexpr int Steps = 48;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const PickedPlace& place : places)
   {
-    constexpr int Steps = 48;
+    const Vec3& normal = place.normal;
     Vec3 across = normal.cross(Vec3::UnitX());
     across = across.norm() < 0.1 ? normal.cross(Vec3::UnitY()) : across;
     across.normalize();
     const Vec3 along = normal.cross(across);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> lines;
+    const vtkIdType first = points->GetNumberOfPoints();
     lines->InsertNextCell(Steps + 1);
     for (int i = 0; i < Steps; ++i)
     {
       const double angle = 2 * Pi * i / Steps;
-      const Vec3 p = position + 0.05 * radius * normal +
+      const Vec3 p = place.position + 0.05 * radius * normal +
         radius * (std::cos(angle) * across + std::sin(angle) * along);
       points->InsertNextPoint(p.data());
-      lines->InsertCellPoint(i);
+      lines->InsertCellPoint(first + i);
     }
-    lines->InsertCellPoint(0);
-    circle->SetPoints(points);
-    circle->SetLines(lines);
+    lines->InsertCellPoint(first);
   }
-  static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circle);
-  this->Brush->SetVisibility(radius > 0);
+  vtkNew<vtkPolyData> circles;
+  circles->SetPoints(points);
+  circles->SetLines(lines);
+  static_cast<vtkPolyDataMapper*>(this->Brush->GetMapper())->SetInputData(circles);
+  this->Brush->SetVisibility(!places.empty());
 }
 
 bool BeforeScene::hasFeatures() const

@@ -7,6 +7,7 @@
 #include "MeshColors.h"
 #include "SampleTextures.h"
 #include "Session.h"
+#include "SurfacePicker.h"
 #include "ViewState.h"
 
 #include "vtkSmartPointer.h"
@@ -48,8 +49,9 @@ public:
   /// Constraints, tagged edges. Whether they are others than before.
   bool setMarks(const Session& session);
   /// The brush's outline on the surface; no radius: none.
-  void setBrush(const Vec3& position, const Vec3& normal, double radius);
-  void hideBrush() { this->setBrush(Vec3::Zero(), Vec3::UnitZ(), 0); }
+  /// Circles around these places, as wide as that.
+  void setBrush(const std::vector<PickedPlace>& places, double radius);
+  void hideBrush() { this->setBrush({}, 0); }
   /// Edges of the input that a click would tag, in the brush's place.
   void setEdgesUnder(const std::vector<std::array<vtkIdType, 2>>& edges);
   /// The picked points, to be shown in another view as well.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace stipple
 {
@@ -42,15 +43,26 @@ ColorBar densityBar()
     "samples per area, times the mean" };
 }
 
-void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar)
+void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar, const Covered& covered)
 {
   const float s = canvas.scale();
   const float width = std::min(220 * s, view.w - 40 * s);
-  const Rect place{ view.x + 20 * s, view.y + 28 * s, width, 10 * s };
   const TextLook look{ 11, shades::Word };
   const std::string title = canvas.fitted(bar.title, view.w - 40 * s, look);
-  const float inner = std::max(width, canvas.textWidth(title, look));
-  canvas.fill({ place.x - 12 * s, place.y - 22 * s, inner + 24 * s, 54 * s }, { 255, 255, 255 });
+  const float w = std::max(width, canvas.textWidth(title, look)) + 24 * s;
+  const float h = 54 * s;
+  const float left = view.x + 8 * s;
+  const float right = view.right() - 8 * s - w;
+  const float low = view.y + 6 * s;
+  const float high = view.top() - 6 * s - h;
+  const Rect corners[] = { { left, low, w, h }, { right, low, w, h }, { left, high, w, h },
+    { right, high, w, h } };
+  const Rect& ground = covered
+    ? *std::min_element(std::begin(corners), std::end(corners),
+        [&](const Rect& a, const Rect& b) { return covered(a) < covered(b); })
+    : corners[0];
+  const Rect place{ ground.x + 12 * s, ground.y + 22 * s, width, 10 * s };
+  canvas.fill(ground, { 255, 255, 255 });
   canvas.text(place.x, place.top() + 11 * s, title, look);
   for (int i = 0; i < Steps; ++i)
   {

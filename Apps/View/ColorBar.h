@@ -33,8 +33,13 @@ struct ColorBar
 /// Density over the mean density.
 [[nodiscard]] ColorBar densityBar();
 
-/// At the lower left of a view, on a ground of its own.
-void paintColorBar(Canvas& canvas, const Rect& view, const ColorBar& bar);
+/// How much of a place is covered already.
+using Covered = std::function<double(const Rect&)>;
+
+/// On a ground of its own, at the lower left of a view; or, if it is known what covers this, in the
+/// corner that is covered least.
+void paintColorBar(
+  Canvas& canvas, const Rect& view, const ColorBar& bar, const Covered& covered = {});
 }
 
 #endif

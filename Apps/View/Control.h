@@ -6,8 +6,11 @@
 
 #include "Canvas.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace stipple
 {
@@ -20,6 +23,24 @@ struct Pointer
   bool control = false;
   bool secondary = false; ///< the right button
 };
+
+/// The pointer's way from one place to the next at which it was seen, in steps of two pixels,
+/// without the first place: a quick hand is seen in few.
+inline std::vector<Pointer> wayOf(const Pointer& from, const Pointer& to)
+{
+  constexpr float Step = 2;
+  const float x = to.x - from.x;
+  const float y = to.y - from.y;
+  const int steps = std::max(1, static_cast<int>(std::hypot(x, y) / Step));
+  std::vector<Pointer> way(static_cast<std::size_t>(steps), to);
+  for (int i = 1; i < steps; ++i)
+  {
+    const float share = static_cast<float>(i) / static_cast<float>(steps);
+    way[static_cast<std::size_t>(i - 1)].x = from.x + share * x;
+    way[static_cast<std::size_t>(i - 1)].y = from.y + share * y;
+  }
+  return way;
+}
 
 struct KeyStroke
 {

@@ -340,24 +340,33 @@ bool ControlSheet::positionAt(const Pointer& pointer, Vec3& position) const
 
 bool ControlSheet::press(const Pointer& pointer)
 {
-  if (pointer.secondary || !this->Controls || !this->positionAt(pointer, this->Last))
+  Vec3 position;
+  if (pointer.secondary || !this->Controls || !this->positionAt(pointer, position))
   {
     return false;
   }
-  this->OnTouch(this->Last, true, false);
+  this->Last = pointer;
+  this->OnTouch({ position }, true, false);
   return true;
 }
 
 void ControlSheet::drag(const Pointer& pointer)
 {
-  if (this->positionAt(pointer, this->Last))
+  std::vector<Vec3> positions;
+  for (const Pointer& there : wayOf(this->Last, pointer))
   {
-    this->OnTouch(this->Last, false, false);
+    Vec3 position;
+    if (this->positionAt(there, position))
+    {
+      positions.push_back(position);
+    }
   }
+  this->Last = pointer;
+  this->OnTouch(positions, false, false);
 }
 
 void ControlSheet::release(const Pointer&)
 {
-  this->OnTouch(this->Last, false, true);
+  this->OnTouch({}, false, true);
 }
 }

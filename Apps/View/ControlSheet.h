@@ -21,8 +21,9 @@ namespace stipple
 class ControlSheet : public Control
 {
 public:
-  /// Called with a surface position while the pointer is held, and once more when it is let go.
-  using Touch = std::function<void(const Vec3& position, bool begins, bool rests)>;
+  /// Called with the surface positions that the held pointer goes over, and once more, with none,
+  /// when it is let go.
+  using Touch = std::function<void(const std::vector<Vec3>& positions, bool begins, bool rests)>;
 
   explicit ControlSheet(Touch touch);
 
@@ -67,7 +68,7 @@ private:
   std::vector<Tile> Tiles; ///< those, as large as they fit the box of now
   vtkSmartPointer<vtkImageData> Picture;
   bool Old = true; ///< the picture
-  Vec3 Last = Vec3::Zero();
+  Pointer Last;    ///< where it was last while it was held
 };
 }
 

@@ -92,15 +92,13 @@ void NumberField::finish(bool accept)
   const double value = this->Limits.whole ? std::round(typed) : typed;
   const double within =
     this->Limits.automatic && value == 0 ? 0 : std::clamp(value, low, this->Limits.high);
-  if (within == value || TypedNumber::hasNearest(value, low))
-  {
-    this->OnCommit(within);
-  }
-  if (within != value)
+  if (within != value) // nothing is done that was not asked for
   {
     this->tell(TypedNumber::whyNot(value, low, this->Limits.high));
+    return;
   }
-  else if (value != typed)
+  this->OnCommit(value);
+  if (value != typed)
   {
     this->tell(text + " is taken as " + grouped(static_cast<long long>(value)) + ".");
   }

@@ -146,16 +146,14 @@ void Slider::finish(bool accept)
   {
     return;
   }
-  const double low = this->Limits.low;
-  const double within = std::clamp(value, low, this->Limits.high);
-  if (within != this->Value && (within == value || TypedNumber::hasNearest(value, low)))
+  if (value < this->Limits.low || value > this->Limits.high)
   {
-    this->Value = within;
-    this->Changed(within, true);
+    this->tell(TypedNumber::whyNot(value, this->Limits.low, this->Limits.high));
   }
-  if (within != value)
+  else if (value != this->Value)
   {
-    this->tell(TypedNumber::whyNot(value, low, this->Limits.high));
+    this->Value = value;
+    this->Changed(value, true);
   }
 }
 }

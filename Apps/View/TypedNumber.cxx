@@ -70,17 +70,14 @@ bool TypedNumber::value(double& number) const
   return parseNumber(plain, number);
 }
 
-bool TypedNumber::isOpen(double low)
-{
-  return low == std::numeric_limits<double>::min();
-}
-
 std::string TypedNumber::whyNot(double typed, double low, double high)
 {
-  return typed < low && isOpen(low) ? "It has to be above 0."
-    : typed < low                   ? numberText(low) + " is the least here."
-    : typed > high                  ? numberText(high) + " is the most here."
-                                    : "";
+  // A range without a least number has all above 0, as the table of options says it.
+  const bool isOpen = low == std::numeric_limits<double>::min();
+  return typed < low && isOpen ? "It has to be above 0."
+    : typed < low              ? numberText(low) + " is the least here."
+    : typed > high             ? numberText(high) + " is the most here."
+                               : "";
 }
 
 bool TypedNumber::key(const KeyStroke& stroke, End& end)

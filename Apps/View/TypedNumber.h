@@ -36,16 +36,8 @@ public:
   /// Takes all keys, so that none does anything else meanwhile, but commands (Ctrl) that are not a
   /// text field's: false for these.
   bool key(const KeyStroke& stroke, End& end);
-  /// Whether a range has no least number, but all above 0, as the table of options has it.
-  static bool isOpen(double low);
-  /// Why a number that was typed is not what is taken; empty if it is.
+  /// Why a number that was typed is not taken; empty if it is.
   static std::string whyNot(double typed, double low, double high);
-  /// Whether the nearest number of a range may be taken for one that was typed: it may not for a
-  /// sign that was not meant so, nor where none is the nearest.
-  static bool hasNearest(double typed, double low)
-  {
-    return !TypedNumber::isOpen(low) && (typed >= 0 || low < 0);
-  }
 
 private:
   bool Whole;

@@ -86,14 +86,14 @@ Viewer::Viewer(
   , Picker(document.picker)
   , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
       choosableOf(document.input))
-  , Sheet([this](const Vec3& position, bool begins, bool rests) {
+  , Sheet([this](const std::vector<Vec3>& positions, bool begins, bool rests) {
     if (rests)
     {
       this->edit([](Session&) {}, true);
     }
     else
     {
-      this->paint(position, begins);
+      this->paint(positions, begins);
     }
   })
   , Curve([this](const CurveEditor::Points& points, bool rests) {

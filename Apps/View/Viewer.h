@@ -207,13 +207,15 @@ private:
   // The pointer
   [[nodiscard]] bool pick(const Pointer& pointer, PickedPlace& place);
   void useTool(const PickedPlace& place, const Pointer& pointer);
-  /// A dab, if it is not too near to the last one of this drag.
-  void paint(const Vec3& position, bool begins);
+  /// Paints on the way from where the pointer was last in this drag.
+  void paintTo(const Pointer& pointer);
+  /// Dabs there, but where they are too near to the one before in this drag.
+  void paint(const std::vector<Vec3>& way, bool begins);
   /// Paint, or none, on all of the surface around what is under the pointer, up to features.
   void fillRegion(bool erases);
-  void addStrokes(const Vec3& position, double radius, double strength, bool rests);
-  /// It, and its mirror image if the brush mirrors.
-  [[nodiscard]] std::vector<Vec3> mirrored(const Vec3& position) const;
+  void addStrokes(const std::vector<Vec3>& positions, double radius, double strength, bool rests);
+  /// Each with its mirror image behind it, if the brush mirrors.
+  [[nodiscard]] std::vector<Vec3> mirrored(const std::vector<Vec3>& positions) const;
   /// The line between both models in one view.
   [[nodiscard]] bool isOverWipe(const Pointer& pointer) const;
   /// What a click would touch: the brush's outline, a point's, edges.
@@ -276,6 +278,7 @@ private:
   bool Wiping = false;   ///< the line between both models in one view is dragged
   bool Painting = false; ///< the brush is down on the surface
   Vec3 LastDab = Vec3::Zero();
+  Pointer LastPainted; ///< where it was looked for dabs last
   Control* Focus = nullptr;
   Control* Under = nullptr;
   Pointer LastPointer;

@@ -211,10 +211,10 @@ void Viewer::writeFigureFiles()
     if (status.ok())
     {
       const std::optional<ColorBar> bar = this->barOf(before);
-      const auto legend = [&bar](Canvas& canvas, const Rect& view) {
+      const auto legend = [&bar](Canvas& canvas, const Rect& view, const Covered& covered) {
         if (bar)
         {
-          paintColorBar(canvas, view, *bar);
+          paintColorBar(canvas, view, *bar, covered);
         }
       };
       status = this->Window.writeFigure(before ? ViewerWindow::Before : ViewerWindow::After,

@@ -51,7 +51,9 @@ bool Viewer::hasHandMade() const
 
 bool Viewer::hasUnsavedWork() const
 {
-  return this->hasHandMade() || (this->Now != this->Saved && this->Now != this->Written);
+  const bool mayBeInSession = !this->Now.text("model").empty(); // unlike the example's
+  return (mayBeInSession && this->hasHandMade()) ||
+    (this->Now != this->Saved && this->Now != this->Written);
 }
 
 void Viewer::askFirst(const std::string& title, const std::string& answer,
@@ -79,7 +81,10 @@ void Viewer::askFirst(const std::string& title, const std::string& answer,
     this->closePage();
     action();
   };
-  const char* why = this->hasHandMade()
+  const bool isExample = this->Now.text("model").empty();
+  const char* why = isExample
+    ? "The example is in no file that a session could name, but its mesh can be saved."
+    : this->hasHandMade()
     ? "Changes of paint, points, edges or the transfer function are in no file yet."
     : "Neither these settings nor their mesh are in a file yet.";
   const Question::Answer stay{ "Stay", "Escape", [this] { this->closePage(); } };
@@ -89,7 +94,7 @@ void Viewer::askFirst(const std::string& title, const std::string& answer,
   const bool isOpened =
     !opened.empty() && std::filesystem::equivalent(opened, this->Files.session, error);
   this->show(std::make_shared<Question>(title, why,
-    isOpened
+    isOpened || isExample
       ? std::vector<Question::Answer>{ { "Save as", "Return", [this] { this->saveMeshAs(); } },
           doNotSave, stay }
       : std::vector<Question::Answer>{

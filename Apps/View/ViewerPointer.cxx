@@ -115,10 +115,9 @@ void Viewer::drag(const Pointer& pointer)
     this->changeView(
       [&](ViewState& v) { v.wipe = std::clamp((pointer.x - view.x) / view.w, 0.02F, 0.98F); });
   }
-  PickedPlace place;
-  if (this->Painting && this->pick(pointer, place))
+  if (this->Painting)
   {
-    this->paint(place.position, false);
+    this->paintTo(pointer);
     this->showTool(pointer);
   }
   if (this->Captured)
@@ -258,9 +257,18 @@ void Viewer::showTool(const Pointer& pointer)
   }
   else
   {
-    const double radius =
-      this->View.tool == Tool::Brush ? 0.01 * this->View.brushRadius : NearPoint;
-    this->BeforeSide.setBrush(place.position, place.normal, on ? radius * this->Diagonal : 0);
+    const bool brush = this->View.tool == Tool::Brush;
+    std::vector<PickedPlace> places;
+    if (on)
+    {
+      places.push_back(place);
+    }
+    if (on && brush && this->View.brushMirror >= 0)
+    {
+      places.push_back(this->Picker->nearest(this->mirrored({ place.position }).back()));
+    }
+    const double radius = brush ? 0.01 * this->View.brushRadius : NearPoint;
+    this->BeforeSide.setBrush(places, radius * this->Diagonal);
   }
   this->Window.touch(ViewerWindow::Before);
 }
@@ -289,23 +297,48 @@ void Viewer::useTool(const PickedPlace& place, const Pointer& pointer)
     this->Painting = true;
     this->View.brushErases = pointer.control;
     this->View.brushSmooths = pointer.shift && !pointer.control;
-    this->paint(place.position, true);
+    this->LastPainted = pointer;
+    this->paint({ place.position }, true);
   }
 }
 
-void Viewer::paint(const Vec3& position, bool begins)
+void Viewer::paintTo(const Pointer& pointer)
+{
+  std::vector<Vec3> way;
+  for (const Pointer& there : wayOf(this->LastPainted, pointer))
+  {
+    PickedPlace place;
+    if (this->pick(there, place))
+    {
+      way.push_back(place.position);
+    }
+  }
+  this->LastPainted = pointer;
+  this->paint(way, false);
+}
+
+void Viewer::paint(const std::vector<Vec3>& way, bool begins)
 {
   const double radius = 0.01 * this->View.brushRadius * this->Diagonal;
-  if (!begins && (position - this->LastDab).norm() < DabDistance * radius)
+  std::vector<Vec3> dabs;
+  for (const Vec3& position : way)
+  {
+    const bool isFirst = begins && dabs.empty();
+    if (isFirst || (position - this->LastDab).norm() >= DabDistance * radius)
+    {
+      this->LastDab = position;
+      dabs.push_back(position);
+    }
+  }
+  if (dabs.empty())
   {
     return;
   }
-  this->LastDab = position;
   if (this->View.brushSmooths)
   {
     this->edit(
       [&](Session& s) {
-        for (const Vec3& place : this->mirrored(position))
+        for (const Vec3& place : this->mirrored(dabs))
         {
           spreadStrokes(s, place, radius, 0.01 * LargestBrush * this->Diagonal);
         }
@@ -313,26 +346,32 @@ void Viewer::paint(const Vec3& position, bool begins)
       false);
     return;
   }
-  this->addStrokes(position, radius, this->View.brushErases ? 0 : this->View.brushStrength, false);
+  this->addStrokes(dabs, radius, this->View.brushErases ? 0 : this->View.brushStrength, false);
 }
 
-std::vector<Vec3> Viewer::mirrored(const Vec3& position) const
+std::vector<Vec3> Viewer::mirrored(const std::vector<Vec3>& positions) const
 {
-  std::vector<Vec3> places = { position };
-  if (const int axis = this->View.brushMirror; axis >= 0)
+  const int axis = this->View.brushMirror;
+  std::vector<Vec3> places;
+  for (Vec3 place : positions)
   {
-    places.push_back(position);
-    places[1][axis] = 2 * this->Input->GetCenter()[axis] - position[axis];
+    places.push_back(place);
+    if (axis >= 0)
+    {
+      place[axis] = 2 * this->Input->GetCenter()[axis] - place[axis];
+      places.push_back(place);
+    }
   }
   return places;
 }
 
-void Viewer::addStrokes(const Vec3& position, double radius, double strength, bool rests)
+void Viewer::addStrokes(
+  const std::vector<Vec3>& positions, double radius, double strength, bool rests)
 {
   this->edit(
     [&](Session& s) {
       auto strokes = s.list("strokes");
-      for (const Vec3& place : this->mirrored(position))
+      for (const Vec3& place : this->mirrored(positions))
       {
         strokes.insert(strokes.end(), { place[0], place[1], place[2], radius, strength });
       }
@@ -349,7 +388,7 @@ void Viewer::fillRegion(bool erases)
     this->say("Under the pointer is no region to fill.");
     return;
   }
-  this->addStrokes(place.position, 0, erases ? 0 : this->View.brushStrength, true);
+  this->addStrokes({ place.position }, 0, erases ? 0 : this->View.brushStrength, true);
   if (this->HasAtlas && !this->BeforeSide.hasFeatures())
   {
     this->say("There are no features to stop at: all that hangs together here.");

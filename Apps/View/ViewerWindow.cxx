@@ -6,6 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
+#include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -14,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -207,6 +209,24 @@ void ViewerWindow::fitClippingRange()
   }
 }
 
+namespace
+{
+double opaquePixels(vtkImageData* image, const Rect& part)
+{
+  const int* size = image->GetDimensions();
+  const auto from = [](float edge) { return std::max(0, static_cast<int>(edge)); };
+  int number = 0;
+  for (int y = from(part.y); y < std::min<int>(size[1], static_cast<int>(part.top())); ++y)
+  {
+    for (int x = from(part.x); x < std::min<int>(size[0], static_cast<int>(part.right())); ++x)
+    {
+      number += static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0))[3] > 0 ? 1 : 0;
+    }
+  }
+  return number;
+}
+}
+
 stipple::Status ViewerWindow::writeFigure(
   Part view, int height, const Legend& legend, const std::string& file)
 {
@@ -235,15 +255,20 @@ stipple::Status ViewerWindow::writeFigure(
   }
   renderer->ResetCameraClippingRange();
   const Rect all{ 0, 0, static_cast<float>(window->GetSize()[0]), static_cast<float>(height) };
-  vtkControlItem::AddTo(renderer, [&](Canvas& canvas) {
-    legend(canvas, all);
-  })->SetPlace(all, this->Places.scale * all.h / place.h);
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->SetInputBufferTypeToRGBA();
   grab->ReadFrontBufferOff();
   grab->ShouldRerenderOff();
+  grab->Update();
+  vtkNew<vtkImageData> model;
+  model->DeepCopy(grab->GetOutput());
+  vtkControlItem::AddTo(renderer, [&](Canvas& canvas) {
+    legend(canvas, all, [&model](const Rect& part) { return opaquePixels(model, part); });
+  })->SetPlace(all, this->Places.scale * all.h / place.h);
+  window->Render();
+  grab->Modified();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(file.c_str());

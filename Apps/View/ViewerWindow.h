@@ -5,6 +5,7 @@
 #ifndef stipple_ViewerWindow_h
 #define stipple_ViewerWindow_h
 
+#include "ColorBar.h"
 #include "Layout.h"
 #include "Progress.h"
 #include "vtkControlItem.h"
@@ -68,7 +69,7 @@ public:
   void draw(bool calm);
   /// A view's model alone, with a legend, at another size in pixels and the view's proportions, as
   /// a PNG with a transparent ground; four samples a pixel.
-  using Legend = std::function<void(Canvas&, const Rect&)>;
+  using Legend = std::function<void(Canvas&, const Rect& view, const Covered&)>;
   [[nodiscard]] stipple::Status writeFigure(
     Part view, int height, const Legend& legend, const std::string& file);
   /// Views were drawn that are not smooth.

@@ -286,7 +286,8 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
 struct Lack
 {
   int flat = 0;   ///< triangles that have as good as no angle
-  double sum = 0; ///< of what triangles lack of an angle that is good enough, in radians
+  double sum = 0; ///< of the squares of what triangles lack of an angle that is good enough: one
+                  ///< that lacks much is worse than some that lack little
 
   explicit Lack(const OptimizedMesh& mesh)
   {
@@ -294,7 +295,7 @@ struct Lack
     {
       const double angle = faceQuality(mesh, f);
       this->flat += angle < Tuning::NoAngle ? 1 : 0;
-      this->sum += std::max(0., Tuning::PoorFeatureAngle - angle);
+      this->sum += std::pow(std::max(0., Tuning::PoorFeatureAngle - angle), 2);
     }
   }
   bool operator<(const Lack& o) const

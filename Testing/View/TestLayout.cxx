@@ -73,7 +73,7 @@ TEST(Layout, NarrowViewsLieAboveEachOther)
 
 TEST(ControlSheet, ChartsKeepTheirPlaces)
 {
-  ControlSheet sheet([](const Vec3&, bool, bool) {});
+  ControlSheet sheet([](const std::vector<Vec3>&, bool, bool) {});
   sheet.setBox({ 10, 10, 360, 180 });
   const SamplingInput atlas = sphereAtlas(24);
   sheet.setCharts(atlas.charts);

@@ -220,13 +220,12 @@ TEST(TypedNumber, OutsideItsRangeIsSaid)
   field.setValue(500);
   field.focus();
   type(field, "99999999");
-  EXPECT_EQ(taken, std::vector<double>{ 1e6 });
   EXPECT_EQ(said, "1,000,000 is the most here.");
   said.clear();
   field.focus();
   type(field, "0");
-  EXPECT_EQ(taken.back(), 1);
   EXPECT_EQ(said, "1 is the least here.");
+  EXPECT_TRUE(taken.empty());
   said.clear();
   field.focus();
   type(field, "1e4");
@@ -249,7 +248,10 @@ TEST(TypedNumber, OutsideItsRangeIsSaid)
   slider.setBox({ 0, 0, 200, 40 });
   slider.press({ 199, 39 }); // its number
   type(slider, "7");
-  EXPECT_EQ(taken.back(), 2.5);
   EXPECT_EQ(said, "2.5 is the most here.");
+  EXPECT_EQ(taken.size(), 2U);
+  slider.press({ 199, 39 });
+  type(slider, "2.5");
+  EXPECT_EQ(taken.back(), 2.5);
 }
 }

@@ -83,6 +83,11 @@ class Interaction(ViewTest):
         file = self.file("saved.json", text)
         self.assertEqual(run("--session", file, "-o", other, "--quiet", "--map-backend", "cpu"), (0, "", ""))
         self.assertEqual(other.read_bytes(), (self.folder / "mesh.off").read_bytes())
+        for ending in (".vtp", ".vtk"):  # with all arrays, whose ranges the window has asked for
+            ours, theirs = (self.folder / f"{name}{ending}" for name in ("window", "program"))
+            self.view("--session", file, "-o", ours, *self.recorded("c", "c", "c", "Control+s"))
+            self.assertEqual(run("--session", file, "-o", theirs, "--quiet", "--map-backend", "cpu"), (0, "", ""))
+            self.assertEqual(ours.read_bytes(), theirs.read_bytes())
         # Picked points are vertices.
         positions = points_of(other)
         for wanted in session["constraints"]:

@@ -305,6 +305,22 @@ class Brush(ViewTest):
             np.testing.assert_array_equal(one[same], other[same])
         self.assertEqual(len(self.strokes(*["y"] * 4, *self.dab())), 1, "and no more")
 
+    def test_a_quick_hand_paints_as_a_slow_one(self):
+        """On the model and on the control map: dabs along all of the way, wherever the pointer was seen."""
+        for (x, y), length in (((210, 480), 80), ((60, 130), 60)):
+            ways = []
+            for events in (1, 20):
+                moves = [("MouseMoveEvent", x + round(length * (i + 1) / events), y) for i in range(events)]
+                ways.append(np.array(self.strokes(("LeftButtonPressEvent", x, y), *moves,
+                    ("LeftButtonReleaseEvent", x + length, y))))
+            quick, slow = ways
+            self.assertGreater(len(quick), 5)
+            self.assertLessEqual(abs(len(quick) - len(slow)), 2)
+            for way in ways:
+                gaps = np.linalg.norm(np.diff(way[:, :3], axis=0), axis=1) / way[0, 3]
+                self.assertGreater(gaps.min(), 0.3)
+                self.assertLess(np.median(gaps), 0.6)
+
     def test_brackets_change_the_size(self):
         first, larger, smaller = (
             self.strokes(*keys, *self.dab())[0][3] for keys in ((), ("bracketright",), ("bracketleft", "bracketleft"))

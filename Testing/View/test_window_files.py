@@ -14,7 +14,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import pictures
 from live_window import STATUS_ROWS, LiveWindow
-from stipple_program import CUBE, LIMIT, VIEW, mesh_check, run
+from stipple_program import CUBE, LIMIT, MODELS, VIEW, mesh_check, run
 from view_program import FANDISK, ViewTest
 
 
@@ -70,6 +70,11 @@ class Files(ViewTest):
         self.play("e", "n", *"900", "Return", "Control+j", "Control+s", model=("-o", mesh))
         self.assertEqual(mesh_check(mesh, mesh)["points"], 900)
         self.assertEqual(list(self.work.glob("*.json")), [])
+        # Before it is lost, no session is offered that could not be, but the mesh.
+        saved = self.work / "saved.off"
+        paint = "b", ("LeftButtonPressEvent", 250, 480), ("LeftButtonReleaseEvent", 250, 480)
+        self.play("e", *paint, "q", "Return", "Control+a", *saved.name, "Return", "q", model=("--points", 300))
+        self.assertEqual(mesh_check(saved, saved)["points"], 300)
 
     def test_files_are_opened_by_keys(self):
         (self.work / "apart").mkdir()  # has what is typed in it, but does not begin with it
@@ -414,12 +419,8 @@ class Files(ViewTest):
     def test_figures_are_the_views_alone(self):
         self.play("Control+e", model=("part.off", "--points", 400))
         for name in ("before", "after"):
-            reader = vtkPNGReader()
-            reader.SetFileName(str(self.work / f"part-figure-{name}.png"))
-            reader.Update()
-            columns, rows, _ = reader.GetOutput().GetDimensions()
-            self.assertEqual(rows, 2000)
-            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 4)
+            pixels = self.figure(f"part-figure-{name}")
+            self.assertEqual(len(pixels), 2000)
             alpha = pixels[..., 3]
             self.assertGreater((alpha == 0).mean(), 0.3, "nothing around the model")
             self.assertGreater((alpha == 255).mean(), 0.1)
@@ -427,14 +428,34 @@ class Files(ViewTest):
             red = (pixels[..., 0] > 180) & (pixels[..., 1] < 60) & (alpha == 255)
             self.assertGreater(red.mean(), 0.004, "feature lines as wide as in the window")
 
+    def figure(self, name):
+        """Its rows from the lowest, with how opaque pixels are."""
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.work / f"{name}.png"))
+        reader.Update()
+        columns, rows, _ = reader.GetOutput().GetDimensions()
+        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 4).astype(int)
+
+    def test_legends_of_figures_are_where_there_is_room(self):
+        shutil.copyfile(MODELS / "mannequin-devil.off", self.work / "devil.off")  # it reaches down on the left
+        opaque = []
+        for keys in ((), ("c",)):
+            self.play(*keys, "Control+e", model=("devil.off", "--points", 300))
+            opaque.append(self.figure("devil-figure-after")[..., 3] > 0)
+            for figure in self.work.glob("devil-figure-*.png"):  # not to be asked
+                figure.unlink()
+        model, both = opaque
+        rows, columns = np.where(both & ~model)
+        box = (both & ~model)[rows.min() : rows.max(), columns.min() : columns.max()]
+        self.assertGreater(box.size, 50000)
+        self.assertGreater(box.mean(), 0.99, "nothing of the model is behind it")
+        self.assertLess(rows.max(), model.shape[0] / 5)
+        self.assertGreater(columns.min(), model.shape[1] / 3)
+
     def test_figures_have_legends_where_there_are_colors(self):
         self.play("d", "d", "d", "c", "Control+e", model=("part.off", "--points", 400))
         for name in ("before", "after"):
-            reader = vtkPNGReader()
-            reader.SetFileName(str(self.work / f"part-figure-{name}.png"))
-            reader.Update()
-            columns, rows, _ = reader.GetOutput().GetDimensions()
-            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 4).astype(int)
+            pixels = self.figure(f"part-figure-{name}")
             # The bar goes from one end of the colors to the other, with numbers below and a title above.
             bar = pixels[118, 80:860]
             self.assertTrue((bar[..., 3] == 255).all())
