@@ -98,7 +98,10 @@ Status readDocument(const OptionValues& options, Document& document)
   }
   else if (Status status = readMesh(read.session.text("model"), read.input); !status.ok())
   {
-    return status;
+    const bool isNamedBySession = options.has("session") && !options.has("model");
+    return isNamedBySession
+      ? Status::error("the session '" + options.text("session") + "': " + status.message())
+      : status;
   }
   if (Status status = checkSession(read.session, read.input); !status.ok())
   {

@@ -265,6 +265,8 @@ class Program(ViewTest):
 
     def test_bad_input(self):
         self.fail_with(1, "there is no file", self.folder / "missing.off")
+        session = self.file("lost.json", json.dumps({"stipple_session": 1, "model": "missing.off"}))
+        self.fail_with(1, f"the session '{session}': there is no file", "--session", session)
         self.fail_with(1, "'gamma' must be a number from 0 to 100", "--session",
             self.file("bad.json", '{ "stipple_session": 1, "model": "x.off", "gamma": -1 }'))
         self.fail_with(1, "no entry 'gama'", "--session",
