@@ -3,20 +3,20 @@
 #include "LostFeatures.h"
 
 #include "Backbones.h"
+#include "CellLocator.h"
 #include "Geometry.h"
 
 #include "vtkCellArray.h"
 #include "vtkConformalAtlas.h"
-#include "vtkGenericCell.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
-#include "vtkStaticCellLocator.h"
 
 #include <functional>
+#include <optional>
 
 namespace stipple
 {
@@ -60,29 +60,24 @@ vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* afte
   vtkNew<vtkPolyData> kept;
   kept->SetPoints(ends);
   kept->SetLines(segments);
-  vtkNew<vtkStaticCellLocator> locator;
+  std::optional<CellLocator> locator;
   if (segments->GetNumberOfCells() > 0)
   {
-    locator->SetDataSet(kept);
-    locator->BuildLocator();
+    locator.emplace(kept);
   }
   auto lost = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkCellArray> lines;
   vtkSmartPointer<vtkPolyData> sharp = creasesTo(before, nullptr);
-  vtkNew<vtkGenericCell> cell;
   forEachSegment(sharp, [&](vtkIdType a, vtkIdType b) {
     const Vec3 middle = 0.5 * (Vec3(sharp->GetPoint(a)) + Vec3(sharp->GetPoint(b)));
-    bool far = segments->GetNumberOfCells() == 0;
-    if (!far)
+    bool far = !locator;
+    if (locator)
     {
-      double nearest[3];
-      vtkIdType id = 0;
-      int part = 0;
-      double squared = 0;
-      locator->FindClosestPoint(middle.data(), nearest, cell, id, part, squared);
+      const CellLocator::Place nearest = locator->nearest(middle);
       const double length =
-        (Vec3(ends->GetPoint(2 * id)) - Vec3(ends->GetPoint(2 * id + 1))).norm();
-      far = squared > Far * Far * length * length;
+        (Vec3(ends->GetPoint(2 * nearest.cell)) - Vec3(ends->GetPoint(2 * nearest.cell + 1)))
+          .norm();
+      far = nearest.squaredDistance > Far * Far * length * length;
     }
     if (far)
     {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraMoves.h"
 
+#include "CellLocator.h"
+
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +40,8 @@ class Outlook
 public:
   explicit Outlook(vtkPolyData* mesh)
     : Mesh(mesh)
+    , Locator(mesh)
   {
-    this->Locator->SetDataSet(mesh);
-    this->Locator->BuildLocator();
   }
 
   /// How far one sees.
@@ -64,20 +63,11 @@ private:
   /// The cell that is seen first, t of the mesh's diagonal away; -1 if there is none.
   vtkIdType hit(const Vec3& place, const Vec3& direction, double& t) const
   {
-    const Vec3 end = place + this->Mesh->GetLength() * direction;
-    Vec3 there;
-    double parameters[3];
-    int part;
-    vtkIdType cell = -1;
-    vtkNew<vtkGenericCell> generic;
-    return this->Locator->IntersectWithLine(
-             place.data(), end.data(), 0., t, there.data(), parameters, part, cell, generic)
-      ? cell
-      : -1;
+    return this->Locator.firstHit(place, place + this->Mesh->GetLength() * direction, t).cell;
   }
 
   vtkPolyData* Mesh;
-  vtkNew<vtkStaticCellLocator> Locator;
+  CellLocator Locator;
 };
 
 constexpr double Own = 0.05; // of the size: what is so near is not in the way

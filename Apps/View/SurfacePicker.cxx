@@ -7,12 +7,10 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkTriangleStrip.h"
 
 #include <algorithm>
@@ -80,8 +78,7 @@ SurfacePicker::SurfacePicker(vtkPolyData* input)
     vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, this->Input->GetPolys());
   }
   this->Input->BuildLinks();
-  this->Locator->SetDataSet(this->Input);
-  this->Locator->BuildLocator();
+  this->Locator = std::make_unique<CellLocator>(this->Input);
 }
 
 SurfacePicker::~SurfacePicker() = default;
@@ -93,31 +90,20 @@ bool SurfacePicker::pick(vtkRenderer* renderer, double x, double y, PickedPlace&
   const Vec3 center(this->Input->GetCenter());
   const Vec3 end =
     eye + ((center - eye).norm() + this->Input->GetLength()) * rayThrough(renderer, x, y);
-  double t;
-  double position[3];
-  double parameter[3];
-  int part;
-  vtkIdType cell = -1;
-  vtkNew<vtkGenericCell> face;
-  if (!this->Locator->IntersectWithLine(
-        eye.data(), end.data(), 0., t, position, parameter, part, cell, face) ||
-    cell < 0)
+  double t = 0;
+  const CellLocator::Place hit = this->Locator->firstHit(eye, end, t);
+  if (hit.cell < 0)
   {
     return false;
   }
-  place = this->placeOn(cell, Vec3(position));
+  place = this->placeOn(hit.cell, hit.position);
   return true;
 }
 
 PickedPlace SurfacePicker::nearest(const Vec3& position) const
 {
-  double there[3];
-  vtkIdType cell = 0;
-  int part;
-  double squared;
-  vtkNew<vtkGenericCell> face;
-  this->Locator->FindClosestPoint(position.data(), there, face, cell, part, squared);
-  return this->placeOn(cell, Vec3(there));
+  const CellLocator::Place nearest = this->Locator->nearest(position);
+  return this->placeOn(nearest.cell, nearest.position);
 }
 
 PickedPlace SurfacePicker::placeOn(vtkIdType cell, const Vec3& position) const

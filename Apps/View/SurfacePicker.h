@@ -4,18 +4,18 @@
 #ifndef stipple_SurfacePicker_h
 #define stipple_SurfacePicker_h
 
+#include "CellLocator.h"
 #include "Geometry.h"
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 class vtkPolyData;
 class vtkRenderer;
-class vtkStaticCellLocator;
 
 namespace stipple
 {
@@ -53,7 +53,7 @@ private:
   [[nodiscard]] PickedPlace placeOn(vtkIdType cell, const Vec3& position) const;
 
   vtkSmartPointer<vtkPolyData> Input;
-  vtkNew<vtkStaticCellLocator> Locator;
+  std::unique_ptr<CellLocator> Locator;
   vtkIdType NumberOfPoints = 0;
 };
 }

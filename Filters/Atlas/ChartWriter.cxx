@@ -3,6 +3,7 @@
 #include "ChartWriter.h"
 
 #include "AtlasConstants.h"
+#include "CellLocator.h"
 #include "PolyDataConversion.h"
 #include "SurfaceArrays.h"
 
@@ -11,7 +12,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -20,7 +20,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <limits>
@@ -70,29 +69,6 @@ vtkNew<ArrayT> addArray(vtkFieldData* data, const char* name, int components, vt
   data->AddArray(array);
   return array;
 }
-
-/// Finds the place on a surface that is nearest to another.
-class SurfaceLocator
-{
-public:
-  explicit SurfaceLocator(const TriangleSurface& surface)
-  {
-    this->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
-    this->Locator->BuildLocator();
-  }
-  Face find(const Vec3& x, Vec3& nearest) const
-  {
-    vtkIdType face = 0;
-    int sub = 0;
-    double squared = 0;
-    this->Locator->FindClosestPoint(x.data(), nearest.data(), this->Cell, face, sub, squared);
-    return Face(static_cast<int>(face));
-  }
-
-private:
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
-};
 }
 
 Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const CutSurface& surface,
@@ -192,15 +168,14 @@ Status writeCharts(vtkPolyData* input, const RepairedSurface& repaired, const Cu
 std::set<int> nearestCells(const RepairedSurface& repaired, vtkPoints* points)
 {
   std::set<int> cells;
-  const SurfaceLocator locator(repaired.surface);
+  const CellLocator locator(repaired.surface.points, repaired.surface.triangles);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     Vec3 x;
     points->GetPoint(i, x.data());
     if (x.allFinite()) // locateConstraints() tells what is not
     {
-      Vec3 nearest;
-      cells.insert(repaired.sourceCell[locator.find(x, nearest).index()]);
+      cells.insert(repaired.sourceCell[static_cast<int>(locator.nearest(x).cell)]);
     }
   }
   return cells;
@@ -219,7 +194,7 @@ Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>
       cellOf[flat[c].mesh.faces[i]] = static_cast<int>(i);
     }
   }
-  const SurfaceLocator locator(surface);
+  const CellLocator locator(surface.points, surface.triangles);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     ConstraintPoint c;
@@ -230,7 +205,9 @@ Status locateConstraints(const CutSurface& surface, const std::vector<FlatChart>
       return Status::error(
         "Constraint " + std::to_string(i) + " has a coordinate that is not a finite number.");
     }
-    const Face f = locator.find(x, c.position);
+    const CellLocator::Place nearest = locator.nearest(x);
+    const Face f(static_cast<int>(nearest.cell));
+    c.position = nearest.position;
     c.bary = clampedBarycentric(barycentricInSpace(
       c.position, surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)));
     c.chart = chartOf[f];

@@ -3,15 +3,13 @@
 #include "FeatureCurves.h"
 
 #include "AtlasConstants.h"
-#include "PolyDataConversion.h"
+#include "CellLocator.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,12 +26,10 @@ class CurveInserter
 public:
   explicit CurveInserter(CutSurface& surface)
     : Surface(surface)
-    , Whole(toPolyData(surface.points, surface.triangles))
+    , Whole(surface.points, surface.triangles)
     , Outgoing(surface.vertexHalfedges())
     , InputTriangle(surface.triangles.size())
   {
-    this->Locator->SetDataSet(this->Whole);
-    this->Locator->BuildLocator();
     for (const Face f : surface.faces())
     {
       this->InputTriangle[f] = f;
@@ -43,13 +39,10 @@ public:
   /// The vertex at the place of the surface nearest to a position; inserted if there is none.
   int insertPoint(const Vec3& x)
   {
-    Vec3 place;
-    vtkIdType found = 0;
-    int sub = 0;
-    double squared = 0;
-    this->Locator->FindClosestPoint(x.data(), place.data(), this->Cell, found, sub, squared);
+    const CellLocator::Place found = this->Whole.nearest(x);
+    const Vec3& place = found.position;
     // The piece of that triangle, which splits may have cut up, that has the place most inside.
-    Face face(static_cast<int>(found));
+    Face face(static_cast<int>(found.cell));
     Vec3 bary = this->barycentricIn(face, place);
     const auto pieces = this->Pieces.find(face);
     if (pieces != this->Pieces.end())
@@ -242,9 +235,7 @@ private:
   }
 
   CutSurface& Surface;
-  vtkSmartPointer<vtkPolyData> Whole;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
+  CellLocator Whole;
   ElementArray<Vertex, Halfedge> Outgoing;            // a halfedge that leaves each vertex
   ElementArray<Face, Face> InputTriangle;             // of each face, the face before any split
   std::unordered_map<Face, std::vector<Face>> Pieces; // faces that splits made of an input triangle

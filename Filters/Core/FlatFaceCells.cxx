@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatFaceCells.h"
 
-#include "PolyDataConversion.h"
 #include "TriangleSurface.h"
 #include "UserArrays.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <cstddef>
 #include <utility>
@@ -134,7 +131,7 @@ int FlatFaceLocator::cellAt(int cell, const Vec3& place)
     return cell;
   }
   const std::vector<FlatFaceCells::Piece>& pieces = this->Faces.pieces(face);
-  vtkSmartPointer<vtkStaticCellLocator>& locator = this->Locators[face];
+  std::unique_ptr<CellLocator>& locator = this->Locators[face];
   if (!locator)
   {
     std::vector<Vec3> points;
@@ -145,16 +142,9 @@ int FlatFaceLocator::cellAt(int cell, const Vec3& place)
       points.insert(points.end(), piece.corners.begin(), piece.corners.end());
       triangles.push_back({ first, first + 1, first + 2 });
     }
-    locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    locator->SetDataSet(toPolyData(points, triangles));
-    locator->BuildLocator();
+    locator = std::make_unique<CellLocator>(points, triangles);
   }
-  vtkNew<vtkGenericCell> scratch;
-  Vec3 nearest;
-  vtkIdType piece = -1;
-  int sub = 0;
-  double squared = 0;
-  locator->FindClosestPoint(place.data(), nearest.data(), scratch, piece, sub, squared);
+  const vtkIdType piece = locator->nearest(place).cell;
   return piece < 0 ? cell : pieces[static_cast<std::size_t>(piece)].cell;
 }
 }

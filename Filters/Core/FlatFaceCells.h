@@ -5,20 +5,20 @@
 #ifndef stipple_FlatFaceCells_h
 #define stipple_FlatFaceCells_h
 
+#include "CellLocator.h"
 #include "Geometry.h"
 #include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 
-#include "vtkSmartPointer.h"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 class vtkFieldData;
-class vtkStaticCellLocator;
 
 namespace stipple
 {
@@ -66,7 +66,7 @@ public:
 
 private:
   const FlatFaceCells& Faces;
-  std::map<int, vtkSmartPointer<vtkStaticCellLocator>> Locators; // by face, when asked for
+  std::map<int, std::unique_ptr<CellLocator>> Locators; // by face, when asked for
 };
 }
 

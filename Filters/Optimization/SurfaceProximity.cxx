@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceProximity.h"
 
+#include "CellLocator.h"
 #include "MeshRegion.h"
-#include "PolyDataConversion.h"
 #include "SurfaceViews.h"
 #include "Tuning.h"
-
-#include "vtkGenericCell.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,27 +22,23 @@ struct SurfaceProximity::Nearest
 
 struct SurfaceProximity::Internals
 {
+  explicit Internals(const AtlasSurface& surface)
+    : Locator(surface.points, surface.triangles)
+  {
+  }
   Nearest nearest(const Vec3& p) const
   {
-    double on[3];
-    vtkIdType face = -1;
-    int sub = 0;
-    double squared = 0;
-    this->Locator->FindClosestPoint(p.data(), on, this->Cell, face, sub, squared);
-    return { std::sqrt(squared), static_cast<int>(face), Vec3(on) };
+    const CellLocator::Place place = this->Locator.nearest(p);
+    return { std::sqrt(place.squaredDistance), static_cast<int>(place.cell), place.position };
   }
 
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
+  CellLocator Locator;
 };
 
 SurfaceProximity::SurfaceProximity(const OptimizedMesh& mesh)
-  : Surface(std::make_unique<Internals>())
+  : Surface(std::make_unique<Internals>(mesh.atlas().surface()))
   , Mesh(mesh)
 {
-  const AtlasSurface& surface = mesh.atlas().surface();
-  this->Surface->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
-  this->Surface->Locator->BuildLocator();
 }
 
 SurfaceProximity::~SurfaceProximity() = default;

@@ -3,6 +3,7 @@
 #include "MeshPatch.h"
 
 #include "Atlas.h"
+#include "CellLocator.h"
 #include "DensityField.h"
 #include "FeatureGraph.h"
 #include "OptimizedMesh.h"
@@ -12,14 +13,12 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <map>
@@ -131,10 +130,9 @@ class FaceLocator
 public:
   explicit FaceLocator(const TriangleSurface& surface)
     : Surface(surface)
+    , Locator(surface.points, surface.triangles)
     , About(surface.points.size())
   {
-    this->Locator->SetDataSet(toPolyData(surface.points, surface.triangles));
-    this->Locator->BuildLocator();
     for (int f = 0; f < surface.numberOfFaces(); ++f)
     {
       for (const int p : surface.triangles[f])
@@ -146,14 +144,10 @@ public:
 
   SurfacePlace find(const Vec3& x) const
   {
-    Vec3 nearest;
-    vtkIdType face = 0;
-    int sub = 0;
-    double least = 0;
-    this->Locator->FindClosestPoint(x.data(), nearest.data(), this->Cell, face, sub, least);
-    // All that are as near have a point in common with the one that was found.
-    int first = static_cast<int>(face);
-    least = this->distance(x, first);
+    // All that are as near have a point in common with the one that is found.
+    const auto face = static_cast<int>(this->Locator.nearest(x).cell);
+    int first = face;
+    double least = this->distance(x, first);
     for (const int p : this->Surface.triangles[static_cast<std::size_t>(face)])
     {
       for (const int f : this->About[p])
@@ -179,8 +173,7 @@ private:
       x, this->Surface.point(f, 0), this->Surface.point(f, 1), this->Surface.point(f, 2));
   }
   const TriangleSurface& Surface;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
+  CellLocator Locator;
   std::vector<std::vector<int>> About; // faces, by point
 };
 

@@ -5,6 +5,7 @@ import inspect
 import os
 import subprocess
 import sys
+import time
 import unittest
 import warnings
 
@@ -138,6 +139,24 @@ class Result(unittest.TestCase):
             for number in (500, 1501):
                 with self.subTest(name, points=number):
                     shapes.assert_sound(self, stipple.remesh(mesh, points=number), number, euler)
+
+    def test_scale_changes_nothing(self):
+        """A power of two rounds nothing. (What is alike but for the last digits, as on a cube, may change places.)"""
+        for name, shape in (("sphere", shapes.sphere(120)), ("torus", shapes.torus(100)), ("cube", shapes.cube())):
+            points, triangles = shapes.arrays(shape)
+            seconds, angles = {}, {}
+            for exponent in (0, -40, -10, 30):
+                begin = time.monotonic()
+                mesh = stipple.remesh((np.ldexp(points, exponent), triangles), points=800)
+                seconds[exponent] = time.monotonic() - begin
+                a, b, c = (np.ldexp(mesh[0], -exponent)[mesh[1][:, k]] for k in range(3))
+                cosines = [((q - p) * (r - p)).sum(1) / np.linalg.norm(q - p, axis=1) / np.linalg.norm(r - p, axis=1)
+                    for p, q, r in ((a, b, c), (b, c, a), (c, a, b))]
+                angles[exponent] = np.degrees(np.arccos(np.max(cosines)))
+            for exponent in angles:
+                with self.subTest(name, exponent=exponent):
+                    self.assertAlmostEqual(angles[exponent], angles[0], delta=1)
+                    self.assertLess(seconds[exponent], 5 * seconds[0] + 2)
 
     def test_numpy_in_numpy_out(self):
         points, triangles = shapes.arrays(shapes.sphere())
