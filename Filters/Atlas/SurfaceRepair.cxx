@@ -93,11 +93,10 @@ std::vector<char> haveClosedFans(const TriangleSurface& surface)
   return isClosed;
 }
 
-/// The representative of every point: the first one at exactly the same place (-0 equals 0), those
-/// with closed fans left out.
-std::vector<int> weldMap(const TriangleSurface& surface)
+/// The points, those at exactly the same place (-0 equals 0) behind one another, the first one
+/// first.
+std::vector<int> orderByPlace(const std::vector<Vec3>& points)
 {
-  const std::vector<Vec3>& points = surface.points;
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -110,6 +109,15 @@ std::vector<int> weldMap(const TriangleSurface& surface)
     }
     return a < b;
   });
+  return order;
+}
+
+/// The representative of every point: the first one at exactly the same place, those with closed
+/// fans left out.
+std::vector<int> weldMap(const TriangleSurface& surface)
+{
+  const std::vector<Vec3>& points = surface.points;
+  const std::vector<int> order = orderByPlace(points);
   const auto isSame = [&](int a, int b) { return points[a] == points[b]; };
   std::vector<int> map(points.size());
   std::iota(map.begin(), map.end(), 0);
@@ -252,6 +260,96 @@ void dropRepeated(RepairedSurface& r)
   }
   r.surface.triangles.resize(n);
   r.sourceCell.resize(n);
+}
+
+/// By triangle, its part of those that hang together by points, numbered as parts begin.
+std::vector<int> partsOf(const TriangleSurface& s)
+{
+  std::vector<int> parent(s.points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int p) {
+    while (parent[p] != p)
+    {
+      p = parent[p] = parent[parent[p]];
+    }
+    return p;
+  };
+  for (const Triangle& t : s.triangles)
+  {
+    parent[root(t[1])] = root(t[0]);
+    parent[root(t[2])] = root(t[0]);
+  }
+  std::vector<int> part(s.points.size(), -1);
+  std::vector<int> result;
+  int number = 0;
+  for (const Triangle& t : s.triangles)
+  {
+    int& of = part[root(t[0])];
+    of = of < 0 ? number++ : of;
+    result.push_back(of);
+  }
+  return result;
+}
+
+/// Drops parts of which each triangle is there before, corner by corner at the same places: a sheet
+/// that is in a file twice, each time with points of its own, would be welded along its rim alone.
+void dropCopies(RepairedSurface& r)
+{
+  TriangleSurface& s = r.surface;
+  const std::vector<int> order = orderByPlace(s.points);
+  std::vector<int> place(s.points.size());
+  bool any = false;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool isSame = i > 0 && s.points[order[i]] == s.points[order[i - 1]];
+    place[order[i]] = isSame ? place[order[i - 1]] : order[i];
+    any = any || isSame;
+  }
+  if (!any)
+  {
+    return;
+  }
+  std::vector<std::pair<Triangle, int>> byPlaces;
+  for (std::size_t f = 0; f < s.triangles.size(); ++f)
+  {
+    const Triangle& t = s.triangles[f];
+    byPlaces.emplace_back(
+      sorted({ { place[t[0]], place[t[1]], place[t[2]] } }), static_cast<int>(f));
+  }
+  std::sort(byPlaces.begin(), byPlaces.end());
+  const std::vector<int> part = partsOf(s);
+  // What has a triangle that is in no part before is no copy. The first part that has a triangle is
+  // none, so that nothing is lost.
+  std::vector<char> isCopy(part.size(), 0); // by part
+  std::vector<char> isNew(part.size(), 0);
+  for (std::size_t begin = 0, end = 0; begin < byPlaces.size(); begin = end)
+  {
+    const Triangle& t = byPlaces[begin].first;
+    int first = part[byPlaces[begin].second];
+    for (end = begin; end < byPlaces.size() && byPlaces[end].first == t; ++end)
+    {
+      first = std::min(first, part[byPlaces[end].second]);
+    }
+    const bool isDegenerate = t[0] == t[1] || t[1] == t[2]; // it tells nothing
+    for (std::size_t k = begin; k < end && !isDegenerate; ++k)
+    {
+      const int own = part[byPlaces[k].second];
+      (own > first ? isCopy : isNew)[own] = 1;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < part.size(); ++f)
+  {
+    if (isCopy[part[f]] != 0 && isNew[part[f]] == 0)
+    {
+      ++r.counts.duplicateTriangles;
+      continue;
+    }
+    s.triangles[kept] = s.triangles[f];
+    r.sourceCell[kept++] = r.sourceCell[f];
+  }
+  s.triangles.resize(kept);
+  r.sourceCell.resize(kept);
 }
 
 /// Number of edges that more than two triangles share.
@@ -445,17 +543,21 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     return Status::aborted();
   }
+  std::vector<char> used(numberOfInputPoints, 0);
+  for (const Triangle& t : s.triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  dropCopies(r);
   std::vector<int> weld = weldMap(s);
   if (isAborted())
   {
     return Status::aborted();
   }
-  std::vector<char> used(numberOfInputPoints, 0);
   for (Triangle& t : s.triangles)
   {
     for (int& p : t)
     {
-      used[p] = 1;
       p = weld[p];
     }
   }

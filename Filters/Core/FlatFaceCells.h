@@ -10,7 +10,6 @@
 #include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 
-
 #include <array>
 #include <map>
 #include <memory>

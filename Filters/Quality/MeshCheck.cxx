@@ -31,15 +31,18 @@ Status faultOf(const TriangleSurface& mesh, const SurfaceTopology& wanted)
   const auto fault = [](const std::string& what) {
     return Status::tooFewPoints("The mesh would have " + what + ": ask for more points.");
   };
+  const auto some = [](int number, const char* one, const char* more) {
+    return std::to_string(number) + " " + (number == 1 ? one : more);
+  };
   const MeshQuality q = measureQuality(mesh);
   const int torn = q.nonManifoldEdges + q.nonManifoldVertices + q.misorientedEdges;
   if (q.isolatedPoints > 0)
   {
-    return fault(std::to_string(q.isolatedPoints) + " points without a triangle");
+    return fault(some(q.isolatedPoints, "point", "points") + " without a triangle");
   }
   if (torn > 0)
   {
-    return fault(std::to_string(torn) + " edges or points that are not manifold");
+    return fault(some(torn, "edge or point that is", "edges or points that are") + " not manifold");
   }
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == wanted))
@@ -49,8 +52,9 @@ Status faultOf(const TriangleSurface& mesh, const SurfaceTopology& wanted)
       std::to_string(topology.boundaryLoops) + " boundary loops instead of " +
       std::to_string(wanted.boundaryLoops) + ")");
   }
-  return q.degenerate == 0 ? Status::success()
-                           : fault(std::to_string(q.degenerate) + " triangles without an area");
+  return q.degenerate == 0
+    ? Status::success()
+    : fault(some(q.degenerate, "triangle", "triangles") + " without an area");
 }
 
 /// Where mesh and surface are farthest apart, of the places that are too far from the other.

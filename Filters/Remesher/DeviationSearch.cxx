@@ -21,6 +21,8 @@ constexpr double Aim = 0.92;
 constexpr double LargestStep = 8.;
 /// Half of the slope that bends have: more points do not help where it is less.
 constexpr double LeastSlope = 0.25;
+/// From that on it is known to be less.
+constexpr double LeastTellingStep = 2.;
 constexpr int MostTrials = 14;
 }
 
@@ -72,7 +74,9 @@ int DeviationSearch::more(const Trial& before)
   {
     slope = std::log(before.deviation / now.deviation) /
       std::log(static_cast<double>(now.points) / before.points);
-    this->Stalls = slope < LeastSlope ? this->Stalls + 1 : 0;
+    // Deviations are maxima, and jump: over a small step that tells nothing yet.
+    const bool isTold = now.points >= LeastTellingStep * before.points;
+    this->Stalls = slope >= LeastSlope ? 0 : this->Stalls + (isTold ? 1 : 0);
   }
   const double ratio = now.deviation / (Aim * this->Wanted);
   if (std::isfinite(ratio) && now.points * ratio > this->Most)
@@ -83,7 +87,9 @@ int DeviationSearch::more(const Trial& before)
   {
     return 0;
   }
-  const double step = std::isfinite(ratio) ? std::pow(ratio, 1. / std::clamp(slope, 0.5, 1.)) : 2.;
+  const double likely =
+    std::isfinite(ratio) ? std::pow(ratio, 1. / std::clamp(slope, 0.5, 1.)) : 2.;
+  const double step = slope < LeastSlope ? std::max(likely, LeastTellingStep) : likely;
   return static_cast<int>(
     std::min(this->Most, std::ceil(now.points * std::clamp(step, FewMore, LargestStep))));
 }

@@ -482,11 +482,12 @@ std::string plain(double value)
     : shortestText(value);
 }
 
-/// "from 0 to 1", "of at least 2", "above 0"; empty if anything goes.
+/// "from 0 to 1", "of at least 2", "above 0 and up to 1"; empty if anything goes.
 std::string bounds(double low, double high)
 {
-  return high < Infinity ? "from " + plain(low) + " to " + plain(high)
-    : low == Positive    ? "above 0"
+  const std::string upTo = high < Infinity ? " and up to " + plain(high) : "";
+  return low == Positive ? "above 0" + upTo
+    : high < Infinity    ? "from " + plain(low) + " to " + plain(high)
     : low > -Infinity    ? "of at least " + plain(low)
                          : "";
 }

@@ -603,6 +603,18 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     status = s.check(this->Pattern == QUADS ? s.QuadMesher->GetOutput() : s.Optimizer->GetOutput());
     if (status.ok() && this->Pattern == SEMIREGULAR)
     {
+      // Each level has four times the triangles, and about four times the points.
+      const double points = s.Optimizer->GetOutput()->GetNumberOfPoints() *
+        std::pow(4., s.Subdivider->GetNumberOfSubdivisions());
+      if (points > this->GetNumberOfPointsMaxValue())
+      {
+        this->ErrorCode = BAD_INPUT;
+        s.Sentence = "The mesh would have some " + inTwoDigits(points) +
+          " points, of which there " + "can be " +
+          std::to_string(this->GetNumberOfPointsMaxValue()) +
+          ": ask for fewer, or for fewer subdivisions.";
+        return false;
+      }
       if (!this->RunStage(Subdivision))
       {
         return false;

@@ -124,6 +124,10 @@ class BadInput(ProgramTest):
                 self.succeed(model, "-o", out, "--points", least)
                 self.assert_like(mesh_check(out, model), least)
 
+    def test_semiregular_meshes_of_too_many_points_are_refused(self):
+        self.fail_with(1, r"some \d+ points, of which there can be 10000000", self.cube(), "-o", self.folder / "o.ply",
+            "--points", 1000, "--pattern", "semiregular", "--subdivisions", 8)
+
     def test_unwritable(self):
         cube = self.cube()
         self.fail_with(1, "there is no folder", cube, "-o", self.folder / "none" / "out.ply")

@@ -155,6 +155,7 @@ TEST(OptionTable, RowsSayWhatTheyTake)
   EXPECT_EQ(row("gamma").initialText(), "1");
   EXPECT_EQ(row("growth").initialText(), "1.5") << "not what 0 stands for";
   EXPECT_EQ(row("growth").wanted(), "none or a number from 1.1 to 4");
+  EXPECT_EQ(row("max_deviation").wanted(), "a number above 0 and up to 100");
   EXPECT_EQ(row("size_minimum").initialText(), "none");
   EXPECT_EQ(row("curvature_points").range(), "3 or more edges");
   EXPECT_EQ(row("curvature_points").initialText(), "none");

@@ -244,6 +244,18 @@ TEST(DeviationSearch, FindsAboutTheFewestPointsInFewTrials)
   }
 }
 
+TEST(DeviationSearch, JumpsOnSmallStepsAreNotTakenForTheEnd)
+{
+  // As the elephant's at .2 %: where it is nearly there, deviations happen to rise for a while.
+  const auto of = [](int n) { return 50. / n * (n > 4600 && n < 6500 ? n / 4400. : 1.); };
+  for (const double wanted : { 0.0105, 0.01, 0.0095, 0.009 })
+  {
+    const Found f = search(wanted, 1000., of);
+    EXPECT_GT(f.points, 0) << wanted;
+    EXPECT_LT(f.points, 2.6 * 50. / wanted) << wanted;
+  }
+}
+
 TEST(DeviationSearch, EndsWhereThereAreNoFewerAndWhereMoreDoNotHelp)
 {
   EXPECT_EQ(search(

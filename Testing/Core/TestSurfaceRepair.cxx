@@ -68,6 +68,56 @@ TEST(SurfaceRepair, LooseTrianglesAreWelded)
   EXPECT_TRUE(r.surface.topology() == sphere.topology());
 }
 
+TEST(SurfaceRepair, CopiesOfPartsAreDropped)
+{
+  const TriangleSurface saddle = shapes::saddle(6);
+  for (const TriangleSurface& shape : { saddle, shapes::sphere(1, 2) })
+  {
+    const int n = static_cast<int>(shape.triangles.size());
+    for (const bool turned : { false, true })
+    {
+      // Twice whole, and the first half once more, each with points of its own; the points are not
+      // in the same order.
+      TriangleSurface copies = shape;
+      for (const int number : { n, n / 2 })
+      {
+        const int first = static_cast<int>(copies.points.size());
+        const int last = static_cast<int>(shape.points.size()) - 1;
+        copies.points.insert(copies.points.end(), shape.points.rbegin(), shape.points.rend());
+        for (int f = 0; f < number; ++f)
+        {
+          Triangle t = shape.triangles[f];
+          for (int& p : t)
+          {
+            p = first + last - p;
+          }
+          if (turned)
+          {
+            std::swap(t[0], t[1]);
+          }
+          copies.triangles.push_back(t);
+        }
+      }
+      const RepairedSurface r = repaired(copies);
+      EXPECT_EQ(r.surface.triangles, shape.triangles);
+      EXPECT_EQ(r.counts.duplicateTriangles, n + n / 2);
+      EXPECT_EQ(r.counts.splitEdges + r.counts.degenerateTriangles, 0);
+    }
+  }
+  // What has one triangle more is no copy.
+  TriangleSurface more = saddle;
+  const int first = static_cast<int>(more.points.size());
+  more.points.insert(more.points.end(), saddle.points.begin(), saddle.points.end());
+  more.points.push_back(saddle.points[0] + Vec3(0, 0, 1));
+  for (const Triangle& t : saddle.triangles)
+  {
+    more.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+  }
+  more.triangles.push_back({ first + 1, first, static_cast<int>(more.points.size()) - 1 });
+  EXPECT_LT(repaired(more).counts.duplicateTriangles, 3)
+    << "but at corners, once the rim is welded";
+}
+
 TEST(SurfaceRepair, ClosedSurfacesThatTouchAreLeftAlone)
 {
   // Two cubes with a face in common, each with its own points: welded, the face would be gone, and
