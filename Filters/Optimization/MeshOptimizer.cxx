@@ -42,8 +42,14 @@ Tuning::Pace paceAt(double progress, bool uniform)
 
 bool maySimplify(const OptimizerOptions& options)
 {
-  return options.moves != Moves::None && options.swaps != Swaps::None && !options.ribs &&
+  return options.moves != Moves::None && options.swaps != Swaps::None &&
     options.featureTolerance > 0;
+}
+
+/// When all is done. Ribs are, by then, and would be lost.
+bool maySimplifyAtLast(const OptimizerOptions& options)
+{
+  return maySimplify(options) && !options.ribs;
 }
 
 void swapEdges(MeshEdit& edit, Swaps swaps, int passes)
@@ -126,7 +132,8 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
     if (i > 0 && i % Tuning::AcuteInterval == 0 && firstRound == 0 && maySimplify(options))
     {
       const int changes = mesh.numberOfChanges();
-      const Status status = simplifyFeatures(mesh, options.featureTolerance);
+      const Status status = simplifyFeatures(mesh, options.featureTolerance,
+        options.ribs ? Tuning::SliverAngle : Tuning::PoorFeatureAngle);
       if (!status.ok())
       {
         return status;
@@ -327,7 +334,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
   Lack least(mesh);
   std::optional<OptimizedMesh> best;
-  bool isNearlyDone = maySimplify(options);
+  bool isNearlyDone = maySimplifyAtLast(options);
   for (int i = 0; i < Tuning::LastSimplifications && isNearlyDone && least.sum > 0; ++i)
   {
     if (!best)
@@ -368,7 +375,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     mesh = std::move(*best);
   }
   // What swaps have left without an angle, at last with no rounds that swap any more.
-  for (int i = 0; i < Tuning::LastOpenings && maySimplify(options); ++i)
+  for (int i = 0; i < Tuning::LastOpenings && maySimplifyAtLast(options); ++i)
   {
     const int changes = mesh.numberOfChanges();
     status = simplifyFeatures(mesh, options.featureTolerance, Tuning::NoAngle);
@@ -382,7 +389,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   {
     return status;
   }
-  if (maySimplify(options))
+  if (maySimplifyAtLast(options))
   {
     status = reachFarPlaces(mesh, edit, options, overlaps, goesOn);
     if (!status.ok())

@@ -38,8 +38,8 @@ struct OptimizerOptions
   /// Moves::Lloyd.
   double acuteCornerAngle = 0.436;
   /// How far features may go to others for the sake of triangles, 0 to 1 in units of the spacing
-  /// (see simplifyFeatures()); 0: they are kept. For moves with swaps, without
-  /// ribs, which want every feature as it is.
+  /// (see simplifyFeatures()); 0: they are kept. For moves with swaps. With ribs, which want
+  /// features as they are, only for slivers, and not when ribs are made.
   double featureTolerance = 1.;
 };
 

@@ -180,8 +180,8 @@ public:
    * then goes to another one. That far for a triangle without an angle, less for a better one, not
    * at all for 30 degrees. Constraints and the topology stay, and what is on a boundary goes along
    * it. The points that this frees go where triangles are largest. It takes effect with moves and
-   * swaps, but not with Ribs, which are about every feature as it is; at 0 all features are kept.
-   * The default is 1.
+   * swaps; with Ribs, which are about features as they are, only for slivers (below 14 degrees). At
+   * 0 all features are kept. The default is 1.
    */
   vtkSetClampMacro(FeatureTolerance, double, 0., 1.);
   vtkGetMacro(FeatureTolerance, double);
