@@ -366,7 +366,7 @@ class Sliders(ViewTest):
         for keys, expected in (
             (("1", ".", "2", "3", "Return"), 1.23),
             (("2", "BackSpace", "3", "Return"), 3),
-            (("9", "9", "Return"), 3),  # the slider's end
+            (("9", "9", "Return"), 0.5),  # beyond the slider
             (("2", "Escape"), 0.5),
             (("-", ".", "-", "Return"), 0.5),  # no number
             (("2", ("LeftButtonPressEvent", 250, 700), ("LeftButtonReleaseEvent", 250, 700)), 2),  # elsewhere
