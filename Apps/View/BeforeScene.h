@@ -48,8 +48,7 @@ public:
   void setView(const ViewState& view, float lineWidth);
   /// Constraints, tagged edges. Whether they are others than before.
   bool setMarks(const Session& session);
-  /// The brush's outline on the surface; no radius: none.
-  /// Circles around these places, as wide as that.
+  /// The brush's outline on the surface: circles of that radius around these places.
   void setBrush(const std::vector<PickedPlace>& places, double radius);
   void hideBrush() { this->setBrush({}, 0); }
   /// Edges of the input that a click would tag, in the brush's place.

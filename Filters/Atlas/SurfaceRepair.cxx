@@ -112,12 +112,11 @@ std::vector<int> orderByPlace(const std::vector<Vec3>& points)
   return order;
 }
 
-/// The representative of every point: the first one at exactly the same place, those with closed
-/// fans left out.
-std::vector<int> weldMap(const TriangleSurface& surface)
+/// The representative of every point, of those in the order by place: the first one at exactly the
+/// same place, those with closed fans left out.
+std::vector<int> weldMap(const TriangleSurface& surface, const std::vector<int>& order)
 {
   const std::vector<Vec3>& points = surface.points;
-  const std::vector<int> order = orderByPlace(points);
   const auto isSame = [&](int a, int b) { return points[a] == points[b]; };
   std::vector<int> map(points.size());
   std::iota(map.begin(), map.end(), 0);
@@ -293,10 +292,9 @@ std::vector<int> partsOf(const TriangleSurface& s)
 
 /// Drops parts of which each triangle is there before, corner by corner at the same places: a sheet
 /// that is in a file twice, each time with points of its own, would be welded along its rim alone.
-void dropCopies(RepairedSurface& r)
+void dropCopies(RepairedSurface& r, const std::vector<int>& order)
 {
   TriangleSurface& s = r.surface;
-  const std::vector<int> order = orderByPlace(s.points);
   std::vector<int> place(s.points.size());
   bool any = false;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -548,8 +546,9 @@ Status repairSurface(vtkPolyData* input, RepairedSurface& r, const Progress& pro
   {
     used[t[0]] = used[t[1]] = used[t[2]] = 1;
   }
-  dropCopies(r);
-  std::vector<int> weld = weldMap(s);
+  const std::vector<int> order = orderByPlace(s.points);
+  dropCopies(r, order);
+  std::vector<int> weld = weldMap(s, order);
   if (isAborted())
   {
     return Status::aborted();

@@ -610,8 +610,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
       {
         this->ErrorCode = BAD_INPUT;
         s.Sentence = "The mesh would have some " + inTwoDigits(points) +
-          " points, of which there " + "can be " +
-          std::to_string(this->GetNumberOfPointsMaxValue()) +
+          " points, of which there can be " + std::to_string(this->GetNumberOfPointsMaxValue()) +
           ": ask for fewer, or for fewer subdivisions.";
         return false;
       }
