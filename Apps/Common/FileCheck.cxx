@@ -62,6 +62,10 @@ Status checkObj(const std::string& file)
   // VTK's reader cuts longer lines.
   constexpr std::size_t LongestLine = 90000;
   const std::string content = contentOf(file);
+  if (content.find('\0') != std::string::npos)
+  {
+    return Status::error("cannot read '" + file + "': it is no text");
+  }
   const auto kindOf = [](std::string_view key) {
     return key == "v" ? 0 : key == "vt" ? 1 : key == "vn" ? 2 : -1;
   };

@@ -288,7 +288,11 @@ Status readChecked(
   {
     return Status::error("there is no file '" + file + "'");
   }
-  if (std::filesystem::is_directory(file, code) || !canBeRead(file))
+  if (std::filesystem::is_directory(file, code))
+  {
+    return Status::error("cannot read '" + file + "': it is a folder");
+  }
+  if (!canBeRead(file))
   {
     return Status::error("cannot read '" + file + "'");
   }
@@ -350,7 +354,7 @@ private:
 };
 
 /// VTK 9.1's writer keeps six digits.
-Status writeObj(vtkPolyData* mesh, const std::string& file)
+bool writeObj(vtkPolyData* mesh, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary);
   stream << "# Stipple\n";
@@ -388,7 +392,7 @@ Status writeObj(vtkPolyData* mesh, const std::string& file)
     writeFace(f);
   }
   stream.close();
-  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
+  return static_cast<bool>(stream);
 }
 
 /// Whoever asked for an array's range has left it in the array's information, which VTK's files
@@ -414,7 +418,7 @@ void forgetRanges(vtkFieldData* data)
 
 /// The same file for the same mesh, whatever was done with it meanwhile.
 template <typename WriterT>
-Status writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
+bool writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
 {
   vtkNew<vtkPolyData> bare;
   bare->ShallowCopy(mesh);
@@ -430,44 +434,11 @@ Status writeByVTK(WriterT* writer, vtkPolyData* mesh, const std::string& file)
   ErrorCollector errors(writer);
   writer->SetFileName(file.c_str());
   writer->SetInputData(bare);
-  return writer->Write() && writer->GetErrorCode() == 0 && errors.first().empty()
-    ? Status::success()
-    : Status::error("cannot write '" + file + "'");
-}
+  return writer->Write() && writer->GetErrorCode() == 0 && errors.first().empty();
 }
 
-const std::vector<std::string>& meshFileExtensions()
-{
-  static const std::vector<std::string> extensions = { ".ply", ".obj", ".stl", ".off", ".vtp",
-    ".vtk" };
-  return extensions;
-}
-
-std::string fileExtension(const std::string& file)
-{
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh)
-{
-  return readChecked(file, mesh, { checkCells, checkPoints, checkFaces });
-}
-
-Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves)
-{
-  return readChecked(file, curves, { checkCells, checkPoints, checkLines });
-}
-
-Status writeRemesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)
-{
-  const bool ofPoints = extension == ".vtp" || extension == ".vtk";
-  return writeMesh(ofPoints ? splitTextureSeams(mesh).Get() : mesh, file, extension);
-}
-
-Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& extension)
+/// Whether it was written.
+bool writeByExtension(vtkPolyData* mesh, const std::string& file, const std::string& extension)
 {
   if (extension == ".off")
   {
@@ -502,6 +473,47 @@ Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& 
     writer->SetFileTypeToBinary();
     return writeByVTK(writer.Get(), mesh, file);
   }
-  return Status::error("'" + file + "' has an unknown extension");
+  return false;
+}
+}
+
+const std::vector<std::string>& meshFileExtensions()
+{
+  static const std::vector<std::string> extensions = { ".ply", ".obj", ".stl", ".off", ".vtp",
+    ".vtk" };
+  return extensions;
+}
+
+std::string fileExtension(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Status readMesh(const std::string& file, vtkSmartPointer<vtkPolyData>& mesh)
+{
+  return readChecked(file, mesh, { checkCells, checkPoints, checkFaces });
+}
+
+Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves)
+{
+  return readChecked(file, curves, { checkCells, checkPoints, checkLines });
+}
+
+Status writeRemesh(vtkPolyData* mesh, const std::string& file, const std::string& target)
+{
+  const std::string extension = fileExtension(target.empty() ? file : target);
+  const bool ofPoints = extension == ".vtp" || extension == ".vtk";
+  return writeMesh(ofPoints ? splitTextureSeams(mesh).Get() : mesh, file, target);
+}
+
+Status writeMesh(vtkPolyData* mesh, const std::string& file, const std::string& target)
+{
+  const std::string& name = target.empty() ? file : target;
+  return writeByExtension(mesh, file, fileExtension(name))
+    ? Status::success()
+    : Status::error("cannot write '" + name + "'");
 }
 }

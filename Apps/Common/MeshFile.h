@@ -31,14 +31,15 @@ namespace stipple
 /// Writes binary where the format has it, in full precision where the format has it (all but STL).
 /// .vtp and .vtk keep all arrays; .obj (groups or materials), .stl (solids, as text) and .ply (a
 /// property of faces) the regions of vtkConformalAtlas::RegionArrayName; .obj and .ply the texture
-/// coordinates of corners. The format is that of `extension`.
+/// coordinates of corners. `target`: the name that the file will have, by which sentences call it
+/// and whose extension says the format; empty: the file's own.
 [[nodiscard]] Status writeMesh(
-  vtkPolyData* mesh, const std::string& file, const std::string& extension);
+  vtkPolyData* mesh, const std::string& file, const std::string& target = {});
 
 /// Likewise what vtkGeometryRemesher made: the texture coordinates of corners, which .obj and .ply
 /// have beside one point a place, become those of points in .vtp and .vtk (vtkTextureSeamSplitter).
 [[nodiscard]] Status writeRemesh(
-  vtkPolyData* mesh, const std::string& file, const std::string& extension);
+  vtkPolyData* mesh, const std::string& file, const std::string& target = {});
 }
 
 #endif

@@ -193,7 +193,7 @@ Status readOff(const std::string& file, vtkPolyData* mesh)
   return Status::success();
 }
 
-Status writeOff(vtkPolyData* mesh, const std::string& file)
+bool writeOff(vtkPolyData* mesh, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary);
   stream << "OFF\n" << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
@@ -216,6 +216,6 @@ Status writeOff(vtkPolyData* mesh, const std::string& file)
     stream << '\n';
   }
   stream.close();
-  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
+  return static_cast<bool>(stream);
 }
 }

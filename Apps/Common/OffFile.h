@@ -17,7 +17,7 @@ namespace stipple
 /// texture are left out.
 [[nodiscard]] Status readOff(const std::string& file, vtkPolyData* mesh);
 
-[[nodiscard]] Status writeOff(vtkPolyData* mesh, const std::string& file);
+[[nodiscard]] bool writeOff(vtkPolyData* mesh, const std::string& file);
 }
 
 #endif

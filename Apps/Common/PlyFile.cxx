@@ -526,7 +526,7 @@ Status readPly(const std::string& file, vtkPolyData* mesh)
   return PlyReader(file, contentOf(file)).read(mesh);
 }
 
-Status writePly(vtkPolyData* mesh, const std::string& file)
+bool writePly(vtkPolyData* mesh, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary);
   const FaceLabels labels(mesh);
@@ -566,6 +566,6 @@ Status writePly(vtkPolyData* mesh, const std::string& file)
     }
   }
   stream.close();
-  return stream ? Status::success() : Status::error("cannot write '" + file + "'");
+  return static_cast<bool>(stream);
 }
 }

@@ -22,7 +22,7 @@ namespace stipple
 /// Binary, coordinates as doubles, no arrays but the labels of regions (see RegionFile.h) and, as
 /// faces' lists texcoord of single precision, the texture coordinates of corners (see
 /// CornerTexture.h). Faces have at most 255 corners.
-[[nodiscard]] Status writePly(vtkPolyData* mesh, const std::string& file);
+[[nodiscard]] bool writePly(vtkPolyData* mesh, const std::string& file);
 }
 
 #endif

@@ -48,7 +48,7 @@ private:
 [[nodiscard]] std::string objMaterialLibrary(vtkPolyData* mesh, const MeshRegions& regions);
 
 /// Writes a text file with a solid a region.
-[[nodiscard]] Status writeStlSolids(
+[[nodiscard]] bool writeStlSolids(
   vtkPolyData* mesh, const MeshRegions& regions, const std::string& file);
 }
 

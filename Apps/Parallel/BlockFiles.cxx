@@ -171,7 +171,7 @@ Status writeJoined(vtkPartitionedDataSet* blocks, const std::string& file,
         vtkPolyData::SafeDownCast(vtkCommunicator::UnMarshalDataObject(packed).GetPointer()));
     }
   }
-  return writeMesh(join(own), files.aside(file), fileExtension(file));
+  return writeMesh(join(own), files.aside(file), file);
 }
 
 std::string pieceName(const std::string& file, unsigned int block)

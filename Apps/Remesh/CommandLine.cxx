@@ -37,7 +37,7 @@ std::vector<Option> programOptions()
   };
   add(Group::Files, Kind::File, "output", "FILE", "the mesh to write", meshFileExtensions());
   add(Group::Files, Kind::File, "report", "FILE.json",
-    "counts, seconds, repairs and quality figures");
+    "counts, seconds, repairs and quality figures; -: on stdout");
   add(Group::Files, Kind::File, "picture", "FILE.png",
     "a sheet: before, charts, maps, samples, after", { ".png" });
   Option& panel = add(Group::Files, Kind::Choice, "picture_panel", "NAME",

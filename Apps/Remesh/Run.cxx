@@ -25,8 +25,10 @@
 #include "vtkGeometryMapRenderer.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRemeshOptimizer.h"
 
@@ -77,12 +79,17 @@ private:
   ProgressBar& Bar;
 };
 
+bool isStandardOutput(const std::string& option, const std::string& file)
+{
+  return option == "report" && file == "-";
+}
+
 Status checkOutputs(const OptionValues& o)
 {
   for (const char* name :
     { "output", "report", "picture", "save_charts", "save_maps", "save_samples" })
   {
-    if (o.has(name))
+    if (o.has(name) && !isStandardOutput(name, o.text(name)))
     {
       if (Status status = OutputFiles::check(o.text(name), std::string(name) == "save_maps");
           !status.ok())
@@ -203,8 +210,46 @@ vtkIdType countLostFeatures(vtkGeometryRemesher* remesher)
   return lost ? lost->GetNumberOfLines() : 0;
 }
 
+/// Places that must become vertices, and are farther from the surface than a hundredth of its
+/// diagonal.
+vtkIdType countFarConstraints(vtkPolyData* input, vtkGeometryRemesher* remesher)
+{
+  vtkPoints* places = remesher->GetAtlas()->GetConstraints();
+  const double far = .01 * input->GetLength();
+  vtkIdType number = 0;
+  for (vtkIdType i = 0; places && i < places->GetNumberOfPoints(); ++i)
+  {
+    double wanted[3];
+    double got[3];
+    places->GetPoint(i, wanted);
+    vtkPolyData* mesh = remesher->GetOutput();
+    mesh->GetPoint(mesh->FindPoint(wanted), got);
+    number += vtkMath::Distance2BetweenPoints(wanted, got) > far * far;
+  }
+  return number;
+}
+
+/// What was asked to be kept and a format has no place for.
+void warnOfFormat(const Session& o)
+{
+  const std::string extension = fileExtension(o.text("output"));
+  if (!o.text("region_array").empty() && extension == ".off")
+  {
+    std::fprintf(stderr,
+      "stipple: warning: an .off file has no labels: the regions' are lost; all "
+      "other formats keep them\n");
+  }
+  if (o.flag("keep_uv_seams") && (extension == ".off" || extension == ".stl"))
+  {
+    std::fprintf(stderr,
+      "stipple: warning: an %s file has no texture coordinates: they are lost; "
+      "all formats but .off and .stl keep them\n",
+      extension.c_str());
+  }
+}
+
 /// Of what somebody at a terminal may not expect.
-void warn(vtkGeometryRemesher* remesher)
+void warn(const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher)
 {
   const auto say = [](const char* sentence, vtkIdType number) {
     if (number > 0)
@@ -219,6 +264,10 @@ void warn(vtkGeometryRemesher* remesher)
     "stipple: warning: feature edges of the input that no edge of the mesh is near to: %lld; more "
     "points keep them, as does --feature-tolerance 0\n",
     countLostFeatures(remesher));
+  say("stipple: warning: constraints farther from the surface than 1 %% of the diagonal, where the "
+      "nearest place on it is a vertex: %lld\n",
+    countFarConstraints(input, remesher));
+  warnOfFormat(o);
 }
 
 Report makeReport(
@@ -303,12 +352,21 @@ void tell(const Report& report)
   }
 }
 
-Status writeText(const std::string& text, const std::string& now, const std::string& target)
+Status writeReport(const std::string& text, const std::string& file, OutputFiles& files)
 {
-  std::ofstream stream(now, std::ios::binary);
-  stream << text;
-  stream.close();
-  return stream ? Status::success() : Status::error("cannot write '" + target + "'");
+  bool written = false;
+  if (isStandardOutput("report", file))
+  {
+    written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  }
+  else
+  {
+    std::ofstream stream(files.aside(file), std::ios::binary);
+    stream << text;
+    stream.close();
+    written = static_cast<bool>(stream);
+  }
+  return written ? Status::success() : Status::error("cannot write '" + file + "'");
 }
 
 /// All but the picture, which may fail alone.
@@ -317,7 +375,7 @@ Status writeFiles(const Session& o, vtkPolyData* input, vtkGeometryRemesher* rem
 {
   const Stopwatch watch;
   vtkPolyData* mesh = remesher->GetOutput();
-  Status status = writeRemesh(mesh, files.aside(o.text("output")), fileExtension(o.text("output")));
+  Status status = writeRemesh(mesh, files.aside(o.text("output")), o.text("output"));
   Report report = makeReport(o, input, remesher, load, watch.seconds());
   if (status.ok() && o.has("save_charts"))
   {
@@ -339,7 +397,7 @@ Status writeFiles(const Session& o, vtkPolyData* input, vtkGeometryRemesher* rem
   if (status.ok() && o.has("report"))
   {
     measure(report, input, remesher);
-    status = writeText(toJson(report), files.aside(o.text("report")), o.text("report"));
+    status = writeReport(toJson(report), o.text("report"), files);
   }
   if (status.ok() && o.flag("verbose"))
   {
@@ -456,7 +514,7 @@ Status run(const OptionValues& given)
   }
   if (status.ok() && bar.isOn())
   {
-    warn(remesher);
+    warn(o, input, remesher);
   }
   if (status.ok() && picture.ok())
   {

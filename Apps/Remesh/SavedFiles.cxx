@@ -43,7 +43,7 @@ Status saveCharts(
 {
   if (fileExtension(file) == ".vtp")
   {
-    return writeMesh(chartsInOnePiece(charts), files.aside(file), ".vtp");
+    return writeMesh(chartsInOnePiece(charts), files.aside(file), file);
   }
   // The pieces go to a folder that is named like the file.
   const std::filesystem::path target = std::filesystem::absolute(file);
@@ -98,6 +98,6 @@ Status saveMaps(
 
 Status saveSamples(vtkPolyData* samples, const std::string& file, OutputFiles& files)
 {
-  return writeMesh(samples, files.aside(file), fileExtension(file));
+  return writeMesh(samples, files.aside(file), file);
 }
 }

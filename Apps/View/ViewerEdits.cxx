@@ -145,8 +145,7 @@ void Viewer::writeMesh()
   OutputFiles files;
   if (status.ok())
   {
-    status =
-      writeRemesh(this->Mesh->mesh, files.aside(this->Files.mesh), fileExtension(this->Files.mesh));
+    status = writeRemesh(this->Mesh->mesh, files.aside(this->Files.mesh), this->Files.mesh);
   }
   if (status.ok())
   {

@@ -26,7 +26,7 @@ bool isOwn(const std::string& name)
     std::find(maps.begin(), maps.end(), name) != maps.end();
 }
 
-Status check(vtkDataArray* array, const std::string& name, const std::string& element)
+Status checkNumbers(vtkDataArray* array, const std::string& name, const std::string& element)
 {
   if (isOwn(name))
   {
@@ -47,9 +47,29 @@ Status check(vtkDataArray* array, const std::string& name, const std::string& el
   }
   return Status::success();
 }
+
+Status checkLengths(vtkDataArray* array, const std::string& name, const std::string& element)
+{
+  if (const int components = array->GetNumberOfComponents(); components != 1)
+  {
+    return Status::error("The array " + name + " of the input has " + std::to_string(components) +
+      " components: lengths of edges are single numbers.");
+  }
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    if (!(array->GetComponent(i, 0) > 0.))
+    {
+      return Status::error("The array " + name + " of the input is not above 0 at " + element +
+        " " + std::to_string(i) + ": no edge can have that length.");
+    }
+  }
+  return Status::success();
 }
 
-Status checkDensityArray(vtkPolyData* input, const char* name)
+using Check = Status (*)(vtkDataArray*, const std::string& name, const std::string& element);
+
+/// The check's answer for the input's array of that name, on points if there is one.
+Status checkArray(vtkPolyData* input, const char* name, Check check)
 {
   if (!name)
   {
@@ -61,5 +81,17 @@ Status checkDensityArray(vtkPolyData* input, const char* name)
   }
   vtkDataArray* array = input->GetCellData()->GetArray(name);
   return array ? check(array, name, "cell") : Status::success();
+}
+}
+
+Status checkDensityArray(vtkPolyData* input, const char* name)
+{
+  return checkArray(input, name, checkNumbers);
+}
+
+Status checkSizeArray(vtkPolyData* input, const char* name)
+{
+  const Status status = checkDensityArray(input, name);
+  return status.ok() ? checkArray(input, name, checkLengths) : status;
 }
 }

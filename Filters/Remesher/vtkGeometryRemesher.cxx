@@ -489,7 +489,7 @@ bool vtkGeometryRemesher::TakeInput(vtkPolyData* input)
   }
   if (status.ok())
   {
-    status = stipple::checkDensityArray(input, control->GetSizeArrayName());
+    status = stipple::checkSizeArray(input, control->GetSizeArrayName());
   }
   if (status.ok())
   {

@@ -287,8 +287,7 @@ Status ControlMapBuilder::Internals::readFaces()
       array->GetNumberOfComponents() != 1)
     {
       return Status::error("Map " + std::to_string(c) +
-        " has no point array FaceIndex, which BandPass, Gradation and Strokes need: select it in "
-        "vtkGeometryMapRenderer.");
+        " has no point array FaceIndex, which BandPass, Gradation and Strokes need.");
     }
     vtkSmartPointer<vtkIntArray> integers = vtkIntArray::SafeDownCast(array);
     if (!integers)
@@ -429,7 +428,7 @@ Status ControlMapBuilder::Internals::fillBase(const ControlMapOptions& o, const 
     if (!missing[c].empty())
     {
       return Status::error("Map " + std::to_string(c) + " has no point array " + missing[c] +
-        ", which the importance needs: select it in vtkGeometryMapRenderer.");
+        ", which the importance needs.");
     }
   }
   double largest = this->scaleByQuantile(values, o.importance);
@@ -725,8 +724,8 @@ Status ControlMapBuilder::Internals::fillFromSizes(vtkPartitionedDataSetCollecti
       (!sizes || sizes->GetNumberOfTuples() != chart.map->GetNumberOfPoints() ||
         sizes->GetNumberOfComponents() != 1))
     {
-      return Status::error("The maps have no point array " + array +
-        " of one component, the SizeArray: select it in vtkGeometryMapRenderer.");
+      return Status::error(
+        "The maps have no point array " + array + " of one component, the array of sizes.");
     }
     const auto values = sizes ? std::make_unique<FloatValues>(sizes) : nullptr;
     float* v = chart.values();

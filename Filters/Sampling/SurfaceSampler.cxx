@@ -148,7 +148,7 @@ Status Sampling::readMasses()
     if (!std::isfinite(this->Mass[c].total))
     {
       return Status::error("The control image of chart " + std::to_string(c) +
-        " holds infinite values: make Control finite.");
+        " holds infinite values: the control must be finite.");
     }
     this->Total += this->Mass[c].total;
   }
@@ -264,7 +264,8 @@ Status Sampling::makeSamplers()
       return Status::error("The control image of chart " + std::to_string(c) + " (" +
         std::to_string(image.width) + " x " + std::to_string(image.height) +
         " pixels) is too small for its share of " + std::to_string(this->Number) +
-        " samples: set MapSize to at least " + std::to_string(static_cast<int>(mapSize)) + ".");
+        " samples: maps must be " + std::to_string(static_cast<int>(mapSize)) +
+        " pixels wide or more.");
     }
     // Where no map would do, error diffusion hands on what a pixel cannot take.
     while (factor > 1. && !InteriorSampler::withinLimits(image, factor))

@@ -145,7 +145,7 @@ TEST_F(MeshFile, RoundTrips)
   for (const std::string& extension : meshFileExtensions())
   {
     const std::string file = this->Folder + "/mesh" + extension;
-    ASSERT_TRUE(writeMesh(mesh, file, extension).ok()) << extension;
+    ASSERT_TRUE(writeMesh(mesh, file).ok()) << extension;
     vtkSmartPointer<vtkPolyData> back;
     const Status status = readMesh(file, back);
     ASSERT_TRUE(status.ok()) << status.message();
@@ -298,7 +298,7 @@ TEST_F(MeshFile, RegionsComeBackFromEveryFormatThatHasThem)
     {
       SCOPED_TRACE(array + extension);
       const std::string file = this->Folder + "/mesh" + extension;
-      ASSERT_TRUE(writeMesh(mesh, file, extension).ok());
+      ASSERT_TRUE(writeMesh(mesh, file).ok());
       vtkSmartPointer<vtkPolyData> read;
       ASSERT_TRUE(readMesh(file, read).ok());
       ASSERT_EQ(read->GetNumberOfPolys(), 4);
@@ -336,7 +336,7 @@ TEST_F(MeshFile, TextureOfCornersComesBackFromEveryFormatThatHasIt)
   {
     SCOPED_TRACE(extension);
     const std::string file = this->Folder + "/mesh" + extension;
-    ASSERT_TRUE(writeRemesh(mesh, file, extension).ok());
+    ASSERT_TRUE(writeRemesh(mesh, file).ok());
     vtkSmartPointer<vtkPolyData> read;
     ASSERT_TRUE(readMesh(file, read).ok());
     vtkDataArray* texture = read->GetPointData()->GetTCoords();
@@ -407,7 +407,7 @@ TEST_F(MeshFile, NamesOfArraysDoNotSpoilFiles)
   }
   mesh->GetPointData()->SetActiveScalars("a&b");
   const std::string file = this->Folder + "/mesh.vtp";
-  ASSERT_TRUE(writeMesh(mesh, file, ".vtp").ok());
+  ASSERT_TRUE(writeMesh(mesh, file).ok());
   vtkSmartPointer<vtkPolyData> read;
   const Status status = readMesh(file, read);
   ASSERT_TRUE(status.ok()) << status.message();
@@ -449,7 +449,7 @@ TEST_F(MeshFile, OneSolidIsNoRegion)
   mesh->GetCellData()->AddArray(ids);
   setRegionArrayName(mesh, "SolidIds");
   const std::string file = this->Folder + "/mesh.stl";
-  ASSERT_TRUE(writeMesh(mesh, file, ".stl").ok());
+  ASSERT_TRUE(writeMesh(mesh, file).ok());
   vtkSmartPointer<vtkPolyData> read;
   ASSERT_TRUE(readMesh(file, read).ok());
   EXPECT_EQ(read->GetNumberOfPolys(), 4);
@@ -459,7 +459,7 @@ TEST_F(MeshFile, OneSolidIsNoRegion)
 TEST_F(MeshFile, PlyIsBinaryWithDoubles)
 {
   const std::string file = this->Folder + "/mesh.ply";
-  ASSERT_TRUE(writeMesh(makeTetrahedron(), file, ".ply").ok());
+  ASSERT_TRUE(writeMesh(makeTetrahedron(), file).ok());
   std::ifstream stream(file, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   const std::size_t body = text.find("end_header\n") + 11;

@@ -19,7 +19,7 @@ class BadInput(ProgramTest):
     def test_unreadable(self):
         self.fail_with(1, "there is no file", self.folder / "none.ply", "-o", self.folder / "out.ply")
         (self.folder / "folder.ply").mkdir()
-        self.fail_with(1, "cannot read", self.folder / "folder.ply", "-o", self.folder / "out.ply")
+        self.fail_with(1, "it is a folder", self.folder / "folder.ply", "-o", self.folder / "out.ply")
         for extension in ("ply", "obj", "stl", "off", "vtp", "vtk"):
             self.refuse("is empty", f"empty.{extension}", "")
             self.refuse(".", f"noise.{extension}", bytes((i * 167 + 13) % 251 for i in range(5000)))

@@ -173,6 +173,21 @@ class CommandLine(ProgramTest):
             self.assertEqual(told, [str(lost)] if lost else [])
             self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments, "--verbose")[2], lost > 0)
 
+    def test_what_a_format_or_the_surface_has_no_place_for_is_told(self):
+        cube = self.file("groups.obj", "".join(
+            f"v {i % 2} {i // 2 % 2} {i // 4}\n" for i in range(8)
+        ) + "g one\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\ng two\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")  # fmt: skip
+        places = self.file("places.txt", ".5 .5 0\n.5 .5 1.001\n.5 .5 9\n")
+        options = "--points", "100", "--region-array", "GroupIds", "--constraints", places
+        for extension, told in (("off", 1), ("ply", 0)):
+            shown = self.shown_on_a_terminal(cube, "-o", self.folder / f"a.{extension}", *options)
+            self.assertEqual(shown.count("has no labels"), told, shown)
+            self.assertRegex(shown, r"warning: constraints farther [^:]*: 1\b")
+
+    def test_a_report_on_stdout(self):
+        status, out, _ = self.run_program(self.cube(), "-o", self.folder / "a.ply", "--points", "100", "--report", "-")
+        self.assertEqual((status, json.loads(out)["points"]), (0, 100))
+
     def test_verbose_tells_seconds(self):
         cube = self.file("double.off", self.cube().read_text().replace("8 6 0", "9 6 0").replace("0 0 0\n", "0 0 0\n9 9 9\n", 1))
         # The inserted point shifts the ids of the faces: write them anew.

@@ -46,6 +46,7 @@ class InterruptedWrites(ProgramTest):
                 )
                 self.assertEqual((status, out), (1, ""), err)
                 self.assertRegex(err, r"\Astipple: [^\n]*cannot write [^\n]+\n\Z")
+                self.assertIn(f"'{targets[0]}'", err)
                 self.assert_old(targets)
                 self.assertEqual(sorted(self.folder.rglob("*")), before, "a file was left")
 

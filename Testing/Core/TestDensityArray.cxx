@@ -13,6 +13,7 @@
 #include <limits>
 
 using stipple::checkDensityArray;
+using stipple::checkSizeArray;
 
 namespace
 {
@@ -44,6 +45,27 @@ TEST(DensityArray, WhatIsNotFiniteIsNamed)
     "The array weight of the input is NaN at point 1: it must be finite.");
   EXPECT_EQ(checkDensityArray(input, "size").message(),
     "The array size of the input is infinite at cell 1: it must be finite.");
+}
+
+TEST(DensityArray, LengthsAreSingleNumbersAboveZero)
+{
+  vtkNew<vtkPolyData> input;
+  input->GetPointData()->AddArray(numbers("good", 1e-300));
+  input->GetPointData()->AddArray(numbers("none", 0));
+  input->GetCellData()->AddArray(numbers("less", -1));
+  auto pairs = vtkSmartPointer<vtkDoubleArray>::New();
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  pairs->InsertNextTuple2(1, 1);
+  input->GetPointData()->AddArray(pairs);
+  EXPECT_TRUE(checkSizeArray(input, "good").ok());
+  EXPECT_TRUE(checkSizeArray(input, nullptr).ok());
+  EXPECT_TRUE(checkDensityArray(input, "none").ok());
+  EXPECT_EQ(checkSizeArray(input, "none").message(),
+    "The array none of the input is not above 0 at point 1: no edge can have that length.");
+  EXPECT_EQ(checkSizeArray(input, "less").message(),
+    "The array less of the input is not above 0 at cell 1: no edge can have that length.");
+  EXPECT_NE(checkSizeArray(input, "pairs").message().find("2 components"), std::string::npos);
 }
 
 TEST(DensityArray, StipplesOwnNamesAreRefused)

@@ -466,7 +466,7 @@ TEST(SurfaceSampler, CoarseImagesAreEnlargedOrNameTheSizeThatWorks)
   SurfaceSamples none;
   const Status status = f.sampler.sample(tiny.images, 20000, nullptr, none);
   ASSERT_FALSE(status.ok());
-  const std::string key = "set MapSize to at least ";
+  const std::string key = "maps must be ";
   const std::size_t place = status.message().find(key);
   ASSERT_NE(place, std::string::npos) << status.message();
   const int size = std::stoi(status.message().substr(place + key.size()));

@@ -99,7 +99,7 @@ void readAsMesh(const std::string& bytes, const std::string& extension)
     for (const char* written : { ".ply", ".obj", ".stl" }) // regions come from the file
     {
       const MemoryFile back("", std::string(".out") + written);
-      insist(writeMesh(mesh, back.name(), written).ok(), "what was read can be written");
+      insist(writeMesh(mesh, back.name()).ok(), "what was read can be written");
     }
   }
   vtkSmartPointer<vtkPolyData> curves;

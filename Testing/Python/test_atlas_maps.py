@@ -68,6 +68,11 @@ class AtlasTest(unittest.TestCase):
         self.assertNotIn(first[0], second)
         self.assertEqual(len({first, second, *first, *second, first}), 2 + len(first) + len(second))
 
+    def test_repr_is_short(self):
+        found = stipple.atlas(shapes.cube(), charts=4)
+        self.assertRegex(repr(found), r"^<stipple.Atlas, 4 charts of \d+ triangles>$")
+        self.assertRegex(repr(found[0]), r"^<stipple.Chart, \d+ points, \d+ triangles>$")
+
     def test_pickle(self):
         first = stipple.atlas(shapes.cube(), charts=4)
         second = pickle.loads(pickle.dumps(first))

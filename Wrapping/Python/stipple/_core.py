@@ -4,7 +4,7 @@
 import contextlib
 import os
 import pickle
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -314,7 +314,7 @@ def _atlas_of_bytes(charts, feature_graph, properties):
     return _atlas(collection, _unpacked(feature_graph), properties)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Chart:
     """One disk of an atlas; n points, m triangles.
 
@@ -334,13 +334,16 @@ class Chart:
     mean_curvature: np.ndarray
     source_cell_id: np.ndarray
     area_distortion: np.ndarray
-    data: vtkPolyData = field(repr=False)
+    data: vtkPolyData
+
+    def __repr__(self):
+        return f"<stipple.Chart, {len(self.points)} points, {len(self.triangles)} triangles>"
 
     def __reduce__(self):
         return _chart_of_bytes, (_packed(self.data),)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Atlas:
     """The charts of a surface.
 
@@ -351,9 +354,12 @@ class Atlas:
     """
 
     charts: list
-    feature_graph: vtkPolyData = field(repr=False)
-    data: object = field(repr=False)
+    feature_graph: vtkPolyData
+    data: object
     properties: dict
+
+    def __repr__(self):
+        return f"<stipple.Atlas, {len(self)} charts of {self.properties['number_of_surface_triangles']} triangles>"
 
     def __len__(self):
         return len(self.charts)
