@@ -81,7 +81,8 @@ void PreviewWorker::start(const Session& session)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const auto now = Clock::now();
-  this->Asked = this->Busy ? this->Asked : now;
+  const bool waitsForOthers = this->Next || (this->Busy && !this->HasDraft);
+  this->Asked = waitsForOthers ? this->Asked : now;
   if (this->Busy && (this->HasDraft || now - this->Started > Patience))
   {
     this->Stop = true;

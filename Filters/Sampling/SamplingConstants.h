@@ -134,6 +134,9 @@ struct SamplingConstants
   static constexpr double LargestQuantile = 0.995;
   /// Implicit steps of the heat equation: six make a kernel that is close to a Gaussian.
   static constexpr int HeatSteps = 6;
+  /// A tolerance of the heat equation from which on its steps are guessed by the last ones. What is
+  /// that loose is seen for some hundredths of a second.
+  static constexpr double GuessedTolerance = 1e-2;
   /// Factorizations that are kept: a band-pass needs two.
   static constexpr std::size_t KeptSolvers = 2;
 };

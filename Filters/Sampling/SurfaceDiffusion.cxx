@@ -32,6 +32,7 @@ struct StepSolver
   double sigma = 0;
   std::unique_ptr<SparseCholesky> direct;
   std::unique_ptr<ConjugateGradients> iterative;
+  std::vector<Eigen::VectorXd> changes; ///< of each step of the last call that guessed
 
   Status compute(const SparseMatrix& matrix, double pointsInKernel, const Stop& stop)
   {
@@ -124,7 +125,7 @@ struct SurfaceDiffusion::Internals
   std::deque<std::unique_ptr<StepSolver>> solvers;
 
   Status setRefinement(double sigma, const Progress& progress);
-  Status findSolver(double sigma, const Stop& stop, const StepSolver*& found);
+  Status findSolver(double sigma, const Stop& stop, StepSolver*& found);
   template <typename Visit>
   void forEachShare(const Visit& visit) const;
   void gatherShares();
@@ -168,7 +169,7 @@ Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& 
 }
 
 Status SurfaceDiffusion::Internals::findSolver(
-  double sigma, const Stop& stop, const StepSolver*& found)
+  double sigma, const Stop& stop, StepSolver*& found)
 {
   for (const auto& solver : this->solvers)
   {
@@ -251,7 +252,13 @@ void SurfaceDiffusion::Internals::gatherShares()
 
 Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<float*>& values) const
 {
+  std::size_t number = 0;
+  for (const ControlImage& image : this->images)
+  {
+    number += static_cast<std::size_t>(image.numberOfPixels());
+  }
   std::vector<float> all;
+  all.reserve(number);
   for (std::size_t c = 0; c < values.size(); ++c)
   {
     all.insert(all.end(), values[c], values[c] + this->images[c].numberOfPixels());
@@ -339,7 +346,7 @@ Status SurfaceDiffusion::smooth(
   }
   double done = 0.3;
   const Stop stop = [&] { return !report(progress, done); };
-  const StepSolver* solver = nullptr;
+  StepSolver* solver = nullptr;
   if (Status status = d.findSolver(sigma, stop, solver); !status.ok())
   {
     return status;
@@ -349,6 +356,11 @@ Status SurfaceDiffusion::smooth(
   // in.
   const double low = u.minCoeff();
   const double high = u.maxCoeff();
+  const bool guesses = this->Tolerance >= Constants::GuessedTolerance;
+  if (guesses && solver->changes.empty())
+  {
+    solver->changes.assign(Constants::HeatSteps, Eigen::VectorXd::Zero(u.size()));
+  }
   for (int k = 0; k < Constants::HeatSteps; ++k)
   {
     done = 0.6 + 0.35 * k / Constants::HeatSteps;
@@ -356,12 +368,21 @@ Status SurfaceDiffusion::smooth(
     {
       return Status::aborted();
     }
-    const Eigen::VectorXd right = d.mass.cwiseProduct(u);
-    if (Status status = solver->solve(right, this->Tolerance, u, stop); !status.ok())
+    const Eigen::VectorXd before = u;
+    if (guesses)
+    {
+      u += solver->changes[k];
+    }
+    if (Status status = solver->solve(d.mass.cwiseProduct(before), this->Tolerance, u, stop);
+        !status.ok())
     {
       return status;
     }
     u = u.cwiseMax(low).cwiseMin(high);
+    if (guesses)
+    {
+      solver->changes[k] = u - before;
+    }
   }
   d.pointsToPixels(u, values);
   return Status::success();

@@ -179,6 +179,57 @@ TEST(SurfaceDiffusion, ATolerancesErrorIsNotSeen)
   EXPECT_GT(most, 1e-6) << "it is used";
 }
 
+TEST(SurfaceDiffusion, WhatIsLooseBeginsWithTheLastChangesAndNothingElse)
+{
+  const double sigma = 0.06;
+  const auto bump = [](double x) {
+    return [x](const Vec3& q) { return (q - Vec3(x, 0.5, 0.)).norm() < 0.2 ? 1. : 0.1; };
+  };
+  const auto sumOfErrors = [](const Pixels& a, const Pixels& b) {
+    double sum = 0;
+    double all = 0;
+    for (std::size_t c = 0; c < a.values.size(); ++c)
+    {
+      for (std::size_t i = 0; i < a.values[c].size(); ++i)
+      {
+        sum += std::abs(a.values[c][i] - b.values[c][i]);
+        all += b.values[c][i];
+      }
+    }
+    return sum / all;
+  };
+  Pixels exact;
+  Pixels loose;
+  for (Pixels* p : { &exact, &loose })
+  {
+    flatCharts(p->builder, 24);
+    p->take(60);
+  }
+  loose.diffusion.setTolerance(1e-2);
+  for (const double x : { 0.5, 0.5, 0.3, 0.31 })
+  {
+    exact.fill(bump(x));
+    exact.smooth(sigma);
+    loose.fill(bump(x));
+    loose.smooth(sigma);
+    EXPECT_LT(sumOfErrors(loose, exact), 0.03) << x;
+  }
+  Pixels fresh;
+  flatCharts(fresh.builder, 24);
+  fresh.take(60);
+  fresh.diffusion.setTolerance(1e-2);
+  fresh.fill(bump(0.31));
+  fresh.smooth(sigma);
+  EXPECT_NE(loose.values, fresh.values) << "nothing is guessed";
+  // What is strict does not know what came before.
+  loose.diffusion.setTolerance(1e-7);
+  loose.fill(bump(0.4));
+  loose.smooth(sigma);
+  exact.fill(bump(0.4));
+  exact.smooth(sigma);
+  EXPECT_EQ(loose.values, exact.values);
+}
+
 TEST(SurfaceDiffusion, FollowsTheSurfaceNotSpace)
 {
   // A torus of one chart that borders on itself: heat goes round by both seams.

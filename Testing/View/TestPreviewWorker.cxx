@@ -177,6 +177,35 @@ TEST(PreviewWorker, ADraftIsFollowedByWhatStays)
   }
 }
 
+TEST(PreviewWorker, ASessionAfterADraftIsWaitedForFromItsOwnBeginning)
+{
+  PreviewWorker worker(8, 0.);
+  worker.setAtlas(sphereAtlas(24));
+  worker.start(withPoints(300)); // how long it takes is not known yet
+  wait(worker);
+  int seen = 0;
+  for (int i = 0; i < 20; ++i)
+  {
+    worker.start(withPoints(400 + i));
+    std::unique_ptr<PreviewResult> first;
+    while (!first)
+    {
+      first = worker.take();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const bool works = worker.waiting() > 0; // on what stays: it has been drawn up to 20 ms
+    const auto before = std::chrono::steady_clock::now();
+    worker.start(withPoints(300 + i));
+    const double waiting = worker.waiting();
+    const double since =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    seen += works ? 1 : 0;
+    EXPECT_LE(waiting, since);
+    wait(worker);
+  }
+  EXPECT_GT(seen, 0);
+}
+
 TEST(PreviewWorker, SamplesOfOtherChartsAreNotHandedOver)
 {
   const SamplingInput coarse = sphereAtlas(12);
