@@ -5,6 +5,7 @@
 #include "AtlasSurface.h"
 #include "Backbones.h"
 #include "ColorBar.h"
+#include "DrawingOrder.h"
 #include "SceneActors.h"
 #include "SurfaceShading.h"
 
@@ -53,6 +54,7 @@ bool hasLines(vtkActor* actor)
 vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart)
 {
   vtkSmartPointer<vtkPolyData> surface = bareSurface(chart);
+  surface->SetPolys(inDrawingOrder(chart));
   vtkDataArray* uv = chart->GetPointData()->GetArray("UV");
   vtkDataArray* extent = chart->GetFieldData()->GetArray("ChartExtent");
   if (uv && extent)
@@ -79,7 +81,9 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   , InputEdge(meanEdge(input))
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(bareSurface(input));
+  const vtkSmartPointer<vtkPolyData> surface = bareSurface(input);
+  surface->SetPolys(inDrawingOrder(input));
+  mapper->SetInputData(surface);
   mapper->ScalarVisibilityOff();
   this->Surface = vtkSmartPointer<vtkActor>::New();
   this->Surface->SetMapper(mapper);
@@ -87,7 +91,7 @@ BeforeScene::BeforeScene(vtkRenderer* renderer, vtkPolyData* input, bool solid)
   addPlainLight(this->Surface);
   this->Surface->GetProperty()->SetBackfaceCulling(solid);
   renderer->AddActor(this->Surface);
-  this->Wires = wireActor(bareSurface(input));
+  this->Wires = wireActor(surface);
   renderer->AddActor(this->Wires);
   for (int type = 0; type < 3; ++type)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleTextures.h"
 
+#include "DrawingOrder.h"
 #include "SceneActors.h"
 #include "SurfaceShading.h"
 
@@ -71,6 +72,7 @@ void addDotShader(vtkActor* actor)
 vtkSmartPointer<vtkPolyData> texturedSurface(vtkPolyData* chart, const Vec3& origin)
 {
   vtkSmartPointer<vtkPolyData> surface = bareSurface(chart);
+  surface->SetPolys(inDrawingOrder(chart));
   const vtkIdType n = chart->GetNumberOfPoints();
   vtkDataArray* uv = chart->GetPointData()->GetArray("UV");
   vtkDataArray* extent = chart->GetFieldData()->GetArray("ChartExtent");
