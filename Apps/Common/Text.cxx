@@ -3,6 +3,7 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include <unistd.h>
@@ -12,6 +13,11 @@ namespace stipple
 bool canBeRead(const std::string& file)
 {
   return access(file.c_str(), R_OK) == 0;
+}
+
+std::string nameOfFile(const std::string& path)
+{
+  return std::filesystem::path(path).filename().string();
 }
 
 std::string contentOf(const std::string& file)

@@ -12,6 +12,9 @@ namespace stipple
 /// Whether it may be read, a folder too. It is not opened: what a pipe gives is given once.
 [[nodiscard]] bool canBeRead(const std::string& file);
 
+/// Without its folders.
+[[nodiscard]] std::string nameOfFile(const std::string& path);
+
 /// All of a file's bytes; none if it cannot be read.
 [[nodiscard]] std::string contentOf(const std::string& file);
 

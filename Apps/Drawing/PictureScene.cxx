@@ -8,6 +8,7 @@
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
 #include "SceneActors.h"
+#include "Text.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -34,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace stipple
 {
@@ -254,8 +254,7 @@ void fillFacts(vtkRenderer* renderer, const PictureContent& content, const Panel
   renderer->SetBackground(Paper[0], Paper[1], Paper[2]);
   const MeshQuality before = measureQuality(fromPolyData(content.before));
   const MeshQuality after = measureQuality(fromPolyData(content.after));
-  addText(renderer, std::filesystem::path(content.name).filename().string(), 40 * s,
-    layout.height - 90 * s, 30 * s, true);
+  addText(renderer, nameOfFile(content.name), 40 * s, layout.height - 90 * s, 30 * s, true);
   const auto row = [](const char* format, double a, double b) {
     char text[2][32];
     std::snprintf(text[0], sizeof(text[0]), format, a);

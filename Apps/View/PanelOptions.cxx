@@ -4,12 +4,12 @@
 #include "Panel.h"
 
 #include "SessionEdits.h"
+#include "Text.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 
 namespace stipple
 {
@@ -232,8 +232,7 @@ void Panel::showOptions(const Session& s)
   this->TextureSeams->setOn(0, s.flag("keep_uv_seams"));
   this->TextureSeams->setEnabled(0, this->Input.textures || s.flag("keep_uv_seams"));
   const std::string& picture = s.text("importance_image");
-  this->Picture->setWord(0,
-    "picture: " + (picture.empty() ? "none" : std::filesystem::path(picture).filename().string()));
+  this->Picture->setWord(0, "picture: " + (picture.empty() ? "none" : nameOfFile(picture)));
   this->Picture->setOn(0, s.text("importance") == "image");
   this->Picture->setEnabled(0, importanceCounts);
   this->Picture->setHints({ unlessItRests(

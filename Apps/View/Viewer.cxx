@@ -9,6 +9,7 @@
 #include "OutputFiles.h"
 #include "SceneActors.h"
 #include "SessionEdits.h"
+#include "Text.h"
 #include "ViewOptions.h"
 
 #include "vtkCallbackCommand.h"
@@ -84,8 +85,7 @@ Viewer::Viewer(
   , BeforeSide(this->Window.renderer(ViewerWindow::Before), document.input, this->Solid)
   , AfterSide(this->Window.renderer(ViewerWindow::After), this->Solid)
   , Picker(document.picker)
-  , Controls(*this, std::filesystem::path(document.session.text("model")).filename().string(),
-      choosableOf(document.input))
+  , Controls(*this, nameOfFile(document.session.text("model")), choosableOf(document.input))
   , Sheet([this](const std::vector<Vec3>& positions, bool begins, bool rests) {
     if (rests)
     {
@@ -469,7 +469,7 @@ bool Viewer::showsVertices() const
 
 void Viewer::setReading(const std::string& file)
 {
-  this->Reading = std::filesystem::path(file).filename().string();
+  this->Reading = nameOfFile(file);
   if (this->Starts && !file.empty())
   {
     this->show(std::make_shared<ListPage>("Reading " + this->Reading + " ...",
@@ -590,7 +590,7 @@ Session Viewer::sampledSession() const
 
 std::string Viewer::meshFile() const
 {
-  return std::filesystem::path(this->Files.mesh).filename().string();
+  return nameOfFile(this->Files.mesh);
 }
 
 void Viewer::usePicture()
@@ -659,14 +659,11 @@ void Viewer::showStale()
 
 void Viewer::renewTitle()
 {
-  const auto nameOf = [](const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-  };
   std::error_code error;
   const bool isInSession =
     this->isOurs(this->Files.session) && std::filesystem::exists(this->Files.session, error);
-  this->Window.setTitle(
-    nameOf(this->Now.text("model")) + (isInSession ? ", " + nameOf(this->Files.session) : ""));
+  this->Window.setTitle(nameOfFile(this->Now.text("model")) +
+    (isInSession ? ", " + nameOfFile(this->Files.session) : ""));
 }
 
 void Viewer::say(const std::string& sentence, bool alarm)

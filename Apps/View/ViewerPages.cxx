@@ -9,6 +9,7 @@
 #include "Question.h"
 #include "RecentFiles.h"
 #include "SessionEdits.h"
+#include "Text.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -297,8 +298,7 @@ void Viewer::chooseArray(const std::string& option, int points)
   }
   add(this->Input->GetCellData(), "of cells");
   entries.push_back({ "Escape", "Leave it as it is", "", [this] { this->closePage(); } });
-  this->show(std::make_shared<ListPage>(
-    "Arrays of " + std::filesystem::path(this->Now.text("model")).filename().string(),
+  this->show(std::make_shared<ListPage>("Arrays of " + nameOfFile(this->Now.text("model")),
     findOption(option)->help, std::move(entries)));
 }
 

@@ -33,7 +33,7 @@ struct SamplingConstants
 
   /// Factor by which a control image may be enlarged in each direction, pixels that one chart's
   /// raster may then have, and pixels of all rasters together beyond which they are drawn twice
-  /// rather than kept: bounds on memory (4 bytes a pixel).
+  /// rather than kept: bounds on memory (a byte a pixel).
   static constexpr int LargestUpsampling = 16;
   static constexpr double LargestRasterSize = 512. * 1024 * 1024;
   static constexpr double MostKeptPixels = 128. * 1024 * 1024;
