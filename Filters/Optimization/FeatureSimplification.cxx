@@ -365,8 +365,8 @@ private:
     ++this->NumberOfSwaps;
     return true;
   }
-  /// Where v is on the edge from p to q and joined to what is beyond it already, a vertex goes
-  /// there that is needed less elsewhere; no place of the surface moves.
+  /// Where v is on the edge from p to q and joined to what is beyond it already, a vertex that is
+  /// needed less elsewhere goes beyond it, if triangles have angles then.
   bool openWithVertex(Vertex p, Vertex q, Vertex v)
   {
     const std::vector<int> pair = this->Now.beside(p, q);
@@ -374,12 +374,14 @@ private:
     {
       return false;
     }
-    const Triangle other = this->Now.triangle(pair[has(this->Now.triangle(pair[0]), v) ? 1 : 0]);
+    const bool isFirst = has(this->Now.triangle(pair[0]), v);
+    const Triangle own = this->Now.triangle(pair[isFirst ? 0 : 1]);
+    const Triangle other = this->Now.triangle(pair[isFirst ? 1 : 0]);
     const Vertex d = apexOf(other, p, q);
     const Vec3 centre = (this->position(p) + this->position(q) + this->position(d)) / 3.;
-    const std::optional<SurfacePoint> place = this->placeNear(
-      centre, { { d, p, q, v } }, Tuning::FarthestOffEdge * (centre - this->position(v)).norm());
-    if (!place || !this->hasSpare())
+    const std::optional<SurfacePoint> place =
+      this->placeNear(centre, { { d, p, q, v } }, (centre - this->position(v)).norm());
+    if (!place || !this->isBeyond(place->position, p, q, own, other) || !this->hasSpare())
     {
       return false;
     }
@@ -388,6 +390,20 @@ private:
     this->Now.split(p, q, m);
     ++this->NumberOfSwaps;
     return true;
+  }
+  /// Whether a vertex on the edge from p to q, of which one triangle has no area, makes four of
+  /// both that have angles and face as the other one does.
+  bool isBeyond(
+    const Vec3& place, Vertex p, Vertex q, const Triangle& own, const Triangle& other) const
+  {
+    const Vec3 normal = this->normal(other);
+    const auto isFine = [&](const Triangle& t, Vertex gone) {
+      std::array<Vec3, 3> x;
+      std::transform(t.begin(), t.end(), x.begin(),
+        [&](int v) { return Vertex(v) == gone ? place : this->position(v); });
+      return angleOf(x) > Tuning::NoAngle && (x[1] - x[0]).cross(x[2] - x[0]).dot(normal) > 0;
+    };
+    return isFine(own, p) && isFine(own, q) && isFine(other, p) && isFine(other, q);
   }
   /// Puts a vertex from elsewhere on a crease.
   void splitCrease(Vertex a, Vertex b, double share)

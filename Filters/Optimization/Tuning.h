@@ -28,6 +28,8 @@ struct Tuning
   // What a sound triangle is (OptimizedMesh, VertexStar).
   /// Height over the longest edge.
   static constexpr double LeastSoundHeight = 0.02;
+  /// Twice its area over its longest edge squared: less is rounding's, and its normal too.
+  static constexpr double LeastArea = 1e-9;
   /// Mean cosine with the surface at its vertices. Over a rim thinner than a triangle it is small
   /// for good reason; in a fold it is about -1.
   static constexpr double LeastAgreement = 0.1;

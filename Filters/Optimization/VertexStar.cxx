@@ -32,6 +32,13 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
   const Vec3 z = p - r;
   const Vec3 n = z.cross(u);
   const double area = n.norm();
+  const double uu = u.squaredNorm();
+  const double ww = w.squaredNorm();
+  const double zz = z.squaredNorm();
+  if (!(area > Tuning::LeastArea * std::max({ uu, ww, zz })))
+  {
+    return { -2., 0., 0. }; // it has no side: as wrong as one that shows the other
+  }
   const double d0 = n.dot(*normal[0]);
   const double d1 = n.dot(*normal[1]);
   const double d2 = n.dot(*normal[2]);
@@ -50,9 +57,6 @@ Quality qualityOf(const Vec3& p, const Vec3& q, const Vec3& r,
     return { worst / area, 0., 0. };
   }
   // The smallest angle is opposite to the shortest edge.
-  const double uu = u.squaredNorm();
-  const double ww = w.squaredNorm();
-  const double zz = z.squaredNorm();
   const double dot = uu <= ww && uu <= zz ? w.dot(z) : ww <= zz ? u.dot(z) : u.dot(w);
   return { 0., area, -dot };
 }
