@@ -15,6 +15,8 @@
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -24,6 +26,9 @@ namespace
 {
 /// Of the nearest segment's length: a chord of a quarter of a circle is off by as much.
 constexpr double Far = 0.2;
+/// Of the mean segment after: segments before are looked at in pieces that are no longer.
+constexpr double Piece = 0.5;
+constexpr double MostPieces = 1000;
 
 void forEachSegment(vtkPolyData* lines, const std::function<void(vtkIdType, vtkIdType)>& f)
 {
@@ -38,6 +43,18 @@ void forEachSegment(vtkPolyData* lines, const std::function<void(vtkIdType, vtkI
       f(ids[k - 1], ids[k]);
     }
   }
+}
+
+/// Of segments by their ends; 0 if there are none.
+double meanLength(vtkPoints* ends)
+{
+  double sum = 0;
+  const vtkIdType number = ends->GetNumberOfPoints() / 2;
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    sum += (Vec3(ends->GetPoint(2 * i)) - Vec3(ends->GetPoint(2 * i + 1))).norm();
+  }
+  return number > 0 ? sum / static_cast<double>(number) : 0.;
 }
 }
 
@@ -68,24 +85,36 @@ vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* afte
   auto lost = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkCellArray> lines;
   vtkSmartPointer<vtkPolyData> sharp = creasesTo(before, nullptr);
+  const auto isFar = [&](const Vec3& place) {
+    const CellLocator::Place nearest = locator->nearest(place);
+    const double length =
+      (Vec3(ends->GetPoint(2 * nearest.cell)) - Vec3(ends->GetPoint(2 * nearest.cell + 1))).norm();
+    return nearest.squaredDistance > Far * Far * length * length;
+  };
+  const double mean = meanLength(ends);
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
   forEachSegment(sharp, [&](vtkIdType a, vtkIdType b) {
-    const Vec3 middle = 0.5 * (Vec3(sharp->GetPoint(a)) + Vec3(sharp->GetPoint(b)));
-    bool far = !locator;
-    if (locator)
+    const Vec3 begin(sharp->GetPoint(a));
+    const Vec3 along = Vec3(sharp->GetPoint(b)) - begin;
+    const int pieces = mean > 0.
+      ? static_cast<int>(std::clamp(std::ceil(along.norm() / (Piece * mean)), 1., MostPieces))
+      : 1;
+    const auto place = [&](double piece) { return Vec3(begin + piece / pieces * along); };
+    int first = -1; // of a stretch that is lost
+    for (int i = 0; i <= pieces; ++i)
     {
-      const CellLocator::Place nearest = locator->nearest(middle);
-      const double length =
-        (Vec3(ends->GetPoint(2 * nearest.cell)) - Vec3(ends->GetPoint(2 * nearest.cell + 1)))
-          .norm();
-      far = nearest.squaredDistance > Far * Far * length * length;
-    }
-    if (far)
-    {
-      const vtkIdType ids[2] = { a, b };
-      lines->InsertNextCell(2, ids);
+      const bool far = i < pieces && (!locator || isFar(place(i + 0.5)));
+      if (!far && first >= 0)
+      {
+        const vtkIdType ids[2] = { places->InsertNextPoint(place(first).data()),
+          places->InsertNextPoint(place(i).data()) };
+        lines->InsertNextCell(2, ids);
+      }
+      first = !far ? -1 : first < 0 ? i : first;
     }
   });
-  lost->SetPoints(sharp->GetPoints());
+  lost->SetPoints(places);
   lost->SetLines(lines);
   return lost;
 }

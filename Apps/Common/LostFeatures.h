@@ -11,9 +11,9 @@ class vtkPolyData;
 
 namespace stipple
 {
-/// The segments of the sharp lines of `before`, without those that are rounded off, that are far
-/// from all sharp lines and boundaries of `after`, over the length of the segment there. Both have
-/// the cell array BackboneType.
+/// What of the segments of the sharp lines of `before`, without those that are rounded off, is far
+/// from all sharp lines and boundaries of `after`, over the length of the segment there: a line a
+/// stretch. Both have the cell array BackboneType.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> lostFeatures(vtkPolyData* before, vtkPolyData* after);
 
 /// Corners and points of creases that went to others in a remesher's last run.

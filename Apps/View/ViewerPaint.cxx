@@ -216,12 +216,6 @@ std::string Viewer::remark() const
   {
     return "";
   }
-  const std::string why = whyImportanceRests(this->Now);
-  if (!why.empty() &&
-    (this->Now.text("importance") != "uniform" || !this->Now.list("strokes").empty()))
-  {
-    return " Importance and paint do not count while " + why + ".";
-  }
   const vtkIdType cut = this->Mesh->figures.cutEdges;
   const int lost = this->Mesh->figures.lostFeatureEdges;
   const vtkIdType quads = this->Mesh->figures.quads;
@@ -230,11 +224,17 @@ std::string Viewer::remark() const
   const char* fewQuadsWhy = this->Now.text("importance") == "uniform"
     ? " Few quads: beside features and seams are triangles."
     : " Few quads: sizes differ; importance uniform gives more.";
-  return std::string(fewQuads ? fewQuadsWhy : "") +
+  const std::string facts = std::string(fewQuads ? fewQuadsWhy : "") +
     (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
     (lost > 0 ? " Lost (violet): " +
           countOf(lost, "feature edge", " of the input, for want of room; Shift+G goes there.")
               : "");
+  const std::string why = whyImportanceRests(this->Now);
+  const bool isGiven =
+    this->Now.text("importance") != "uniform" || !this->Now.list("strokes").empty();
+  return !facts.empty() || why.empty() || !isGiven // the strip tells it, too
+    ? facts
+    : " Importance and paint do not count while " + why + ".";
 }
 
 void Viewer::paintStatus(Canvas& canvas)
