@@ -152,6 +152,22 @@ void makeAbsolute(Session& session, const std::filesystem::path& folder)
   }
 }
 
+/// Files that are not where the session says, but beside it: they were moved together.
+void findMoved(Session& session, const std::filesystem::path& folder)
+{
+  std::error_code code;
+  for (const Option& option : optionTable())
+  {
+    const std::string file = session.text(option.name);
+    const std::filesystem::path beside = folder / nameOfFile(file);
+    if (option.kind == Option::Kind::File && !file.empty() &&
+      !std::filesystem::exists(file, code) && std::filesystem::exists(beside, code))
+    {
+      session.set(option.name, beside.lexically_normal().string());
+    }
+  }
+}
+
 Status checkArray(const std::string& name, vtkPolyData* mesh)
 {
   std::string have;
@@ -256,7 +272,9 @@ Status readSession(const std::string& file, Session& session)
   {
     return Status::error("cannot read the session '" + file + "': " + status.message());
   }
-  makeAbsolute(session, std::filesystem::path(file).parent_path());
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  makeAbsolute(session, folder);
+  findMoved(session, folder);
   return Status::success();
 }
 

@@ -29,7 +29,8 @@ struct Session : OptionValues
 /// the entry.
 [[nodiscard]] Status fromJson(const std::string& text, Session& session);
 
-/// Reads a session's file. Names of files in it that are not absolute count from its folder.
+/// Reads a session's file. Names of files in it that are not absolute count from its folder; files
+/// that are not where they were are looked for in it.
 [[nodiscard]] Status readSession(const std::string& file, Session& session);
 
 /// Writes to `now` the session that belongs to `file`, the names of whose files become absolute.

@@ -119,6 +119,10 @@ Viewer::Viewer(
   this->Figures.setHint("Grey while it is that of an older mesh. g goes to the smallest angle, "
                         "Shift+G to a lost feature edge of the input, violet in the views.");
   this->Window.renderer(ViewerWindow::Before)->AddActor(this->AfterSide.lost());
+  if (this->isInSession())
+  {
+    this->Folder = std::filesystem::absolute(this->Files.session).parent_path();
+  }
   this->renewTitle();
   this->connect();
   this->showSession();
@@ -657,13 +661,16 @@ void Viewer::showStale()
   }
 }
 
-void Viewer::renewTitle()
+bool Viewer::isInSession() const
 {
   std::error_code error;
-  const bool isInSession =
-    this->isOurs(this->Files.session) && std::filesystem::exists(this->Files.session, error);
+  return this->isOurs(this->Files.session) && std::filesystem::exists(this->Files.session, error);
+}
+
+void Viewer::renewTitle()
+{
   this->Window.setTitle(nameOfFile(this->Now.text("model")) +
-    (isInSession ? ", " + nameOfFile(this->Files.session) : ""));
+    (this->isInSession() ? ", " + nameOfFile(this->Files.session) : ""));
 }
 
 void Viewer::say(const std::string& sentence, bool alarm)

@@ -28,6 +28,7 @@
 #include "vtkNew.h"
 
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -230,6 +231,7 @@ private:
   /// What is sure of the mesh that there is, after a comma; nothing if no distance was asked for.
   [[nodiscard]] std::string reachedDistance() const;
   /// The model's name, and the session's if it has one.
+  bool isInSession() const; ///< that is a file
   void renewTitle();
   /// Of what is under the pointer now.
   void renewHint();
@@ -255,6 +257,7 @@ private:
   History Edits;
   ViewState View;
   ViewerFiles Files;
+  std::filesystem::path Folder; ///< of the session that was opened, or what was saved last
   std::string WantedFile;
   std::string Reading; ///< the file
   bool GivenUp = false;

@@ -239,9 +239,10 @@ void Viewer::openFile()
   wish.endings.emplace_back(".json");
   wish.recent = recentFiles();
   const std::string& model = this->Now.text("model");
-  wish.begin = !model.empty() ? std::filesystem::absolute(model).parent_path()
-    : !wish.recent.empty()    ? std::filesystem::path(wish.recent.front()).parent_path()
-                              : std::filesystem::path(".");
+  wish.begin = !this->Folder.empty() ? this->Folder
+    : !model.empty()                 ? std::filesystem::absolute(model).parent_path()
+    : !wish.recent.empty() ? std::filesystem::path(wish.recent.front()).parent_path()
+                           : std::filesystem::path(".");
   this->show(std::make_shared<FileChooser>(
     std::move(wish), [this](const std::string& file) { this->askToOpen(file); },
     [this] { this->Starts ? this->showStart() : this->closePage(); }));
@@ -254,7 +255,9 @@ void Viewer::saveMeshAs()
   wish.endings = meshFileExtensions();
   wish.endings.emplace_back(".json");
   wish.saves = true;
-  wish.begin = this->Files.mesh;
+  const bool isNamed = this->Folder.empty() || this->isOurs(this->Files.mesh);
+  wish.begin = isNamed ? std::filesystem::path(this->Files.mesh)
+                       : this->Folder / nameOfFile(this->Files.mesh);
   wish.input = this->Now.text("model");
   wish.isOurs = [this](const std::string& file) { return this->isOurs(file); };
   this->show(std::make_shared<FileChooser>(
@@ -262,6 +265,7 @@ void Viewer::saveMeshAs()
     [this](const std::string& file) {
       this->closePage();
       this->Files.ours.push_back(file); // the page has asked
+      this->Folder = std::filesystem::absolute(file).parent_path();
       const bool isSession = fileExtension(file) == ".json";
       (isSession ? this->Files.session : this->Files.mesh) = file;
       isSession ? this->saveSession() : this->saveMesh();

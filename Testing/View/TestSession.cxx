@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace stipple
 {
@@ -161,6 +164,32 @@ TEST(Session, OfBeforeThereWereAllOptions)
   wanted.setList("strokes", { 0, 0, 0, 1, -1 });
   wanted.setList("feature_edges", { 0, 1 });
   EXPECT_TRUE(s == wanted);
+}
+
+TEST(Session, FilesThatWereMovedWithItAreFound)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "stipple moved";
+  const fs::path there = folder / "there";
+  fs::remove_all(folder);
+  fs::create_directories(there);
+  const auto touch = [](const fs::path& file) { std::ofstream(file) << "x"; };
+  touch(there / "a.off");
+  touch(folder / "b.png");
+  touch(there / "b.png");
+  Session saved;
+  saved.set("model", (folder / "gone" / "a.off").string());
+  saved.set("importance_image", (folder / "b.png").string());
+  const std::string file = (there / "s.json").string();
+  ASSERT_TRUE(writeSession(saved, file, file).ok());
+  Session read;
+  ASSERT_TRUE(readSession(file, read).ok());
+  EXPECT_EQ(read.text("model"), (there / "a.off").string());
+  EXPECT_EQ(read.text("importance_image"), (folder / "b.png").string()) << "it is there still";
+  fs::remove(there / "a.off");
+  ASSERT_TRUE(readSession(file, read).ok());
+  EXPECT_EQ(read.text("model"), saved.text("model")) << "as it was, for the sentence";
+  fs::remove_all(folder);
 }
 
 TEST(History, GoesBackAndForth)
