@@ -5,6 +5,7 @@
 #include "MeshQuality.h"
 #include "NearestTriangle.h"
 #include "PolyDataConversion.h"
+#include "SceneActors.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -48,6 +49,59 @@ std::vector<float> distancesOf(std::size_t n, const std::function<Vec3(int)>& pl
   return stop ? std::vector<float>() : distances;
 }
 
+/// Of the points of `whole` that triangles use, and where these have edges longer than that of the
+/// middles of edges and triangles: a point has the largest about it. None if it was stopped.
+std::vector<float> missedOf(const TriangleSurface& whole, const NearestTriangle& made,
+  double longEdge, double diagonal, const std::function<bool()>& stopped)
+{
+  std::vector<char> isUsed(whole.points.size(), 0);
+  std::vector<Vec3> places;
+  std::vector<Triangle> owners; // points that have the distance, some twice
+  const auto add = [&](const Vec3& place, const Triangle& of) {
+    places.push_back(place);
+    owners.push_back(of);
+  };
+  for (const Face f : whole.faces())
+  {
+    const Triangle& t = whole.triangle(f);
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int p = t[k];
+      if (isUsed[static_cast<std::size_t>(p)] == 0) // a file may have points that no triangle uses
+      {
+        isUsed[static_cast<std::size_t>(p)] = 1;
+        add(whole.point(Vertex(p)), { { p, p, p } });
+      }
+      longest =
+        std::max(longest, (whole.point(Vertex(p)) - whole.point(Vertex(t[(k + 1) % 3]))).norm());
+    }
+    if (longest > longEdge)
+    {
+      add(whole.position(f, Vec3::Constant(1. / 3)), t);
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = t[k];
+        const int b = t[(k + 1) % 3];
+        add(0.5 * (whole.point(Vertex(a)) + whole.point(Vertex(b))), { { a, b, b } });
+      }
+    }
+  }
+  const std::vector<float> distances = distancesOf(
+    places.size(), [&](int i) { return places[static_cast<std::size_t>(i)]; }, made, diagonal,
+    stopped);
+  std::vector<float> missed(distances.empty() ? 0 : whole.points.size(), 0);
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    for (const int p : owners[i])
+    {
+      float& most = missed[static_cast<std::size_t>(p)];
+      most = std::max(most, distances[i]);
+    }
+  }
+  return missed;
+}
+
 ColorScale distanceScale(const MeshColors& colors, const char* title)
 {
   const double most = std::max(largestOf(colors.deviation), largestOf(colors.missed));
@@ -75,41 +129,14 @@ MeshColors measureColors(
       return surface.position(Face(i / static_cast<int>(PlacesOfFace)), bary);
     },
     input, diagonal, stopped);
-  // A file may have points that no triangle uses.
-  std::vector<bool> isUsed(whole.points.size(), false);
-  for (const Triangle& triangle : whole.triangles)
-  {
-    for (const int p : triangle)
-    {
-      isUsed[static_cast<std::size_t>(p)] = true;
-    }
-  }
-  std::vector<int> used;
-  for (std::size_t p = 0; p < isUsed.size(); ++p)
-  {
-    if (isUsed[p])
-    {
-      used.push_back(static_cast<int>(p));
-    }
-  }
-  std::vector<float> missed;
+  MeshColors colors;
   if (!distances.empty())
   {
-    const NearestTriangle made(surface);
-    const auto place = [&](int i) {
-      return whole.points[static_cast<std::size_t>(used[static_cast<std::size_t>(i)])];
-    };
-    missed = distancesOf(used.size(), place, made, diagonal, stopped);
+    colors.missed = missedOf(whole, NearestTriangle(surface), meanEdge(mesh), diagonal, stopped);
   }
-  if (missed.empty())
+  if (colors.missed.empty())
   {
     return {};
-  }
-  MeshColors colors;
-  colors.missed.assign(whole.points.size(), 0);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    colors.missed[static_cast<std::size_t>(used[i])] = missed[i];
   }
   const auto cells = static_cast<std::size_t>(mesh->GetNumberOfCells());
   colors.quality.assign(cells, 1);

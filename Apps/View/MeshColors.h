@@ -26,7 +26,8 @@ struct MeshColors
   std::vector<float> angle;     ///< the smallest, in degrees
   std::vector<float> deviation; ///< of its middle and its edges' from the input, the most, in
                                 ///< percent of the diagonal
-  /// Of the input's points from the mesh, in percent of the diagonal.
+  /// Of the input's points from the mesh, in percent of the diagonal; where its edges are longer
+  /// than the mesh's, the most of them and of the middles of edges and triangles about them.
   std::vector<float> missed;
 };
 

@@ -7,8 +7,12 @@
 #include "PolyDataConversion.h"
 #include "SphereAtlas.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +165,36 @@ TEST(MeshColors, WhatTheMeshLacksIsAtTheInput)
   EXPECT_NEAR(colors.missed[tip], 100 * p.norm() / 3 / surface.boundingBoxDiagonal(), 0.1);
   EXPECT_EQ(colors.missed.back(), 0);
   EXPECT_EQ(scaleOf(colors, MeshColoring::Deviation).high, missedScale(colors).high);
+}
+
+TEST(MeshColors, LongEdgesAreLookedAtBetweenTheirEnds)
+{
+  // A square of two triangles, and a mesh of it whose middle is a pit.
+  TriangleSurface square;
+  square.points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0) };
+  square.triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
+  constexpr double Deep = 0.1;
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const Vec3& p : square.points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  points->InsertNextPoint(0.5, 0.5, -Deep);
+  for (vtkIdType k = 0; k < 4; ++k)
+  {
+    const vtkIdType ids[3] = { k, (k + 1) % 4, 4 };
+    cells->InsertNextCell(3, ids);
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  const MeshColors colors = measureColors(mesh, NearestTriangle(square), [] { return false; });
+  const double foot = Deep / std::sqrt(1. + 4. * Deep * Deep); // of the middle, on a side of the
+                                                               // pit
+  ASSERT_EQ(colors.missed.size(), 4U);
+  EXPECT_NEAR(colors.missed[0], 100 * foot / std::sqrt(2.), 1e-4);
+  EXPECT_NEAR(colors.missed[2], colors.missed[0], 1e-4);
 }
 
 TEST(MeshColors, GoodIsBlueAndBadIsRed)
