@@ -9,7 +9,8 @@
 
 namespace stipple
 {
-/// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
+/// Smallest angle of a triangle (radians) if it is sound; -2 if it has no area, as if it showed its
+/// back; below zero if it is folded over, the
 /// lower the farther.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(
   const OptimizedMesh& mesh, const TriangleCorners& corners);
