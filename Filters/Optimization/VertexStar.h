@@ -9,9 +9,8 @@
 
 namespace stipple
 {
-/// Smallest angle of a triangle (radians) if it is sound; -2 if it has no area, as if it showed its
-/// back; below zero if it is folded over, the
-/// lower the farther.
+/// Smallest angle of a triangle (radians) if it is sound; below zero if it is folded over, the
+/// lower the farther; -2, as low as that goes, if it has no area.
 STIPPLEFILTERSOPTIMIZATION_EXPORT double triangleQuality(
   const OptimizedMesh& mesh, const TriangleCorners& corners);
 STIPPLEFILTERSOPTIMIZATION_EXPORT double faceQuality(const OptimizedMesh& mesh, Face f);
