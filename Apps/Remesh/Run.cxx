@@ -267,6 +267,13 @@ void warn(const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher)
   say("stipple: warning: constraints farther from the surface than 1 %% of the diagonal, where the "
       "nearest place on it is a vertex: %lld\n",
     countFarConstraints(input, remesher));
+  if (const double length = o.number("edge_length"); length > input->GetLength())
+  {
+    std::fprintf(stderr,
+      "stipple: warning: edges of %g are longer than the model, whose diagonal is %g: there are as "
+      "few points as charts and features take\n",
+      length, input->GetLength());
+  }
   warnOfFormat(o);
 }
 

@@ -224,7 +224,9 @@ std::string Viewer::remark() const
   const char* fewQuadsWhy = this->Now.text("importance") == "uniform"
     ? " Few quads: beside features and seams are triangles."
     : " Few quads: sizes differ; importance uniform gives more.";
+  const bool tooLong = this->Now.number("edge_length") > this->Input->GetLength();
   const std::string facts = std::string(fewQuads ? fewQuadsWhy : "") +
+    (tooLong ? " Edges longer than the model: as few points as charts and features take." : "") +
     (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
     (lost > 0 ? " Lost (violet): " +
           countOf(lost, "feature edge", " of the input, for want of room; Shift+G goes there.")

@@ -183,6 +183,9 @@ class CommandLine(ProgramTest):
             shown = self.shown_on_a_terminal(cube, "-o", self.folder / f"a.{extension}", *options)
             self.assertEqual(shown.count("has no labels"), told, shown)
             self.assertRegex(shown, r"warning: constraints farther [^:]*: 1\b")
+            self.assertNotIn("longer than the model", shown)
+        shown = self.shown_on_a_terminal(cube, "-o", self.folder / "b.ply", "--edge-length", "2")
+        self.assertIn("warning: edges of 2 are longer than the model, whose diagonal is 1.73", shown)
 
     def test_a_report_on_stdout(self):
         status, out, _ = self.run_program(self.cube(), "-o", self.folder / "a.ply", "--points", "100", "--report", "-")
