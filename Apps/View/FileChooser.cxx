@@ -16,7 +16,8 @@ namespace
 {
 namespace fs = std::filesystem;
 constexpr std::size_t MostEntries = 5000;
-constexpr float RowHeight = 24; // pixels at scale 1
+constexpr std::size_t RecentsFirst = 4; ///< before the folder; all of them pass filters
+constexpr float RowHeight = 24;         // pixels at scale 1
 }
 
 FileChooser::FileChooser(Wish wish, Chosen chosen, std::function<void()> givenUp)
@@ -43,6 +44,7 @@ void FileChooser::enter(const fs::path& folder)
     this->Sentence = "The folder cannot be read: " + error.message() + ".";
     return;
   }
+  const fs::path left = this->Folder;
   this->Folder = folder.lexically_normal();
   if (!this->Folder.has_filename()) // but a slash at its end
   {
@@ -54,6 +56,13 @@ void FileChooser::enter(const fs::path& folder)
     this->Typed.set("");
   }
   this->list();
+  const auto below = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&left](const Entry& entry) { return entry.text != "../" && entry.path == left; });
+  if (below != this->Entries.end()) // where the way up has come from
+  {
+    this->Current = static_cast<int>(below - this->Entries.begin());
+    this->First = std::max(0, this->Current - 2); // with some before it
+  }
 }
 
 void FileChooser::propose(const std::string& name)
@@ -133,7 +142,7 @@ void FileChooser::list()
     std::vector<Entry> recent;
     for (const std::string& file : this->Wanted.recent)
     {
-      if (passes(fs::path(file).filename().string()))
+      if (passes(nameOfFile(file)) && (!filter.empty() || recent.size() < RecentsFirst))
       {
         recent.push_back({ "recent: " + file, file, false });
       }

@@ -167,7 +167,10 @@ void Viewer::replaceFirst(const std::string& file, const std::function<void()>& 
   this->show(std::make_shared<Question>("Replace " + path.filename().string() + "?",
     "It is in " + path.parent_path().string() + " already.",
     std::vector<Question::Answer>{ { "Replace it", "Return", replace },
-      { "Leave it", "Escape", [this] { this->closePage(); } } }));
+      { "Leave it", "Escape", [this] {
+         this->closePage();
+         this->say("It was not replaced; Ctrl+Shift+S saves under another name.");
+       } } }));
 }
 
 void Viewer::askToQuit()
@@ -241,8 +244,8 @@ void Viewer::openFile()
   const std::string& model = this->Now.text("model");
   wish.begin = !this->Folder.empty() ? this->Folder
     : !model.empty()                 ? std::filesystem::absolute(model).parent_path()
-    : !wish.recent.empty() ? std::filesystem::path(wish.recent.front()).parent_path()
-                           : std::filesystem::path(".");
+    : !wish.recent.empty()           ? std::filesystem::path(wish.recent.front()).parent_path()
+                                     : std::filesystem::path(".");
   this->show(std::make_shared<FileChooser>(
     std::move(wish), [this](const std::string& file) { this->askToOpen(file); },
     [this] { this->Starts ? this->showStart() : this->closePage(); }));
@@ -256,8 +259,8 @@ void Viewer::saveMeshAs()
   wish.endings.emplace_back(".json");
   wish.saves = true;
   const bool isNamed = this->Folder.empty() || this->isOurs(this->Files.mesh);
-  wish.begin = isNamed ? std::filesystem::path(this->Files.mesh)
-                       : this->Folder / nameOfFile(this->Files.mesh);
+  wish.begin =
+    isNamed ? std::filesystem::path(this->Files.mesh) : this->Folder / nameOfFile(this->Files.mesh);
   wish.input = this->Now.text("model");
   wish.isOurs = [this](const std::string& file) { return this->isOurs(file); };
   this->show(std::make_shared<FileChooser>(

@@ -168,8 +168,7 @@ Status SurfaceDiffusion::Internals::setRefinement(double sigma, const Progress& 
   return Status::success();
 }
 
-Status SurfaceDiffusion::Internals::findSolver(
-  double sigma, const Stop& stop, StepSolver*& found)
+Status SurfaceDiffusion::Internals::findSolver(double sigma, const Stop& stop, StepSolver*& found)
 {
   for (const auto& solver : this->solvers)
   {

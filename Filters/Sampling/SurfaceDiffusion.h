@@ -29,9 +29,9 @@ public:
   void setDomain(const AtlasSurface& surface, const std::vector<ControlImage>& images);
 
   /// The heat equation counts as solved where what is left is so small, over its right side. The
-  /// default is the strictest that is of use to floats. From SamplingConstants::GuessedTolerance on,
-  /// what is looked for begins with the changes of the last call: results depend on it, within the
-  /// tolerance, and images that have changed little take a few rounds.
+  /// default is the strictest that is of use to floats. From SamplingConstants::GuessedTolerance
+  /// on, what is looked for begins with the changes of the last call: results depend on it, within
+  /// the tolerance, and images that have changed little take a few rounds.
   void setTolerance(double tolerance);
 
   /// Smooths values[c], the pixels of chart c, in place; sigma > 0 in the surface's unit of length.

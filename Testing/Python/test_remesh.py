@@ -62,7 +62,7 @@ class Lengths(unittest.TestCase):
         values = numpy_to_vtk(np.full(negative.GetNumberOfPoints(), -0.1), deep=True)
         values.SetName("h")
         negative.GetPointData().AddArray(values)
-        with self.assertRaisesRegex(stipple.StippleError, "not positive"):
+        with self.assertRaisesRegex(stipple.StippleError, "not above 0"):
             stipple.remesh(negative, size_array="h")
         with self.assertRaisesRegex(TypeError, "size_array must be a str"):
             stipple.remesh(shapes.sphere(), size_array=3)

@@ -105,6 +105,13 @@ class Files(ViewTest):
         self.play("Control+o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
+    def test_the_way_up_shows_where_it_came_from(self):
+        (self.work / "above").mkdir()
+        (self.work / "below").mkdir(exist_ok=True)
+        shutil.copyfile(FANDISK, self.work / "below" / "deep.off")
+        self.play("Control+o", *"below", "Return", *"../", "Return", "Return", *"deep", "Return", "Control+j")
+        self.assertTrue((self.work / "below" / "deep-session.json").exists())
+
     def test_another_file_is_opened_in_the_same_window(self):
         shutil.copyfile(FANDISK, self.work / "second.off")
         shots = [self.folder / f"{i}.png" for i in range(3)]
