@@ -56,7 +56,8 @@ vtkSmartPointer<vtkCellArray> inDrawingOrder(vtkPolyData* mesh)
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      key |= spread(static_cast<std::uint64_t>(std::clamp(sum[axis] * toKey, 0., Largest))) << axis;
+      const double place = sum[axis] * toKey; // no number where the box has no size
+      key |= spread(place > 0. ? static_cast<std::uint64_t>(std::min(place, Largest)) : 0) << axis;
     }
     order.emplace_back(key, cell);
   }

@@ -163,8 +163,9 @@ public:
   ///@{
   /**
    * How exactly BandPass and Gradation are computed: the largest residual of the heat equation over
-   * its right side. More is faster, for previews that follow a slider. In the range 1e-10 to 0.1;
-   * the default is 1e-7, below what the images' floats can tell.
+   * its right side. More is faster, for previews that follow a slider; from 0.01 on, an update
+   * begins with what the last one changed, and depends on it within the tolerance. In the range
+   * 1e-10 to 0.1; the default is 1e-7, below what the images' floats can tell.
    */
   vtkSetClampMacro(SmoothingTolerance, double, 1e-10, 0.1);
   vtkGetMacro(SmoothingTolerance, double);

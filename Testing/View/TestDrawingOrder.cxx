@@ -129,5 +129,9 @@ TEST(DrawingOrder, NothingAndWhatHasNoSizeAreFine)
   }
   mesh->GetPoints()->Modified();
   EXPECT_EQ(polygonsOf(inDrawingOrder(mesh)), polygonsOf(mesh->GetPolys()));
+  mesh->GetPoints()->SetPoint(0, -1e308, 1e308, 1e308); // doubles have no room for its size
+  mesh->GetPoints()->SetPoint(1, 1e308, -1e308, -1e308);
+  mesh->GetPoints()->Modified();
+  EXPECT_EQ(inDrawingOrder(mesh)->GetNumberOfCells(), mesh->GetNumberOfPolys());
 }
 }
