@@ -71,6 +71,7 @@ class LiveWindow:
     def __init__(self, *command, size=(1280, 800)):
         self.command = list(map(str, command))
         self.size = size
+        self.owners = set()  # windows of ours that have selections
         self.rest = 0.5  # seconds without a change after which a picture is taken to stay
 
     def __enter__(self):
@@ -111,16 +112,46 @@ class LiveWindow:
                 X11.XSync(self.display, 0)
         time.sleep(0.1)
 
-    def paste(self, text, limit=LIMIT):
+    def paste(self, text):
         """Has the text in the clipboard, as another program does, presses Ctrl+V, and hands it over."""
-        owner = ctypes.c_ulong(X11.XCreateSimpleWindow(self.display, self.root, 0, 0, 1, 1, 0, 0, 0))
-        clipboard = ctypes.c_ulong(X11.XInternAtom(self.display, b"CLIPBOARD", 0))
-        X11.XSetSelectionOwner(self.display, clipboard, owner, ctypes.c_ulong(0))
+        self.own("CLIPBOARD")
         self.key("Control_L+v")
+        self.hand_over(text)
+
+    def drop(self, *files, place=(300, 300)):
+        """Drags files from another program, and lets them go there (XDND, version 5)."""
+        source = self.own("XdndSelection")
+        self.send("XdndEnter", source, 5 << 24, self.atom("text/uri-list"))
+        self.send("XdndPosition", source, 0, place[0] << 16 | place[1], 0, self.atom("XdndActionCopy"))
+        self.send("XdndDrop", source)
+        self.hand_over("".join(f"{file.as_uri()}\r\n" for file in files))
+
+    def close(self):
+        """Asks the window to close, as a window manager does where its close button is pressed."""
+        self.send("WM_PROTOCOLS", self.atom("WM_DELETE_WINDOW"))
+
+    def atom(self, name):
+        return X11.XInternAtom(self.display, name.encode(), 0)
+
+    def send(self, message, *data):
+        event = ClientMessage(type=33, window=self.window(), message_type=self.atom(message), format=32)
+        event.data[: len(data)] = data
+        X11.XSendEvent(self.display, ctypes.c_ulong(event.window), 0, ctypes.c_long(0), ctypes.byref(event))
+        X11.XSync(self.display, 0)
+
+    def own(self, selection):
+        """The number of a window that has the selection from now on."""
+        owner = X11.XCreateSimpleWindow(self.display, self.root, 0, 0, 1, 1, 0, 0, 0)
+        self.owners.add(owner)
+        X11.XSetSelectionOwner(self.display, ctypes.c_ulong(self.atom(selection)), ctypes.c_ulong(owner), ctypes.c_ulong(0))
+        return owner
+
+    def hand_over(self, text, limit=LIMIT):
+        """Answers who asks for what is selected."""
         request, end = SelectionRequest(), time.monotonic() + limit
         while not X11.XCheckTypedEvent(self.display, 30, ctypes.byref(request)):
             if time.monotonic() > end:
-                raise TimeoutError("nobody asks for what is in the clipboard")
+                raise TimeoutError("nobody asks for what is selected")
             time.sleep(0.01)
         data = text.encode()
         X11.XChangeProperty(self.display, ctypes.c_ulong(request.requestor), ctypes.c_ulong(request.property),
@@ -131,20 +162,13 @@ class LiveWindow:
         X11.XSendEvent(self.display, ctypes.c_ulong(request.requestor), 0, ctypes.c_long(0), ctypes.byref(answer))
         X11.XSync(self.display, 0)
 
-    def close(self):
-        """Asks the window to close, as a window manager does where its close button is pressed."""
-        event = ClientMessage(type=33, window=self.window(), format=32)
-        event.message_type = X11.XInternAtom(self.display, b"WM_PROTOCOLS", 0)
-        event.data[0] = X11.XInternAtom(self.display, b"WM_DELETE_WINDOW", 0)
-        X11.XSendEvent(self.display, ctypes.c_ulong(event.window), 0, ctypes.c_long(0), ctypes.byref(event))
-        X11.XSync(self.display, 0)
-
     def window(self):
-        """The number of the program's window: the only one here."""
+        """The number of the program's window: the only one here but our own."""
         root, parent, children, number = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_void_p(), ctypes.c_uint()
         X11.XQueryTree(self.display, self.root, ctypes.byref(root), ctypes.byref(parent), ctypes.byref(children),
             ctypes.byref(number))
-        window = ctypes.cast(children, ctypes.POINTER(ctypes.c_ulong))[number.value - 1]
+        windows = ctypes.cast(children, ctypes.POINTER(ctypes.c_ulong))[: number.value]
+        window = [w for w in windows if w not in self.owners][-1]
         X11.XFree(children)
         return window
 

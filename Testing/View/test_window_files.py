@@ -105,6 +105,21 @@ class Files(ViewTest):
         self.play("Control+o", *"below", "Return", *"../", "Return", *"notes", "Return", *["BackSpace"] * 5, *"part", "Return", "Control+j")
         self.assertEqual(self.session_of("part")["model"], str(self.work / "part.off"))
 
+    def test_files_are_dropped(self):
+        """Whatever is in their names; what cannot be read leaves what is open."""
+        second = self.work / "a second one, 100 %.off"
+        shutil.copyfile(FANDISK, second)
+        with LiveWindow(VIEW, self.work / "part.off", "--points", 300) as window:
+            before = window.settle()
+            window.drop(self.work / "notes.txt")
+            window.settle(after=before)
+            self.assertTrue(window.title().startswith("part.off"), window.title())
+            window.drop(second)
+            end = time.monotonic() + LIMIT
+            while not window.title().startswith(second.name) and time.monotonic() < end:
+                time.sleep(0.05)
+            self.assertTrue(window.title().startswith(second.name), window.title())
+
     def test_the_way_up_shows_where_it_came_from(self):
         (self.work / "above").mkdir()
         (self.work / "below").mkdir(exist_ok=True)
