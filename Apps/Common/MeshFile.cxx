@@ -502,6 +502,16 @@ Status readCurves(const std::string& file, vtkSmartPointer<vtkPolyData>& curves)
   return readChecked(file, curves, { checkCells, checkPoints, checkLines });
 }
 
+bool keepsRegions(const std::string& extension)
+{
+  return extension != ".off";
+}
+
+bool keepsTexture(const std::string& extension)
+{
+  return extension != ".off" && extension != ".stl";
+}
+
 Status writeRemesh(vtkPolyData* mesh, const std::string& file, const std::string& target)
 {
   const std::string extension = fileExtension(target.empty() ? file : target);

@@ -40,6 +40,10 @@ namespace stipple
 /// have beside one point a place, become those of points in .vtp and .vtk (vtkTextureSeamSplitter).
 [[nodiscard]] Status writeRemesh(
   vtkPolyData* mesh, const std::string& file, const std::string& target = {});
+
+/// Whether files with that ending have a place for labels of regions, and for texture coordinates.
+[[nodiscard]] bool keepsRegions(const std::string& extension);
+[[nodiscard]] bool keepsTexture(const std::string& extension);
 }
 
 #endif

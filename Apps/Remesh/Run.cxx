@@ -233,13 +233,14 @@ vtkIdType countFarConstraints(vtkPolyData* input, vtkGeometryRemesher* remesher)
 void warnOfFormat(const Session& o)
 {
   const std::string extension = fileExtension(o.text("output"));
-  if (!o.text("region_array").empty() && extension == ".off")
+  if (!o.text("region_array").empty() && !keepsRegions(extension))
   {
     std::fprintf(stderr,
-      "stipple: warning: an .off file has no labels: the regions' are lost; all "
-      "other formats keep them\n");
+      "stipple: warning: an %s file has no labels: the regions' are lost; all other formats keep "
+      "them\n",
+      extension.c_str());
   }
-  if (o.flag("keep_uv_seams") && (extension == ".off" || extension == ".stl"))
+  if (o.flag("keep_uv_seams") && !keepsTexture(extension))
   {
     std::fprintf(stderr,
       "stipple: warning: an %s file has no texture coordinates: they are lost; "
