@@ -63,12 +63,11 @@ struct Gap
   double distance = 0;
   Vec3 place = Vec3::Zero();
 
-  /// tooFar by place.
+  /// tooFar by triangle of the other. `nearest`: the places next to them, in the end.
   template <typename F>
   Status look(const std::vector<Vec3>& places, const TriangleSurface& other,
-    const Progress& progress, const F& tooFar)
+    const Progress& progress, const F& tooFar, std::vector<NearestTriangle::Hit>& nearest)
   {
-    std::vector<NearestTriangle::Hit> nearest;
     const Status status = nearestPlaces(places, other, progress, nearest);
     for (std::size_t i = 0; i < nearest.size() && status.ok(); ++i)
     {
@@ -83,17 +82,39 @@ struct Gap
   }
 };
 
+/// Places of the surface, and what of the mesh is next to them.
+struct SurfaceSamples
+{
+  std::vector<Vec3> places;
+  std::vector<NearestTriangle::Hit> nearest;
+};
+
 /// Centroids of the triangles that may leave the surface by more than so much: no place of a
 /// triangle is farther from its nearest corner, which lies on the surface, than its longest edge
-/// over the root of 3.
-std::vector<Vec3> centroidsOfLong(const TriangleSurface& mesh, double tooFar)
+/// over the root of 3, and a place of the surface that is next to it may be near enough as well.
+std::vector<Vec3> centroidsOfLong(
+  const TriangleSurface& mesh, const SurfaceSamples& samples, double tooFar)
 {
+  std::vector<char> mayLeave(static_cast<std::size_t>(mesh.numberOfFaces()));
+  for (int f = 0; f < mesh.numberOfFaces(); ++f)
+  {
+    mayLeave[f] = longestEdge(mesh, f) > std::sqrt(3.) * tooFar ? 1 : 0;
+  }
+  const auto centroid = [&](int f) { return mesh.position(f, Vec3::Constant(1. / 3.)); };
+  for (std::size_t i = 0; i < samples.nearest.size(); ++i)
+  {
+    const int f = samples.nearest[i].face;
+    if (mayLeave[f] != 0 && (samples.places[i] - centroid(f)).norm() <= tooFar)
+    {
+      mayLeave[f] = 0;
+    }
+  }
   std::vector<Vec3> centroids;
   for (int f = 0; f < mesh.numberOfFaces(); ++f)
   {
-    if (longestEdge(mesh, f) > std::sqrt(3.) * tooFar)
+    if (mayLeave[f] != 0)
     {
-      centroids.push_back(mesh.position(f, Vec3::Constant(1. / 3.)));
+      centroids.push_back(centroid(f));
     }
   }
   return centroids;
@@ -109,13 +130,22 @@ Status checkMesh(const TriangleSurface& mesh, const TriangleSurface& surface,
     return status;
   }
   const double edge = std::sqrt(4. / std::sqrt(3.) * surface.area() / mesh.numberOfFaces());
+  const double tooFar = LargestGap * edge;
   Gap gap;
-  status = gap.look(sampleSurface(surface, static_cast<int>(mesh.points.size())), mesh, progress,
-    [&](int face) { return LargestGap * std::max(edge, longestEdge(mesh, face)); });
-  const std::vector<Vec3> centroids = centroidsOfLong(mesh, LargestGap * edge);
-  if (status.ok() && !centroids.empty())
+  SurfaceSamples samples;
+  samples.places = sampleSurface(surface, static_cast<int>(mesh.points.size()));
+  status = gap.look(
+    samples.places, mesh, progress,
+    [&](int face) { return std::max(tooFar, LargestGap * longestEdge(mesh, face)); },
+    samples.nearest);
+  if (!status.ok())
   {
-    status = gap.look(centroids, surface, progress, [&](int) { return LargestGap * edge; });
+    return status;
+  }
+  const std::vector<Vec3> centroids = centroidsOfLong(mesh, samples, tooFar);
+  if (!centroids.empty()) // else the surface needs no locator
+  {
+    status = gap.look(centroids, surface, progress, [&](int) { return tooFar; }, samples.nearest);
   }
   if (!status.ok() || gap.distance == 0)
   {
