@@ -145,7 +145,8 @@ Status checkMesh(const TriangleSurface& mesh, const TriangleSurface& surface,
   const std::vector<Vec3> centroids = centroidsOfLong(mesh, samples, tooFar);
   if (!centroids.empty()) // else the surface needs no locator
   {
-    status = gap.look(centroids, surface, progress, [&](int) { return tooFar; }, samples.nearest);
+    status = gap.look(
+      centroids, surface, progress, [&](int) { return tooFar; }, samples.nearest);
   }
   if (!status.ok() || gap.distance == 0)
   {
