@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelfIntersections.h"
 
-#include "BoxGrid.h"
 #include "LocalEmbedding.h"
 #include "MeshRegion.h"
 #include "Relaxation.h"
@@ -147,15 +146,12 @@ std::vector<Face> SelfIntersections::faces() const
   return result;
 }
 
-std::vector<Face> SelfIntersections::facesNear(const std::vector<Box>& places) const
+bool SelfIntersections::isNear(Face face, BoxGrid& boxes) const
 {
-  std::vector<Face> result;
-  BoxGrid& grid = this->Now->Grid;
-  for (const Box& place : places)
-  {
-    grid.forEachNear(place.grown(grid.meanSize()), [&](int f) { result.push_back(Face(f)); });
-  }
-  return result;
+  const BoxGrid& grid = this->Now->Grid;
+  bool found = false;
+  boxes.forEachNear(grid.box(face.index()).grown(grid.meanSize()), [&](int) { found = true; });
+  return found;
 }
 
 namespace
@@ -267,16 +263,14 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
   {
     return static_cast<int>(bad.size());
   }
-  ElementArray<Face, char> isOfSurface(static_cast<std::size_t>(mesh.faces().size()), 0);
-  for (const Face f : intersections.facesNear(known.ofSurface.get([&] {
-         const AtlasSurface& surface = mesh.atlas().surface();
-         return placesOfIntersections(surface.points, surface.triangles);
-       })))
+  if (!known.ofSurface)
   {
-    isOfSurface[f] = 1;
+    const AtlasSurface& surface = mesh.atlas().surface();
+    known.ofSurface.emplace(placesOfIntersections(surface.points, surface.triangles));
   }
   const auto look = [&]() {
-    bad = filtered(intersections.faces(), [&](Face f) { return isOfSurface[f] == 0; });
+    bad = filtered(
+      intersections.faces(), [&](Face f) { return !intersections.isNear(f, *known.ofSurface); });
   };
   look();
   if (static_cast<int>(bad.size()) > most)

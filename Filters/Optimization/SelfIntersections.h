@@ -5,11 +5,10 @@
 #ifndef stipple_SelfIntersections_h
 #define stipple_SelfIntersections_h
 
-#include "Lazy.h"
+#include "BoxGrid.h"
 #include "LocalEmbedding.h"
 #include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
-#include "TriangleIntersections.h"
 
 #include <memory>
 #include <optional>
@@ -32,9 +31,9 @@ public:
   /// Triangles that intersect others, as last updated, ascending; the same for any number of
   /// threads.
   std::vector<Face> faces() const;
-  /// Triangles nearer to one of the places than the mean size of triangles, as last updated; not in
-  /// order.
-  std::vector<Face> facesNear(const std::vector<Box>& places) const;
+  /// Whether a triangle, as last updated, is nearer to one of the boxes than the mean size of
+  /// triangles.
+  bool isNear(Face face, BoxGrid& boxes) const;
 
 private:
   struct Internals;
@@ -44,8 +43,8 @@ private:
 /// What is known of a mesh's overlaps from what was done about them before.
 struct KnownOverlaps
 {
-  /// Where the surface passes through itself: placesOfIntersections(), made when it is asked for.
-  Lazy<std::vector<Box>> ofSurface;
+  /// Where the surface passes through itself: placesOfIntersections(), once asked.
+  std::optional<BoxGrid> ofSurface;
   FailedEmbeddings folds;    ///< that unfold() could not undo
   FailedEmbeddings layers;   ///< that could not be parted
   std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked

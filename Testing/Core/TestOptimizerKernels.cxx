@@ -504,9 +504,7 @@ TEST(SelfIntersections, AreTheSurfacesWhereItHasThem)
   ASSERT_GT(before, 0U);
   const meshes::Snapshot folded(t->mesh);
   KnownOverlaps everywhere;
-  everywhere.ofSurface.get([] {
-    return std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } };
-  });
+  everywhere.ofSurface.emplace(std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } });
   EXPECT_EQ(resolveSelfIntersections(t->edit, 8, everywhere), 0);
   EXPECT_TRUE(meshes::Snapshot(t->mesh) == folded) << "nothing is to be parted";
   KnownOverlaps nothing;
