@@ -40,6 +40,17 @@ public:
       this->forEachNearOf(level, box, visit);
     }
   }
+  /// Whether there is one.
+  bool hasNear(const Box& box)
+  {
+    this->fill();
+    bool found = false;
+    for (int level = 0; level < NumberOfLevels && !found; ++level)
+    {
+      found = this->anyNearOf(level, box, [](int) { return true; });
+    }
+    return found;
+  }
 
   /// The pairs that overlap and that `isWanted(i, j)`, which is asked once for each, from several
   /// threads; in an order of their own, the same for any number of threads.
@@ -113,9 +124,9 @@ private:
       (static_cast<std::uint64_t>(index[1]) & Mask) << 21 |
       (static_cast<std::uint64_t>(index[2]) & Mask) << 42;
   }
-  /// Calls visit(cell, bucket) for every cell that a box touches.
-  template <typename Visit>
-  static void forEachCell(const Level& level, const Box& box, const Visit& visit)
+  /// Whether test(cell, bucket) is true for a cell that a box touches.
+  template <typename Test>
+  static bool anyCell(const Level& level, const Box& box, const Test& test)
   {
     const Index low = indexOf(level, box.low);
     const Index high = indexOf(level, box.high);
@@ -128,11 +139,24 @@ private:
           // Teschner et al., Optimized Spatial Hashing (2003).
           const std::uint64_t hash = (static_cast<std::uint64_t>(i) * 73856093) ^
             (static_cast<std::uint64_t>(j) * 19349663) ^ (static_cast<std::uint64_t>(k) * 83492791);
-          visit(
-            numberOf({ { i, j, k } }), static_cast<std::size_t>(hash & (level.buckets.size() - 1)));
+          if (test(numberOf({ { i, j, k } }),
+                static_cast<std::size_t>(hash & (level.buckets.size() - 1))))
+          {
+            return true;
+          }
         }
       }
     }
+    return false;
+  }
+  /// Calls visit(cell, bucket) for every cell that a box touches.
+  template <typename Visit>
+  static void forEachCell(const Level& level, const Box& box, const Visit& visit)
+  {
+    anyCell(level, box, [&](std::uint64_t cell, std::size_t bucket) {
+      visit(cell, bucket);
+      return false;
+    });
   }
   /// Whether a box touches more cells than there are boxes.
   static bool isWide(const Level& level, const Box& box)
@@ -145,35 +169,39 @@ private:
   {
     return box.overlaps(other) && numberOf(indexOf(level, box.low.cwiseMax(other.low))) == cell;
   }
-  template <typename Visit>
-  void forEachNearOf(int l, const Box& box, const Visit& visit) const
+  /// Whether test(i) is true for a box of a level that overlaps another one.
+  template <typename Test>
+  bool anyNearOf(int l, const Box& box, const Test& test) const
   {
     const Level& level = this->Levels[l];
     if (level.boxes.empty())
     {
-      return;
+      return false;
     }
     if (isWide(level, box))
     {
-      for (const int i : level.boxes)
-      {
-        if (box.overlaps(this->Boxes[i]))
-        {
-          visit(i);
-        }
-      }
-      return;
+      return std::any_of(level.boxes.begin(), level.boxes.end(),
+        [&](int i) { return box.overlaps(this->Boxes[i]) && test(i); });
     }
-    forEachCell(level, box, [&](std::uint64_t cell, std::size_t bucket) {
+    return anyCell(level, box, [&](std::uint64_t cell, std::size_t bucket) {
       for (int e = level.buckets[bucket]; e >= 0; e = level.entries[e].next)
       {
         const Entry& entry = level.entries[e];
         const Box& other = this->Boxes[entry.box];
-        if (entry.cell == cell && countsIn(level, cell, box, other))
+        if (entry.cell == cell && countsIn(level, cell, box, other) && test(entry.box))
         {
-          visit(entry.box);
+          return true;
         }
       }
+      return false;
+    });
+  }
+  template <typename Visit>
+  void forEachNearOf(int l, const Box& box, const Visit& visit) const
+  {
+    this->anyNearOf(l, box, [&](int i) {
+      visit(i);
+      return false;
     });
   }
 

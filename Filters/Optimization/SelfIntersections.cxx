@@ -149,9 +149,7 @@ std::vector<Face> SelfIntersections::faces() const
 bool SelfIntersections::isNear(Face face, BoxGrid& boxes) const
 {
   const BoxGrid& grid = this->Now->Grid;
-  bool found = false;
-  boxes.forEachNear(grid.box(face.index()).grown(grid.meanSize()), [&](int) { found = true; });
-  return found;
+  return boxes.hasNear(grid.box(face.index()).grown(grid.meanSize()));
 }
 
 namespace

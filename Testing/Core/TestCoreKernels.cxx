@@ -216,6 +216,13 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
       }
       ASSERT_EQ(near, overlapping) << "each once";
     }
+    for (int i = 0; i < 100; ++i)
+    {
+      const Box other = anyBox(); // some overlap none
+      ASSERT_EQ(grid.hasNear(other),
+        std::any_of(
+          boxes.begin(), boxes.end(), [&](const Box& box) { return box.overlaps(other); }));
+    }
     std::vector<std::array<int, 2>> pairs = grid.pairs([](int, int) { return true; });
     for (std::array<int, 2>& pair : pairs)
     {
