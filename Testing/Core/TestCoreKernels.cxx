@@ -219,9 +219,9 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
     for (int i = 0; i < 100; ++i)
     {
       const Box other = anyBox(); // some overlap none
-      ASSERT_EQ(grid.hasNear(other),
-        std::any_of(
-          boxes.begin(), boxes.end(), [&](const Box& box) { return box.overlaps(other); }));
+      ASSERT_EQ(grid.hasNear(other), std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+        return box.overlaps(other);
+      }));
     }
     std::vector<std::array<int, 2>> pairs = grid.pairs([](int, int) { return true; });
     for (std::array<int, 2>& pair : pairs)
