@@ -6,6 +6,7 @@
 #include "ChartStitching.h"
 #include "PolyDataConversion.h"
 #include "ReportingThread.h"
+#include "UserArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -253,6 +254,49 @@ std::vector<std::vector<int>> backboneChains(
     }
   }
   return chains;
+}
+
+Status readFeatureLines(vtkPolyData* lines, const FeatureGraph& graph, vtkIdType numberOfPoints,
+  std::vector<std::vector<int>>& chains)
+{
+  const std::string remedy = "pass output port 1 of the filter that made the mesh";
+  chains.assign(graph.backbones.size(), {});
+  vtkDataArray* backbones = nullptr;
+  if (Status status = findArray(lines->GetCellData(), "BackboneId", 1, lines->GetNumberOfLines(),
+        "The feature lines", remedy, backbones);
+      !status.ok())
+  {
+    return status;
+  }
+  if (Status status = checkCells(lines->GetLines(), numberOfPoints, "the feature lines");
+      !status.ok())
+  {
+    return status;
+  }
+  vtkIdType size;
+  const vtkIdType* ids;
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  {
+    const int b =
+      indexBelow(backbones->GetComponent(line, 0), static_cast<int>(graph.backbones.size()));
+    if (b < 0)
+    {
+      return badId(
+        backbones, line, "line " + std::to_string(line), static_cast<int>(graph.backbones.size()));
+    }
+    if (graph.backbones[b].type == BackboneType::Seam) // its edges may have been swapped away
+    {
+      continue;
+    }
+    lines->GetLines()->GetCellAtId(line, size, ids);
+    if (!chains[b].empty())
+    {
+      return Status::error(
+        "The feature lines have two lines of backbone " + std::to_string(b) + ": " + remedy + ".");
+    }
+    chains[b].assign(ids, ids + size);
+  }
+  return Status::success();
 }
 
 vtkSmartPointer<vtkPolyData> meshToPolyData(const stipple::Atlas& atlas,

@@ -35,6 +35,11 @@ STIPPLEFILTERSMESHING_EXPORT Status createMesh(const Atlas& atlas,
 STIPPLEFILTERSMESHING_EXPORT std::vector<std::vector<int>> backboneChains(
   const FeatureGraph& graph, const std::vector<Sample>& samples);
 
+/// The same of sharp and boundary backbones from featureLines(), whatever became of the mesh; an
+/// error if these are not of this graph and a mesh of so many points.
+STIPPLEFILTERSMESHING_EXPORT Status readFeatureLines(vtkPolyData* lines, const FeatureGraph& graph,
+  vtkIdType numberOfPoints, std::vector<std::vector<int>>& chains);
+
 /// The mesh, with the arrays of the samples, provenance, and the input's attributes.
 STIPPLEFILTERSMESHING_EXPORT vtkSmartPointer<vtkPolyData> meshToPolyData(
   const Atlas& atlas, const std::vector<Sample>& samples, const std::vector<Triangle>& triangles);

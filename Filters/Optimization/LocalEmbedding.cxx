@@ -101,10 +101,10 @@ void placeInwards(MeshEdit& edit, std::vector<Vertex> waiting)
   }
 }
 
-/// Swaps and moves for good angles.
-void improve(MeshEdit& edit, const std::vector<Vertex>& vertices)
+/// Swaps, if it may, and moves for good angles.
+void improve(MeshEdit& edit, const std::vector<Vertex>& vertices, bool maySwap)
 {
-  for (const Edge e : edgesAbout(edit.mesh(), vertices))
+  for (const Edge e : maySwap ? edgesAbout(edit.mesh(), vertices) : std::vector<Edge>())
   {
     if (isDelaunaySwap(edit.mesh(), e))
     {
@@ -143,7 +143,8 @@ double sumOfFolds(const OptimizedMesh& mesh, const std::vector<Face>& faces)
 }
 }
 
-bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces)
+bool embed(
+  MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces, bool maySwap)
 {
   const OptimizedMesh& mesh = edit.mesh();
   const EdgeLengths before = edgeLengths(mesh, faces);
@@ -167,7 +168,7 @@ bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vecto
   }
   for (int round = 0; round < Tuning::RoundsAfterEmbedding; ++round)
   {
-    improve(edit, vertices);
+    improve(edit, vertices, maySwap);
   }
   const EdgeLengths after = edgeLengths(mesh, faces);
   // Where a vertex has come home from afar, others lie by now.
@@ -240,7 +241,7 @@ void FailedEmbeddings::add(const OptimizedMesh& mesh, const std::vector<Face>& f
   this->Groups.push_back(groupOf(mesh, faces));
 }
 
-int unfold(MeshEdit& edit, FailedEmbeddings& failed)
+int unfold(MeshEdit& edit, bool maySwap, FailedEmbeddings& failed)
 {
   const OptimizedMesh& mesh = edit.mesh();
   ElementArray<Face, char> isFolded(static_cast<std::size_t>(mesh.faces().size()));
@@ -258,7 +259,7 @@ int unfold(MeshEdit& edit, FailedEmbeddings& failed)
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
     const std::vector<Face> changed = embedAbout(
-      edit, group, Tuning::RingsOfUnfolding, failed,
+      edit, group, Tuning::RingsOfUnfolding, maySwap, failed,
       [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;

@@ -13,13 +13,13 @@
 namespace stipple
 {
 /// Puts every vertex to the middle of its neighbours (Tutte's embedding, on the surface: without
-/// folds where the region is nearly flat), starting over from the vertices around; then swaps and
-/// moves for good angles. The vertices are free; `faces` are all triangles about them. False if
-/// vertices were drawn off a part of the surface, which a few triangles then cut off: the longest
-/// edge became much longer, or a place where a vertex was is farther from all triangles there than
-/// half of the mean edge; or if a vertex came to lie on another.
-STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(
-  MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces);
+/// folds where the region is nearly flat), starting over from the vertices around; then swaps, if
+/// it may, and moves for good angles. The vertices are free; `faces` are all triangles about them.
+/// False if vertices were drawn off a part of the surface, which a few triangles then cut off: the
+/// longest edge became much longer, or a place where a vertex was is farther from all triangles
+/// there than half of the mean edge; or if a vertex came to lie on another.
+STIPPLEFILTERSOPTIMIZATION_EXPORT bool embed(MeshEdit& edit, const std::vector<Vertex>& vertices,
+  const std::vector<Face>& faces, bool maySwap);
 
 /// Triangles that hang together at vertices, each group ascending.
 STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<std::vector<Face>> groupsOf(
@@ -49,7 +49,7 @@ private:
 /// helps, or is known not to.
 template <typename Measure, typename IsBetter>
 std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int mostRings,
-  FailedEmbeddings& failed, const Measure& measure, const IsBetter& isBetter)
+  bool maySwap, FailedEmbeddings& failed, const Measure& measure, const IsBetter& isBetter)
 {
   const OptimizedMesh& mesh = edit.mesh();
   if (failed.contains(mesh, faces))
@@ -66,8 +66,9 @@ std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int
     }
     const std::vector<Face> changed = facesAbout(mesh, vertices);
     const auto before = measure(changed);
-    if (edit.attempt(
-          [&]() { return embed(edit, vertices, changed) && isBetter(measure(changed), before); }))
+    if (edit.attempt([&]() {
+          return embed(edit, vertices, changed, maySwap) && isBetter(measure(changed), before);
+        }))
     {
       return changed;
     }
@@ -78,7 +79,8 @@ std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int
 
 /// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
 /// Returns the number of groups of triangles where that helped.
-STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(MeshEdit& edit, FailedEmbeddings& failed);
+STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(
+  MeshEdit& edit, bool maySwap, FailedEmbeddings& failed);
 }
 
 #endif

@@ -183,12 +183,12 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
     {
       const double threshold = i == Tuning::FirstRepair ? 0. : Tuning::SliverAngle;
       const bool isBad = repairTriangles(edit, threshold, swaps, moves, Tuning::PassesOfRepair) > 0;
+      if (moves && isBad)
+      {
+        unfold(edit, swaps, overlaps.folds);
+      }
       if (moves && swaps)
       {
-        if (isBad)
-        {
-          unfold(edit, overlaps.folds);
-        }
         // Layers that lie over one another are small at first; Lloyd's method gives each its share.
         resolveSelfIntersections(edit, Tuning::PassesOfEarlyParting, overlaps);
       }
@@ -226,7 +226,7 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
   {
     return Status::aborted();
   }
-  if (swaps && unfold(edit, overlaps.folds) > 0)
+  if (unfold(edit, swaps, overlaps.folds) > 0)
   {
     repair(swaps, moves, Tuning::LastPassesOfRepair);
   }

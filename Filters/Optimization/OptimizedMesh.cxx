@@ -107,8 +107,8 @@ std::vector<char> OptimizedMesh::fixedNodes() const
   return result;
 }
 
-Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
-  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles, bool allAreCreases)
+Status OptimizedMesh::begin(
+  const stipple::Atlas& atlas, const DensityField& density, const std::vector<Sample>& samples)
 {
   this->Atlas = &atlas;
   this->Field = &density;
@@ -131,11 +131,14 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
         ", which the feature graph does not have: pass the one of the mesh.");
     }
   }
-  const std::vector<std::vector<int>> samplesOf = backboneChains(graph, samples);
-  this->findCreaseBackbones(samplesOf, allAreCreases);
+  return Status::success();
+}
+
+void OptimizedMesh::placeVertices(const std::vector<Sample>& samples)
+{
   const std::vector<char> fixedNode = this->fixedNodes();
-  const ConstraintFinder named(atlas, false);
-  const ConstraintFinder found(atlas, true);
+  const ConstraintFinder named(*this->Atlas, false);
+  const ConstraintFinder found(*this->Atlas, true);
   for (const Vertex v : this->vertices())
   {
     const Sample& s = samples[v.index()];
@@ -165,6 +168,19 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
       this->Original[v.index()] = { SampleKind::Constraint, s.face, s.bary, -1, 0., -1 };
     }
   }
+}
+
+Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
+  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles, bool allAreCreases)
+{
+  if (Status status = this->begin(atlas, density, samples); !status.ok())
+  {
+    return status;
+  }
+  const FeatureGraph& graph = atlas.graph();
+  const std::vector<std::vector<int>> samplesOf = backboneChains(graph, samples);
+  this->findCreaseBackbones(samplesOf, allAreCreases);
+  this->placeVertices(samples);
   std::vector<Chain> chains;
   for (const std::vector<int>& samplesOfChain : samplesOf)
   {
@@ -186,6 +202,39 @@ Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& den
   }
   const Status status = this->connect(triangles);
   return status.ok() ? this->markCreases(std::move(chains)) : status;
+}
+
+Status OptimizedMesh::build(const stipple::Atlas& atlas, const DensityField& density,
+  const std::vector<Sample>& samples, const std::vector<Triangle>& triangles,
+  std::vector<Chain> chains, int numberOfHeld)
+{
+  if (Status status = this->begin(atlas, density, samples); !status.ok())
+  {
+    return status;
+  }
+  this->Chains = std::move(chains);
+  this->findCreaseBackbones(idsOf(this->Chains), false);
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  {
+    const bool isCrease = this->isCreaseBackbone(static_cast<int>(b)) && !this->Chains[b].empty();
+    this->IsCreaseBackbone[b] = isCrease ? 1 : 0;
+    this->Chains[b].resize(isCrease ? this->Chains[b].size() : 0);
+  }
+  this->placeVertices(samples);
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  {
+    const bool isFound = atlas.graph().backbones[b].keep == Keep::Nothing;
+    for (const BackboneVertex& v : this->Chains[b])
+    {
+      const bool isOnIt = this->backbone(v.vertex) == static_cast<int>(b);
+      if (!isOnIt && (!isFound || v.vertex.index() < numberOfHeld))
+      {
+        this->Free[v.vertex] = Freedom::None;
+      }
+    }
+  }
+  const Status status = this->connect(triangles);
+  return status.ok() ? this->markCreases(std::move(this->Chains)) : status;
 }
 
 Status OptimizedMesh::buildPart(const stipple::Atlas& atlas, const DensityField& density,
@@ -466,20 +515,6 @@ std::vector<Triangle> OptimizedMesh::triangles() const
   return result;
 }
 
-std::vector<std::vector<int>> OptimizedMesh::chainIds() const
-{
-  std::vector<std::vector<int>> ids;
-  for (const Chain& chain : this->Chains)
-  {
-    ids.emplace_back();
-    for (const BackboneVertex& v : chain)
-    {
-      ids.back().push_back(v.vertex.index());
-    }
-  }
-  return ids;
-}
-
 std::vector<Sample> OptimizedMesh::samples() const
 {
   std::vector<Sample> result = this->Original;
@@ -570,5 +605,19 @@ double OptimizedMesh::normalAgreementOnCreases(
   }
   const double length = normal.norm();
   return length > 0 ? sum.dot(normal) / (3. * length) : 1.;
+}
+
+std::vector<std::vector<int>> idsOf(const std::vector<OptimizedMesh::Chain>& chains)
+{
+  std::vector<std::vector<int>> ids;
+  for (const OptimizedMesh::Chain& chain : chains)
+  {
+    ids.emplace_back();
+    for (const BackboneVertex& v : chain)
+    {
+      ids.back().push_back(v.vertex.index());
+    }
+  }
+  return ids;
 }
 }

@@ -89,6 +89,13 @@ public:
   Status build(const stipple::Atlas& atlas, const DensityField& density,
     const std::vector<Sample>& samples, const std::vector<Triangle>& triangles,
     bool allAreCreases = false);
+  using Chain = std::vector<BackboneVertex>;
+  /// With the vertices of every backbone; one without any is no crease. Where features were
+  /// simplified, some are not on it: of these, the first numberOfHeld of the mesh stay where they
+  /// are, and all those of a feature that users named.
+  Status build(const stipple::Atlas& atlas, const DensityField& density,
+    const std::vector<Sample>& samples, const std::vector<Triangle>& triangles,
+    std::vector<Chain> chains, int numberOfHeld);
   /// A part of a mesh, on a surface that may go on beyond it: vertices are places on the surface,
   /// of which only those with isMovable move; edges between others are not swapped, nor
   /// made by swaps, and of these, fixedEdges part the surface as creases do. The atlas' backbones
@@ -274,10 +281,7 @@ public:
   std::vector<Triangle> triangles() const;
   std::vector<Sample> samples() const;
   /// The vertices of every backbone in order, with both ends; empty for seams.
-  using Chain = std::vector<BackboneVertex>;
   const std::vector<Chain>& chains() const { return this->Chains; }
-  /// Their ids alone.
-  std::vector<std::vector<int>> chainIds() const;
   /// A position that users named, which must be a vertex.
   bool isConstraint(Vertex v) const { return this->IsConstraint[v] != 0; }
   /// Places of the surface that vertices were at until changes led them, and creases, to this one.
@@ -327,6 +331,10 @@ private:
   {
     return this->Free[this->from(h)] == Freedom::None && this->Free[this->to(h)] == Freedom::None;
   }
+  Status begin(
+    const stipple::Atlas& atlas, const DensityField& density, const std::vector<Sample>& samples);
+  /// Once creases are known.
+  void placeVertices(const std::vector<Sample>& samples);
   /// With the samples of each backbone of the graph.
   void findCreaseBackbones(const std::vector<std::vector<int>>& chains, bool allAreCreases);
   /// By point of the surface.
@@ -358,6 +366,10 @@ private:
   int SimplifiedFeatures = 0;
   bool IsPart = false;
 };
+
+/// The vertices of chains alone.
+STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<std::vector<int>> idsOf(
+  const std::vector<OptimizedMesh::Chain>& chains);
 }
 
 #endif

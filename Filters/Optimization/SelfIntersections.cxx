@@ -235,7 +235,7 @@ bool partByEmbedding(MeshEdit& edit, SelfIntersections& intersections,
     double quality;
   };
   const std::vector<Face> changed = embedAbout(
-    edit, faces, Tuning::RingsOfParting, failed,
+    edit, faces, Tuning::RingsOfParting, true, failed,
     [&](const std::vector<Face>& now) {
       budget -= static_cast<int>(now.size());
       return State{ intersections.count(now), worstQuality(edit.mesh(), now) };
@@ -320,7 +320,7 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
   if (hasChanged)
   {
     edit.attempt([&]() {
-      return unfold(edit, known.folds) > 0 && SelfIntersections(mesh).faces().size() <= left;
+      return unfold(edit, true, known.folds) > 0 && SelfIntersections(mesh).faces().size() <= left;
     });
   }
   return static_cast<int>(bad.size());

@@ -36,7 +36,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   options.ribs = this->Ribs;
   options.errorReduction = 0.01 * this->ErrorReduction;
   options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
-  options.featureTolerance = this->KeepBackbones ? 0. : this->FeatureTolerance;
+  options.featureTolerance = this->FeatureToleranceScale * this->FeatureTolerance;
 
   auto* images = this->FollowDensity
     ? vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0))
@@ -74,8 +74,8 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
       request.mesh->GetPoints()->SetPoint(static_cast<vtkIdType>(i), positions[i].data());
     }
   }
-  request.lines->ShallowCopy(
-    stipple::featureLines(request.atlas.graph(), mesh.chainIds(), request.mesh, false));
+  request.lines->ShallowCopy(stipple::featureLines(
+    request.atlas.graph(), stipple::idsOf(mesh.chains()), request.mesh, false));
   return status;
 }
 
@@ -99,6 +99,6 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorReduction: " << this->ErrorReduction << "\n";
   os << indent << "AcuteCornerAngle: " << this->AcuteCornerAngle << "\n";
   os << indent << "FeatureTolerance: " << this->FeatureTolerance << "\n";
-  os << indent << "KeepBackbones: " << this->KeepBackbones << "\n";
+  os << indent << "FeatureToleranceScale: " << this->FeatureToleranceScale << "\n";
   os << indent << "NumberOfSimplifiedFeatures: " << this->NumberOfSimplifiedFeatures << "\n";
 }

@@ -189,12 +189,12 @@ public:
 
   ///@{
   /**
-   * Whether every backbone stays a chain of its own points, whatever the FeatureTolerance, as
-   * vtkSemiRegularSubdivision wants its base mesh. The default is off.
+   * What FeatureTolerance is multiplied by, from 0 to 1: less than 1 for a base mesh of
+   * vtkSemiRegularSubdivision, whose triangles will be smaller (0.25 for two levels). At 0 every
+   * backbone stays a chain of its own points. The default is 1.
    */
-  vtkSetMacro(KeepBackbones, bool);
-  vtkGetMacro(KeepBackbones, bool);
-  vtkBooleanMacro(KeepBackbones, bool);
+  vtkSetClampMacro(FeatureToleranceScale, double, 0., 1.);
+  vtkGetMacro(FeatureToleranceScale, double);
   ///@}
 
   /// After an update: corners and points of creases that went to others.
@@ -219,7 +219,7 @@ private:
   double ErrorReduction = 0.65;
   double AcuteCornerAngle = 25.;
   double FeatureTolerance = 1.;
-  bool KeepBackbones = false;
+  double FeatureToleranceScale = 1.;
   int NumberOfSimplifiedFeatures = 0;
   bool FollowDensity = true;
   bool Ribs = false;

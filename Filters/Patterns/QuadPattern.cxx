@@ -475,7 +475,7 @@ Status relaxBetween(const stipple::Atlas& atlas, const DensityField& density,
     quads.samples[i].kind = isFixed ? placed.samples[i].kind : quads.samples[i].kind;
   }
   triangles = mesh.triangles();
-  quads.chains = mesh.chainIds();
+  quads.chains = idsOf(mesh.chains());
   quads.numberOfSimplifiedFeatures = mesh.numberOfSimplifiedFeatures();
   return status;
 }

@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -47,23 +48,48 @@ void addHierarchy(const stipple::SubdividedMesh& mesh, vtkPolyData* data)
 }
 }
 
+vtkSemiRegularSubdivision::vtkSemiRegularSubdivision()
+{
+  this->SetNumberOfInputPorts(4); // with feature lines
+}
+
+int vtkSemiRegularSubdivision::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  if (port == 3)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  return 1;
+}
+
 stipple::Status vtkSemiRegularSubdivision::MakeMesh(stipple::MeshRequest& request)
 {
+  const stipple::FeatureGraph& graph = request.atlas.graph();
+  auto* lines = vtkPolyData::SafeDownCast(this->GetInputDataObject(3, 0));
   stipple::TriangleSurface given;
   stipple::SubdividedMesh mesh;
+  std::vector<std::vector<int>> chains;
   stipple::Status status = stipple::readPolyData(request.given, given);
-  if (status.ok())
+  if (status.ok() && lines)
   {
-    status = stipple::subdivideSemiRegularly(request.atlas, request.samples, given.triangles,
-      this->NumberOfSubdivisions, this->NumberOfIterations, mesh, request.progress);
+    status = stipple::readFeatureLines(lines, graph, request.given->GetNumberOfPoints(), chains);
+  }
+  else
+  {
+    chains = stipple::backboneChains(graph, request.samples);
   }
   if (status.ok())
   {
-    const stipple::FeatureGraph& graph = request.atlas.graph();
+    status = stipple::subdivideSemiRegularly(request.atlas, request.samples, given.triangles,
+      chains, this->NumberOfSubdivisions, this->NumberOfIterations, mesh, request.progress);
+  }
+  if (status.ok())
+  {
     request.mesh->ShallowCopy(stipple::meshToPolyData(request.atlas, mesh.samples, mesh.triangles));
     addHierarchy(mesh, request.mesh);
-    request.lines->ShallowCopy(stipple::featureLines(
-      graph, stipple::backboneChains(graph, mesh.samples), request.mesh, false));
+    request.lines->ShallowCopy(
+      stipple::featureLines(graph, stipple::idsOf(mesh.chains), request.mesh, false));
   }
   return status;
 }

@@ -13,7 +13,10 @@
  * Input ports:
  * - 0: the base mesh, a vtkPolyData (vtkRemeshOptimizer or vtkCDTRemesh, port 0) with its arrays;
  * - 1: charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas, port 0);
- * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1).
+ * - 2: feature graph, a vtkPolyData (vtkConformalAtlas, port 1);
+ * - 3 (optional): the base mesh's edges along sharp and boundary backbones, a vtkPolyData
+ *   (vtkRemeshOptimizer or vtkCDTRemesh, port 1). Needed where the optimiser has simplified
+ *   features; without it every backbone has edges from each of its samples to the next.
  *
  * Output ports, both vtkPolyData:
  * - 0: the mesh, with the arrays that vtkCDTRemesh writes, and for points `SubdivisionLevel` (int,
@@ -56,9 +59,10 @@ public:
   ///@}
 
 protected:
-  vtkSemiRegularSubdivision() = default;
+  vtkSemiRegularSubdivision();
   ~vtkSemiRegularSubdivision() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:

@@ -152,9 +152,10 @@ struct vtkGeometryRemesher::Internals
   int Points = 0;             ///< asked for now: NumberOfPoints, or one that is tried
   double ProgressFrom = 0;    ///< of this trial in the whole
   double ProgressTo = 1;
-  bool MayGrow = true;    ///< sizes may; a mesh that is wrong is tried again without
-  bool IsUnsound = false; ///< a mesh was made, and not sound: what would be is not known
-  bool Stopped = false;   ///< the last execution was, so that its outputs are not up to date
+  bool MayGrow = true;        ///< sizes may; a mesh that is wrong is tried again without
+  double ToleranceScale = 1.; ///< of features that the optimiser simplifies
+  bool IsUnsound = false;     ///< a mesh was made, and not sound: what would be is not known
+  bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
   std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
 
@@ -186,6 +187,7 @@ struct vtkGeometryRemesher::Internals
     this->Subdivider->SetInputConnection(0, this->Optimizer->GetOutputPort(0));
     this->Subdivider->SetInputConnection(1, charts);
     this->Subdivider->SetInputConnection(2, graph);
+    this->Subdivider->SetInputConnection(3, this->Optimizer->GetOutputPort(1));
     this->Observer->SetClientData(this);
     this->Observer->SetCallback(&Internals::execute);
     for (vtkAlgorithm* stage : this->InOrder)
@@ -530,7 +532,7 @@ bool vtkGeometryRemesher::RunStages()
     s.QuadMesher->SetFeatureTolerance(s.Optimizer->GetFeatureTolerance());
     return this->RunStage(QuadMeshing);
   }
-  s.Optimizer->SetKeepBackbones(this->Pattern == SEMIREGULAR);
+  s.Optimizer->SetFeatureToleranceScale(s.ToleranceScale);
   return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
 }
 
@@ -585,6 +587,12 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
 {
   Internals& s = *this->Stages;
   s.MayGrow = true;
+  // Features of a base mesh may move as far as the mesh that it is subdivided to is fine; if no
+  // sound one comes of that, as far as the base mesh is fine, or not at all.
+  const int splits = this->Pattern == SEMIREGULAR ? s.Subdivider->GetNumberOfSubdivisions() : 0;
+  s.ToleranceScale = std::pow(0.5, splits);
+  std::vector<double> otherScales =
+    splits > 0 ? std::vector<double>{ 0., 1. } : std::vector<double>();
   int level = 0;
   s.IsUnsound = false;
   stipple::Status status = stipple::Status::success(); // of the mesh before
@@ -624,6 +632,13 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     {
       return true;
     }
+    if (!status.isAbort() && !otherScales.empty())
+    {
+      s.ToleranceScale = otherScales.back();
+      otherScales.pop_back();
+      continue;
+    }
+    s.ToleranceScale = std::pow(0.5, splits);
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))
     {

@@ -516,7 +516,7 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
 {
   const auto t = meshes::patch(8);
   FailedEmbeddings failed;
-  EXPECT_EQ(unfold(t->edit, failed), 0) << "nothing to undo";
+  EXPECT_EQ(unfold(t->edit, true, failed), 0) << "nothing to undo";
   t->edit.put(Vertex(40), t->pointAt(0.8, 0.5)); // far out of its ring
   t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
   std::vector<Face> folded;
@@ -533,7 +533,7 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
   int looks = 0;
   const auto nothing = [&](FailedEmbeddings& known) {
     return embedAbout(
-      t->edit, folded, 2, known, [&](const std::vector<Face>&) { return ++looks; },
+      t->edit, folded, 2, true, known, [&](const std::vector<Face>&) { return ++looks; },
       [](int, int) { return false; });
   };
   FailedEmbeddings inVain;
@@ -547,7 +547,7 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
   EXPECT_TRUE(nothing(inVain).empty());
   EXPECT_GT(looks, 0) << "but where something moved";
   t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
-  EXPECT_EQ(unfold(t->edit, failed), 1);
+  EXPECT_EQ(unfold(t->edit, true, failed), 1);
   EXPECT_GT(worstOf(t->mesh), 0.3);
 }
 
@@ -562,8 +562,8 @@ TEST(LocalEmbedding, DoesNotLeaveAPocket)
     });
     const std::vector<Vertex> vertices = withRings(t->mesh, { Vertex(40) }, 2);
     const meshes::Snapshot before(t->mesh);
-    const bool isKept =
-      t->edit.attempt([&]() { return embed(t->edit, vertices, facesAbout(t->mesh, vertices)); });
+    const bool isKept = t->edit.attempt(
+      [&]() { return embed(t->edit, vertices, facesAbout(t->mesh, vertices), true); });
     EXPECT_EQ(isKept, depth < 0.1) << depth;
     EXPECT_EQ(meshes::Snapshot(t->mesh) == before, depth > 0.1) << depth;
     EXPECT_NEAR(t->mesh.position(Vertex(40)).z(), -depth, 0.1 * depth);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Quads on lattices of the charts' planes, and base meshes split 1 to 4.
+#include "MeshCreation.h"
 #include "OptimizerMeshes.h"
 #include "QuadPattern.h"
 #include "SemiRegularSubdivision.h"
@@ -22,6 +23,11 @@ std::unique_ptr<meshes::TestMesh> rectangle(const Vec2& extent, int n = 8)
 Vec3 positionOf(const Atlas& atlas, const Sample& s)
 {
   return atlas.surface().position(s.face, s.bary);
+}
+
+std::vector<std::vector<int>> chainsOf(const meshes::TestMesh& t)
+{
+  return backboneChains(t.atlas->graph(), t.samples);
 }
 
 /// V - E + F of polygons, each edge of which is met once from either side at most.
@@ -334,7 +340,8 @@ TEST(SemiRegular, TrianglesAreSplitInFourAtTheMiddles)
 {
   const auto t = meshes::patch(3);
   SubdividedMesh mesh;
-  ASSERT_TRUE(subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 2, 0, mesh, {}).ok());
+  ASSERT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, chainsOf(*t), 2, 0, mesh, {}).ok());
   // 3 x 3 squares become 12 x 12.
   ASSERT_EQ(mesh.samples.size(), 13U * 13U);
   ASSERT_EQ(mesh.triangles.size(), 2U * 12U * 12U);
@@ -384,7 +391,8 @@ TEST(SemiRegular, NoLevelsAreTheBaseMesh)
 {
   const auto t = meshes::patch(2);
   SubdividedMesh mesh;
-  ASSERT_TRUE(subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 0, 5, mesh, {}).ok());
+  ASSERT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, chainsOf(*t), 0, 5, mesh, {}).ok());
   EXPECT_EQ(mesh.triangles, t->triangles);
   EXPECT_EQ(mesh.samples.size(), t->samples.size());
   EXPECT_EQ(mesh.baseTriangle[5], 5);
@@ -407,7 +415,8 @@ TEST(SemiRegular, MiddlesOnAClosedCreaseAreMeasuredAlongIt)
   t->samples = synthetic::sample(t->atlas->surface(), t->atlas->graph(), t->atlas->traces(), 150);
   ASSERT_TRUE(createMesh(*t->atlas, t->samples, t->triangles, {}).ok());
   SubdividedMesh mesh;
-  ASSERT_TRUE(subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 1, 0, mesh, {}).ok());
+  ASSERT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, chainsOf(*t), 1, 0, mesh, {}).ok());
   const double length = t->atlas->traces()[4].length();
   EXPECT_NEAR(length, 2., 1e-12);
   int middles = 0;
@@ -443,7 +452,8 @@ TEST(SemiRegular, LevelsAreRelaxedOnTheSurface)
 {
   const auto t = meshes::cube(60, true);
   const auto subdivide = [&](int rounds, SubdividedMesh& mesh) {
-    return subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 2, rounds, mesh, {});
+    return subdivideSemiRegularly(
+      *t->atlas, t->samples, t->triangles, chainsOf(*t), 2, rounds, mesh, {});
   };
   SubdividedMesh still;
   SubdividedMesh relaxed;
@@ -471,19 +481,74 @@ TEST(SemiRegular, LevelsAreRelaxedOnTheSurface)
   EXPECT_GT(smallestAngle(relaxed), smallestAngle(still) + 0.08);
   int asked = 0;
   SubdividedMesh stopped;
-  EXPECT_TRUE(
-    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 3, 0, stopped, [&](double) {
+  EXPECT_TRUE(subdivideSemiRegularly(
+    *t->atlas, t->samples, t->triangles, chainsOf(*t), 3, 0, stopped, [&](double) {
       return ++asked < 2;
     }).isAbort());
   EXPECT_EQ(stopped.triangles.size(), 4U * t->triangles.size()) << "after one level";
   asked = 0;
   double told = 0;
-  EXPECT_TRUE(
-    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, 3, 10, stopped, [&](double done) {
+  EXPECT_TRUE(subdivideSemiRegularly(
+    *t->atlas, t->samples, t->triangles, chainsOf(*t), 3, 10, stopped, [&](double done) {
       EXPECT_GE(done, told);
       told = done;
       return ++asked < 6;
     }).isAbort());
   EXPECT_EQ(asked, 6);
   EXPECT_EQ(stopped.triangles.size(), 4U * t->triangles.size()) << "amid the rounds of a level";
+}
+
+TEST(SemiRegular, WhereAFeatureLeavesItsBackboneMiddlesDoNotGoBackToIt)
+{
+  // Along one side of a patch of 3 x 3 squares, whose samples are not on the backbone any more.
+  const auto t = meshes::patch(3);
+  const auto chains = chainsOf(*t);
+  const auto isInside = [&](int v) { return t->samples[v].kind == SampleKind::Backbone; };
+  std::set<int> moved;
+  for (const int v : chains[0])
+  {
+    if (isInside(v))
+    {
+      Sample& s = t->samples[v];
+      const SurfacePlace place = t->atlas->walk().walk(
+        { s.face, s.bary }, 0.1 * (Vec3(0.5, 0.5, 0) - positionOf(*t->atlas, s)));
+      s = { SampleKind::Interior, place.face, place.bary, -1, 0., -1 };
+      moved.insert(v);
+    }
+  }
+  ASSERT_EQ(moved.size(), 2U);
+  SubdividedMesh mesh;
+  ASSERT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, chains, 2, 0, mesh, {}).ok());
+  ASSERT_EQ(mesh.chains[0].size(), 4 * (chains[0].size() - 1) + 1);
+  double before = -1;
+  int off = 0;
+  for (const BackboneVertex& v : mesh.chains[0])
+  {
+    EXPECT_GT(v.arcLength, before) << "in order";
+    before = v.arcLength;
+    const auto [a, b] = mesh.parents[v.vertex.index()];
+    if (a < 0)
+    {
+      continue;
+    }
+    const Sample& s = mesh.samples[v.vertex.index()];
+    const Vec3 middle =
+      0.5 * (positionOf(*t->atlas, mesh.samples[a]) + positionOf(*t->atlas, mesh.samples[b]));
+    EXPECT_LT((positionOf(*t->atlas, s) - middle).norm(), 1e-12);
+    EXPECT_EQ(s.kind, SampleKind::Interior) << "every piece has an end that is off";
+    ++off;
+  }
+  EXPECT_EQ(off, 9);
+  // Relaxed, what was simplified stays, and what is new is free to go.
+  SubdividedMesh relaxed;
+  ASSERT_TRUE(
+    subdivideSemiRegularly(*t->atlas, t->samples, t->triangles, chains, 2, 10, relaxed, {}).ok());
+  for (const int v : moved)
+  {
+    EXPECT_LT(
+      (positionOf(*t->atlas, relaxed.samples[v]) - positionOf(*t->atlas, t->samples[v])).norm(),
+      1e-12);
+  }
+  EXPECT_EQ(idsOf(relaxed.chains), idsOf(mesh.chains));
 }

@@ -7,9 +7,11 @@
 #include "vtkAtlasMeshAlgorithm.h"
 #include "vtkCDTRemesh.h"
 #include "vtkCellArray.h"
+#include "vtkExecutive.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkSemiRegularSubdivision.h"
+#include "vtkTestErrorObserver.h"
 
 #include <set>
 
@@ -23,6 +25,19 @@ void connect(vtkAtlasMeshAlgorithm* filter, synthetic::MadeAtlas& atlas, vtkPoly
   filter->SetInputData(0, input);
   filter->SetInputData(1, atlas.charts.Get());
   filter->SetInputData(2, atlas.graphData);
+}
+
+/// What a filter says when it is updated and fails.
+std::string errorOf(vtkAlgorithm* filter)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTest::ErrorObserver> executives;
+  const auto id = filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto executivesId = filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executives);
+  filter->Update();
+  filter->RemoveObserver(id);
+  filter->GetExecutive()->RemoveObserver(executivesId);
+  return observer->GetErrorMessage();
 }
 
 /// Every point's position is that of its place on the surface, and its attributes are.
@@ -104,6 +119,22 @@ void checkSubdivision()
   check(baseCell->GetRange()[0] == 0 && baseCell->GetRange()[1] == base->GetNumberOfPolys() - 1,
     "subdivision: base cells");
   check(subdivision->GetOutput(1)->GetNumberOfLines() == 12, "subdivision: the cube's edges");
+  const TriangleSurface without = fromPolyData(mesh);
+  subdivision->SetInputData(3, optimizer->GetOutput(1));
+  subdivision->Update();
+  check(fromPolyData(subdivision->GetOutput(0)).points == without.points,
+    "subdivision: lines where nothing was simplified say nothing new");
+  vtkNew<vtkPolyData> lines;
+  lines->DeepCopy(optimizer->GetOutput(1));
+  lines->GetCellData()->GetArray("BackboneId")->SetComponent(3, 0, 1e6);
+  subdivision->SetInputData(3, lines);
+  check(errorOf(subdivision).find("BackboneId of line 3") != std::string::npos,
+    "subdivision: a backbone that is none");
+  lines->GetCellData()->GetArray("BackboneId")->SetComponent(3, 0, 2.);
+  lines->Modified();
+  check(errorOf(subdivision).find("two lines of backbone 2") != std::string::npos,
+    "subdivision: a backbone twice");
+  subdivision->RemoveAllInputConnections(3);
   subdivision->SetNumberOfSubdivisions(0);
   subdivision->Update();
   check(subdivision->GetOutput(0)->GetNumberOfPoints() == n, "subdivision: none");

@@ -16,6 +16,7 @@ maps = simple.GeometryMapRenderer(Input=atlas)
 control = simple.ControlMap(Input=maps, **behind)
 sampler = simple.ErrorDiffusionSampler(Input=control, **behind)
 mesher = simple.CDTRemesh(Input=sampler, **behind)
+optimizer = simple.RemeshOptimizer(Input=mesher, Control=control, **behind)
 made = [
     simple.GeometryRemesher(Input=model),
     simple.GeometryRemesherInBlocks(Input=model),
@@ -24,9 +25,10 @@ made = [
     control,
     sampler,
     mesher,
-    simple.RemeshOptimizer(Input=mesher, Control=control, **behind),
+    optimizer,
     simple.QuadRemesh(Input=sampler, Control=control, **behind),
-    simple.SemiRegularSubdivision(Input=mesher, **behind),
+    simple.SemiRegularSubdivision(
+        Input=optimizer, FeatureLines=simple.OutputPort(optimizer, 1), **behind),
     simple.SurfaceQuality(Input=mesher, Reference=model),
 ]
 inputs = {
