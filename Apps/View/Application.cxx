@@ -59,6 +59,7 @@ void Application::openWindow()
 {
   this->Interactor->Initialize();
   setLeastSize(this->Window.window(), LeastWidth, LeastHeight);
+  setTitle(this->Window.window(), this->Window.window()->GetWindowName());
   this->Now->resize(); // a window manager may have given another size
   vtkNew<vtkCallbackCommand> timer;
   timer->SetClientData(this);

@@ -100,6 +100,26 @@ void setLeastSize(vtkRenderWindow* window, int width, int height)
 #endif
 }
 
+void setTitle(vtkRenderWindow* window, const std::string& title)
+{
+  window->SetWindowName(title.c_str());
+#if defined(__linux__)
+  auto* display = static_cast<Display*>(window->GetGenericDisplayId());
+  const auto id = reinterpret_cast<Window>(window->GetGenericWindowId());
+  if (!display || !id)
+  {
+    return;
+  }
+  // Of the Extended Window Manager Hints.
+  for (const char* name : { "_NET_WM_NAME", "_NET_WM_ICON_NAME" })
+  {
+    XChangeProperty(display, id, XInternAtom(display, name, False),
+      XInternAtom(display, "UTF8_STRING", False), 8, PropModeReplace,
+      reinterpret_cast<const unsigned char*>(title.data()), static_cast<int>(title.size()));
+  }
+#endif
+}
+
 std::string clipboardText()
 {
   std::string text;

@@ -22,6 +22,10 @@ namespace stipple
 /// Window managers let the user make an open window no smaller than this, in pixels.
 void setLeastSize(vtkRenderWindow* window, int width, int height);
 
+/// What window managers write over a window, UTF-8, now and once it is open: VTK tells them no
+/// letters beyond Latin-1.
+void setTitle(vtkRenderWindow* window, const std::string& title);
+
 /// What was copied last in this or another program, UTF-8; empty if it is no text, or who has it
 /// does not answer within two seconds.
 [[nodiscard]] std::string clipboardText();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerWindow.h"
 
+#include "Display.h"
 #include "SceneActors.h"
 
 #include "vtkActor.h"
@@ -57,7 +58,7 @@ ViewerWindow::~ViewerWindow() = default;
 
 void ViewerWindow::setTitle(const std::string& name)
 {
-  this->Window->SetWindowName((name.empty() ? "stipple" : name + " - stipple").c_str());
+  stipple::setTitle(this->Window, name.empty() ? "stipple" : name + " - stipple");
 }
 
 vtkRenderer* ViewerWindow::renderer(Part part)

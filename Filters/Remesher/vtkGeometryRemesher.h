@@ -192,7 +192,10 @@ public:
   /// FeatureTolerance of the optimizer); one open chart may become a grid of quads of at most
   /// NumberOfPoints points. SEMIREGULAR: the optimised mesh of
   /// NumberOfPoints points is the base mesh, and all its triangles are split 1 to 4
-  /// NumberOfSubdivisions times (see vtkSemiRegularSubdivision). The default is TRIANGLES.
+  /// NumberOfSubdivisions times (see vtkSemiRegularSubdivision). The optimizer's FeatureTolerance
+  /// is one of the last level's edges then: features stay apart as far as these can tell them
+  /// apart. Where no sound mesh comes of that, it is one of the base mesh's edges, or nothing may
+  /// move. The default is TRIANGLES.
   vtkSetClampMacro(Pattern, int, TRIANGLES, SEMIREGULAR);
   vtkGetMacro(Pattern, int);
   void SetPatternToTriangles() { this->SetPattern(TRIANGLES); }

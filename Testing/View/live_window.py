@@ -186,9 +186,15 @@ class LiveWindow:
 
     def title(self):
         """What window managers write over the window."""
-        name = ctypes.c_char_p()
-        X11.XFetchName(self.display, ctypes.c_ulong(self.window()), ctypes.byref(name))
-        return name.value.decode()
+        atom = [ctypes.c_ulong(X11.XInternAtom(self.display, name, 0)) for name in (b"_NET_WM_NAME", b"UTF8_STRING")]
+        kind, size, count, left = ctypes.c_ulong(), ctypes.c_int(), ctypes.c_ulong(), ctypes.c_ulong()
+        text = ctypes.c_char_p()
+        most = ctypes.c_long(1000)  # of four bytes
+        X11.XGetWindowProperty(
+            self.display, ctypes.c_ulong(self.window()), atom[0], ctypes.c_long(0), most, 0, atom[1],
+            *map(ctypes.byref, (kind, size, count, left, text)),
+        )  # fmt: skip
+        return text.value.decode()
 
     def status_rows(self):
         """Of the status line, which is as much smaller or larger as the window is: Layout."""

@@ -107,7 +107,7 @@ class Files(ViewTest):
 
     def test_files_are_dropped(self):
         """Whatever is in their names; what cannot be read leaves what is open."""
-        second = self.work / "a second one, 100 %.off"
+        second = self.work / "größer – 二 100 %.off"
         shutil.copyfile(FANDISK, second)
         with LiveWindow(VIEW, self.work / "part.off", "--points", 300) as window:
             before = window.settle()
