@@ -157,7 +157,7 @@ void Viewer::connect()
     auto* files = static_cast<vtkStringArray*>(names);
     if (files && files->GetNumberOfValues() > 0)
     {
-      static_cast<Viewer*>(self)->askToOpen(files->GetValue(0));
+      static_cast<Viewer*>(self)->takeDropped(files->GetValue(0));
     }
   });
   observe(vtkCommand::ConfigureEvent, [](vtkObject*, unsigned long, void* self, void*) {

@@ -101,6 +101,8 @@ public:
   void askToQuit();
   /// Opens another file; asks first likewise.
   void askToOpen(const std::string& file);
+  /// Makes a picture the importance, and opens what is none.
+  void takeDropped(const std::string& file);
 
   // Commands
   void edit(const std::function<void(Session&)>& change, bool rests) override;
@@ -179,6 +181,7 @@ private:
   void giveUpReading();
   /// Whether there is paint, points, edges or a curve that is in no session's file.
   [[nodiscard]] bool hasHandMade() const;
+  void takePicture(const std::string& file);
   /// Does it, after a question if there is unsaved work. `title` is the question, `opened` a file
   /// that is read then.
   void askFirst(const std::string& title, const std::string& answer,

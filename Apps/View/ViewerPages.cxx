@@ -29,6 +29,14 @@ namespace
 constexpr int MostRecent = 6;
 /// What is made by hand, and would have to be made by hand again.
 constexpr const char* HandMade[] = { "strokes", "constraints", "feature_edges", "transfer" };
+
+/// Of files that readImage() reads.
+const std::vector<std::string>& pictureExtensions()
+{
+  static const std::vector<std::string> extensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
+    ".bmp", ".vti" };
+  return extensions;
+}
 }
 
 void Viewer::show(std::shared_ptr<Page> page)
@@ -313,27 +321,44 @@ void Viewer::choosePicture()
 {
   FileChooser::Wish wish;
   wish.title = "A picture as the importance";
-  wish.endings = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".vti" };
+  wish.endings = pictureExtensions();
   wish.begin = std::filesystem::absolute(this->Files.mesh).parent_path();
   this->show(std::make_shared<FileChooser>(
-    std::move(wish),
-    [this](const std::string& file) {
-      this->closePage();
-      vtkSmartPointer<vtkImageData> image;
-      if (const Status status = readImage(file, image); !status.ok())
-      {
-        this->say(status.message(), true);
-        return;
-      }
-      this->Pictures[file] = image;
-      this->edit(
-        [&file](Session& s) {
-          s.set("importance_image", file);
-          s.set("importance", std::string("image"));
-        },
-        true);
-    },
+    std::move(wish), [this](const std::string& file) { this->takePicture(file); },
     [this] { this->closePage(); }));
+}
+
+void Viewer::takePicture(const std::string& file)
+{
+  this->closePage();
+  vtkSmartPointer<vtkImageData> image;
+  if (const Status status = readImage(file, image); !status.ok())
+  {
+    this->say(status.message(), true);
+    return;
+  }
+  this->Pictures[file] = image;
+  this->edit(
+    [&file](Session& s) {
+      s.set("importance_image", file);
+      s.set("importance", std::string("image"));
+    },
+    true);
+}
+
+void Viewer::takeDropped(const std::string& file)
+{
+  const std::vector<std::string>& pictures = pictureExtensions();
+  const bool isPicture =
+    std::find(pictures.begin(), pictures.end(), fileExtension(file)) != pictures.end();
+  if (isPicture && !this->Starts)
+  {
+    this->takePicture(file);
+  }
+  else
+  {
+    this->askToOpen(file);
+  }
 }
 
 void Viewer::quit()

@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 import pictures
 from live_window import STATUS_ROWS, LiveWindow
 from stipple_program import CUBE, LIMIT, MODELS, VIEW, mesh_check, run
-from view_program import FANDISK, ViewTest
+from view_program import FANDISK, HERE, ViewTest
 
 
 
@@ -119,6 +119,18 @@ class Files(ViewTest):
             while not window.title().startswith(second.name) and time.monotonic() < end:
                 time.sleep(0.05)
             self.assertTrue(window.title().startswith(second.name), window.title())
+
+    def test_a_picture_that_is_dropped_is_the_importance(self):
+        picture = self.work / "bright.png"
+        shutil.copyfile(HERE.parent / "Data" / "Baseline" / "GeometryMaps.png", picture)
+        session = self.work / "mine.json"
+        with LiveWindow(VIEW, self.work / "part.off", "--points", 300, "--save-session", session) as window:
+            before = window.settle()
+            window.drop(picture)
+            before = window.settle(after=before)
+            window.key("Control_L+j")
+            window.settle(after=before)
+        self.assertEqual(json.loads(session.read_text())["importance_image"], str(picture))
 
     def test_the_way_up_shows_where_it_came_from(self):
         (self.work / "above").mkdir()
