@@ -28,6 +28,14 @@ constexpr double OnEdge = 1e-9;
 /// Distance from a backbone, over the length of an edge, up to which a vertex is on it: rounding.
 constexpr double OnBackbone = 1e-6;
 
+Sample sampleAt(const SurfacePlace& place)
+{
+  Sample sample;
+  sample.face = place.face;
+  sample.bary = place.bary;
+  return sample;
+}
+
 /// The place that walks from one end of an edge reach that come nearest to the middle of the chord,
 /// across creases only where all others end far from it: the edge leads across one.
 SurfacePlace middleOf(const Atlas& atlas, const SurfacePlace& from, const SurfacePlace& to)
@@ -192,21 +200,14 @@ Sample middleOnBackbone(const Atlas& atlas, int backbone, double arcLength, doub
     return (surface.position(ends[k].face, ends[k].bary) - surface.position(there.face, there.bary))
              .norm() <= OnBackbone * piece;
   };
-  Sample sample;
-  SurfacePlace place;
-  if (isOnIt(0) && isOnIt(1))
+  if (!isOnIt(0) || !isOnIt(1))
   {
-    sample.kind = SampleKind::Backbone;
-    sample.backbone = backbone;
-    sample.arcLength = arcLength;
-    place = atlas.placeOfBackbone(backbone, arcLength);
+    return sampleAt(middleOf(atlas, ends[0], ends[1]));
   }
-  else
-  {
-    place = middleOf(atlas, ends[0], ends[1]);
-  }
-  sample.face = place.face;
-  sample.bary = place.bary;
+  Sample sample = sampleAt(atlas.placeOfBackbone(backbone, arcLength));
+  sample.kind = SampleKind::Backbone;
+  sample.backbone = backbone;
+  sample.arcLength = arcLength;
   return sample;
 }
 
@@ -281,12 +282,7 @@ void splitOnce(const Atlas& atlas, int level, SubdividedMesh& mesh)
     return splits.vertexOf(a, b, [&]() {
       const Sample& first = mesh.samples[std::min(a, b)];
       const Sample& second = mesh.samples[std::max(a, b)];
-      const SurfacePlace place =
-        middleOf(atlas, { first.face, first.bary }, { second.face, second.bary });
-      Sample sample;
-      sample.face = place.face;
-      sample.bary = place.bary;
-      return sample;
+      return sampleAt(middleOf(atlas, { first.face, first.bary }, { second.face, second.bary }));
     });
   };
   std::vector<Triangle> triangles;

@@ -590,7 +590,8 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   // Features of a base mesh may move as far as the mesh that it is subdivided to is fine; if no
   // sound one comes of that, as far as the base mesh is fine, or not at all.
   const int splits = this->Pattern == SEMIREGULAR ? s.Subdivider->GetNumberOfSubdivisions() : 0;
-  s.ToleranceScale = std::pow(0.5, splits);
+  const double finest = std::pow(0.5, splits);
+  s.ToleranceScale = finest;
   std::vector<double> otherScales =
     splits > 0 ? std::vector<double>{ 0., 1. } : std::vector<double>();
   int level = 0;
@@ -638,7 +639,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
       otherScales.pop_back();
       continue;
     }
-    s.ToleranceScale = std::pow(0.5, splits);
+    s.ToleranceScale = finest;
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (status.isAbort() || (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue()))
     {
