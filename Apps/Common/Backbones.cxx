@@ -96,13 +96,19 @@ vtkSmartPointer<vtkPolyData> creasesTo(vtkPolyData* lines, vtkPolyData* samples,
   {
     return backbonesOfType(lines, Sharp);
   }
-  vtkDataArray* widths = lines ? lines->GetCellData()->GetArray("Width") : nullptr;
+  const auto lengths = [&](const char* name) {
+    return lines ? lines->GetCellData()->GetArray(name) : nullptr;
+  };
+  vtkDataArray* widths = lengths("Width");
+  vtkDataArray* pitches = lengths("Pitch");
   const std::vector<double> edges =
-    samples && widths ? edgesOnBackbones(lines, samples) : std::vector<double>();
+    samples && (widths || pitches) ? edgesOnBackbones(lines, samples) : std::vector<double>();
   return selectedBackbones(lines, [&](vtkIdType cell) {
-    const double edge = edges.empty() ? 0. : edges[cell - lines->GetNumberOfVerts()];
+    Backbone backbone;
+    backbone.width = widths ? widths->GetComponent(cell, 0) : 0.;
+    backbone.pitch = pitches ? pitches->GetComponent(cell, 0) : 0.;
     return isOfType(lines, Sharp, cell) &&
-      (!widths || widths->GetComponent(cell, 0) <= Backbone::WidthOfCrease * edge);
+      backbone.isCreaseTo(edges.empty() ? 0. : edges[cell - lines->GetNumberOfVerts()]);
   });
 }
 }

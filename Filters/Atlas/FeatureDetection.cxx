@@ -4,6 +4,8 @@
 
 #include "ParallelFor.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,7 @@ struct Edge
   int b;
   bool strong;
   bool joint;
+  bool isRipple = false; ///< a ridge or a groove of a corrugation
 };
 
 /// The bounding box's diagonal; of slender surfaces, which are far longer than what is on them, 16
@@ -105,6 +108,28 @@ public:
           queue.push_back(best);
         }
       }
+    }
+  }
+
+  /// Of what is accepted.
+  void findCorrugations()
+  {
+    const CorrugationOptions options = corrugationOptions(this->Surface, this->Options);
+    const FaceNormals normals = faceNormalsOf(this->Surface);
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(this->Edges.size()), [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType e = begin; e < end; ++e)
+        {
+          Edge& edge = this->Edges[e];
+          edge.isRipple = this->Accepted[e] != 0 &&
+            std::isfinite(pitchAt(this->Surface, normals, Halfedge(edge.halfedge), options));
+        }
+      });
+    this->IsRipple.assign(this->Surface.twin.size(), 0);
+    for (const Edge& edge : this->Edges)
+    {
+      this->IsRipple[edge.halfedge] = this->IsRipple[this->Surface.twin[edge.halfedge]] =
+        edge.isRipple ? 1 : 0;
     }
   }
 
@@ -256,7 +281,7 @@ private:
     {
       for (int wing : { nextHalfedge(side), previousHalfedge(side) })
       {
-        if (!this->IsCandidate[wing])
+        if (!this->IsCandidate[wing] && (this->IsRipple[wing] == 0 || this->Edges[e].isRipple))
         {
           sum += this->Dihedral[wing];
           ++count;
@@ -284,8 +309,10 @@ private:
       int valence = 0;
       for (int other : this->At[p])
       {
-        valence += this->Accepted[other];
-        if (this->Accepted[other] && other != e)
+        const bool counts =
+          this->Accepted[other] != 0 && this->Edges[other].isRipple == this->Edges[e].isRipple;
+        valence += counts;
+        if (counts && other != e)
         {
           next = other;
         }
@@ -326,6 +353,7 @@ private:
   std::vector<std::vector<int>> At; // edges at every point
   std::vector<char> Accepted;
   std::vector<char> IsCandidate; // by halfedge
+  std::vector<char> IsRipple;    // by halfedge
 };
 }
 
@@ -338,6 +366,7 @@ void detectFeatures(
   }
   Candidates candidates(surface, options, joints);
   candidates.acceptWithHysteresis();
+  candidates.findCorrugations();
   // Dropping a chain joins others at its ends; a few rounds settle it.
   for (int round = 0; round < 8 && candidates.dropIndistinctChains(); ++round)
   {
@@ -366,6 +395,12 @@ RoundedEdgeOptions roundedEdgeOptions(
   result.minimumLength = options.longLength * size;
   result.shortestBranch = options.minimumLength * size;
   return result;
+}
+
+CorrugationOptions corrugationOptions(
+  const CutSurface& surface, const FeatureDetectionOptions& options)
+{
+  return { options.angle, options.widestPitch * sizeOf(surface) };
 }
 
 std::vector<int> findTips(const CutSurface& surface, const FeatureDetectionOptions& options)

@@ -4,6 +4,7 @@
 #ifndef stipple_FeatureDetection_h
 #define stipple_FeatureDetection_h
 
+#include "Corrugations.h"
 #include "CutSurface.h"
 #include "RoundedEdges.h"
 
@@ -24,6 +25,8 @@ struct FeatureDetectionOptions
                                   ///< on in between
   double roundedWidth = 0.02; ///< of the widest band that is taken for a crease that was rounded
                               ///< off, as a fraction of the diagonal; 0: none
+  double widestPitch = 0.1; ///< of a corrugation that is looked for, as a fraction of the diagonal:
+                            ///< an edge of a mesh of a few hundred points
 };
 
 /// Marks the sharp edges of the surface, and those of joints, by one of their halfedges, where
@@ -34,6 +37,10 @@ STIPPLEFILTERSATLAS_EXPORT void detectFeatures(CutSurface& surface,
 
 /// How creases that are rounded off are found on a surface.
 STIPPLEFILTERSATLAS_EXPORT RoundedEdgeOptions roundedEdgeOptions(
+  const CutSurface& surface, const FeatureDetectionOptions& options);
+
+/// How corrugations are.
+STIPPLEFILTERSATLAS_EXPORT CorrugationOptions corrugationOptions(
   const CutSurface& surface, const FeatureDetectionOptions& options);
 
 /// Points at the tip of a cone: those without a sharp or boundary edge whose angle defect is that

@@ -3,6 +3,7 @@
 #include "RoundedEdges.h"
 
 #include "ParallelFor.h"
+#include "SurfaceSection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,118 +16,6 @@ namespace stipple
 {
 namespace
 {
-using Normals = ElementArray<Face, Vec3>;
-
-/// Of unit length. Sections pass each face many times.
-Normals normalsOf(const CutSurface& surface)
-{
-  Normals normals(surface.faces().size());
-  parallelFor(surface.faces(), [&](Face f) { normals[f] = surface.faceNormal(f); });
-  return normals;
-}
-
-/// How a curve turns, by the distance along it from where it begins.
-struct Turn
-{
-  double distance;
-  double angle; ///< signed, radians
-};
-
-/// The section of the surface by the plane across an edge's middle.
-class Section
-{
-public:
-  Section(const CutSurface& surface, const Normals& normals, Halfedge edge)
-    : Surface(surface)
-    , NormalOf(normals)
-    , Middle(0.5 * (surface.point(surface.tail(edge)) + surface.point(surface.head(edge))))
-    , Along(surface.edge(edge).normalized())
-  {
-  }
-
-  /// Signed angle between the surface's normals in two faces, in the plane.
-  double turn(Face from, Face to) const
-  {
-    const Vec3& a = this->NormalOf[from];
-    const Vec3& b = this->NormalOf[to];
-    // The parts of both along the edge do not count.
-    const double sine = a.cross(b).dot(this->Along);
-    const double cosine = a.dot(b) - a.dot(this->Along) * b.dot(this->Along);
-    return std::atan2(sine, cosine);
-  }
-
-  /// One half of it, as far as it was followed.
-  class Walk
-  {
-  public:
-    /// Into the face of a halfedge of the section's edge.
-    Walk(const Section& section, Halfedge edge)
-      : Edge(edge)
-      , At(section.Middle)
-      , Next(edge)
-    {
-    }
-    const std::vector<Turn>& turns() const { return this->Turns; }
-    /// Goes on to that distance from the edge.
-    void follow(const Section& section, double reach)
-    {
-      const CutSurface& surface = section.Surface;
-      // Of the two other edges of a face one has ends on both sides; a closed section comes back to
-      // the edge, any other to a boundary: each face is passed once.
-      const auto most = static_cast<std::size_t>(surface.numberOfFaces());
-      while (!this->HasEnded && this->Turns.size() < most)
-      {
-        const Halfedge next = nextHalfedge(this->Next);
-        const bool isHeadInFront = section.height(surface.head(this->Next)) >= 0;
-        const bool isTopInFront = section.height(surface.head(next)) >= 0;
-        const Halfedge out = isTopInFront == isHeadInFront ? nextHalfedge(next) : next;
-        const Vec3 crossing = section.crossing(out);
-        const double distance = this->Distance + (crossing - this->At).norm();
-        if (distance > reach)
-        {
-          return;
-        }
-        this->Distance = distance;
-        this->At = crossing;
-        const Halfedge across = surface.twin[out];
-        this->HasEnded =
-          !across.valid() || section.isEnd(out) || across == this->Edge || out == this->Edge;
-        if (!this->HasEnded)
-        {
-          this->Turns.push_back({ distance, section.turn(faceOf(out), faceOf(across)) });
-          this->Next = across;
-        }
-      }
-    }
-
-  private:
-    Halfedge Edge;
-    Vec3 At;
-    double Distance = 0;
-    Halfedge Next; ///< of the face that it goes through next
-    bool HasEnded = false;
-    std::vector<Turn> Turns;
-  };
-
-private:
-  bool isEnd(Halfedge h) const { return this->Surface.isFeature(h) && !this->Surface.isRounded(h); }
-  double height(Vertex v) const { return (this->Surface.point(v) - this->Middle).dot(this->Along); }
-  Vec3 crossing(Halfedge h) const
-  {
-    const Vec3& a = this->Surface.point(this->Surface.tail(h));
-    const Vec3& b = this->Surface.point(this->Surface.head(h));
-    const double high = (a - this->Middle).dot(this->Along);
-    const double low = (b - this->Middle).dot(this->Along);
-    const double t = high == low ? 0.5 : std::clamp(high / (high - low), 0., 1.);
-    return a + t * (b - a);
-  }
-
-  const CutSurface& Surface;
-  const Normals& NormalOf;
-  const Vec3 Middle;
-  const Vec3 Along;
-};
-
 double sumUpTo(const std::vector<Turn>& turns, double distance)
 {
   double sum = 0;
@@ -151,12 +40,12 @@ double variationBetween(const std::vector<Turn>& turns, double from, double to)
 class Profile
 {
 public:
-  Profile(const CutSurface& surface, const Normals& normals, Halfedge edge,
+  Profile(const CutSurface& surface, const FaceNormals& normals, Halfedge edge,
     const RoundedEdgeOptions& options)
     : Options(options)
     , Angle(options.angle * Pi / 180)
-    , Across(surface, normals, edge)
-    , Own(this->Across.turn(faceOf(surface.twin[edge]), faceOf(edge)))
+    , Across(surface, normals, edge, SurfaceSection::Ends::AtFeatures)
+    , Own(this->Across.ownTurn())
     , Left(this->Across, edge)
     , Right(this->Across, surface.twin[edge])
   {
@@ -241,17 +130,17 @@ private:
 
   const RoundedEdgeOptions& Options;
   const double Angle;
-  const Section Across;
+  const SurfaceSection Across;
   const double Own;
-  Section::Walk Left;
-  Section::Walk Right;
+  SurfaceSection::Walk Left;
+  SurfaceSection::Walk Right;
 };
 
 /// Edges as a graph, grown without cycles that are short.
 class Lines
 {
 public:
-  Lines(const CutSurface& surface, const Normals& normals, std::vector<Halfedge> found,
+  Lines(const CutSurface& surface, const FaceNormals& normals, std::vector<Halfedge> found,
     const RoundedEdgeOptions& options)
     : Surface(surface)
     , Options(options)
@@ -496,7 +385,7 @@ void measureRoundedEdges(
     double width;
     double length;
   };
-  Normals normals; // few surfaces need them
+  FaceNormals normals; // few surfaces need them
   const ElementArray<Vertex, Halfedge> first = surface.vertexHalfedges();
   std::vector<std::vector<Measured>> edges(graph.backbones.size());
   std::map<int, std::vector<std::size_t>> ending; // backbones, by the points at their ends
@@ -513,7 +402,7 @@ void measureRoundedEdges(
       }
       if (normals.size() == 0)
       {
-        normals = normalsOf(surface);
+        normals = faceNormalsOf(surface);
       }
       edges[b].push_back({ Profile(surface, normals, h, options).width(), surface.edgeLength(h) });
     }
@@ -570,7 +459,7 @@ void measureRoundedEdges(
 
 std::vector<Halfedge> findRoundedEdges(const CutSurface& surface, const RoundedEdgeOptions& options)
 {
-  const Normals normals = normalsOf(surface);
+  const FaceNormals normals = faceNormalsOf(surface);
   ElementArray<Halfedge, char> isFound(surface.twin.size(), 0);
   // Where the surface is curved less than half as much as it is in such a band on the average,
   // there is no middle of one.

@@ -382,6 +382,7 @@ stipple::Status vtkConformalAtlas::Work::run(const stipple::Progress& progress)
 
   stipple::FeatureGraph graph = stipple::buildFeatureGraph(surface, this->Self->CornerAngle, tips);
   stipple::measureRoundedEdges(surface, stipple::roundedEdgeOptions(surface, detection), graph);
+  stipple::measureCorrugations(surface, stipple::corrugationOptions(surface, detection), graph);
   graph.regionArray = this->Self->RegionArrayName ? this->Self->RegionArrayName : "";
   if (stipple::Status status = this->constrain(surface, flat, tips, graph); !status.ok())
   {

@@ -32,7 +32,9 @@
  *
  * Output port 1: the feature graph, a vtkPolyData of polylines (backbones) and vertex cells
  * (constraints). Cell arrays: "BackboneType" (int: 0 sharp, 1 boundary, 2 seam, 3 constraint),
- * "Width" (double: of the band that turns, of a crease that is rounded off, else 0),
+ * "Width" (double: of the band that turns, of a crease that is rounded off, else 0), "Pitch"
+ * (double: of the corrugation it is a ridge or groove of, else 0; to a mesh whose edges are
+ * longer it is no crease),
  * "Keep" (int: what a coarser mesh must keep of it: 0 nothing, for features that were found, 1 that
  * it parts regions, 2 all, for what was asked for, 3 all, and edge by edge), "Closed" (int). Field
  * array, with regions: "RegionArrayName" (string). Point arrays: "SurfacePointId" (-1 for a

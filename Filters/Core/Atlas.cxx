@@ -177,8 +177,8 @@ std::vector<char> Atlas::creasesTo(const std::function<double(const SurfacePlace
   for (std::size_t b = 0; b < result.size(); ++b)
   {
     const Backbone& backbone = this->Graph.backbones[b];
-    const bool isRounded = backbone.width > 0;
-    const double length = isRounded
+    const bool depends = backbone.width > 0 || backbone.pitch > 0;
+    const double length = depends
       ? spacing(this->placeOfBackbone(static_cast<int>(b), 0.5 * this->Traces[b].length()))
       : 0.;
     result[b] = backbone.isCreaseTo(length) ? 1 : 0;
@@ -194,36 +194,39 @@ const SurfaceWalk& Atlas::walk() const
 
 const ElementArray<Face, Vec3>& Atlas::smoothNormals() const
 {
-  return this->SmoothNormals.get([this] {
-    const AtlasSurface& s = *this->Surface;
-    const std::vector<char> wall = this->halfedgesOn({ BackboneType::Sharp });
-    ElementArray<Face, double> area(s.triangles.size());
-    ElementArray<Face, Vec3> normal(s.triangles.size());
+  return this->SmoothNormals.get(
+    [this] { return this->smoothNormalsWith(this->halfedgesOn({ BackboneType::Sharp })); });
+}
+
+ElementArray<Face, Vec3> Atlas::smoothNormalsWith(const std::vector<char>& wall) const
+{
+  const AtlasSurface& s = *this->Surface;
+  ElementArray<Face, double> area(s.triangles.size());
+  ElementArray<Face, Vec3> normal(s.triangles.size());
+  for (const Face f : s.faces())
+  {
+    normal[f] = s.faceNormal(f);
+    area[f] = s.faceArea(f);
+  }
+  for (int round = 0; round < 3; ++round)
+  {
+    const ElementArray<Face, Vec3> before = normal;
     for (const Face f : s.faces())
     {
-      normal[f] = s.faceNormal(f);
-      area[f] = s.faceArea(f);
-    }
-    for (int round = 0; round < 3; ++round)
-    {
-      const ElementArray<Face, Vec3> before = normal;
-      for (const Face f : s.faces())
+      Vec3 sum = area[f] * before[f];
+      for (const Halfedge h : halfedgesOf(f))
       {
-        Vec3 sum = area[f] * before[f];
-        for (const Halfedge h : halfedgesOf(f))
+        const Halfedge g = s.twin[h];
+        if (g.valid() && !wall[h.index()])
         {
-          const Halfedge g = s.twin[h];
-          if (g.valid() && !wall[h.index()])
-          {
-            sum += area[faceOf(g)] * before[faceOf(g)];
-          }
+          sum += area[faceOf(g)] * before[faceOf(g)];
         }
-        const double length = sum.norm();
-        normal[f] = length > 0 ? Vec3(sum / length) : before[f];
       }
+      const double length = sum.norm();
+      normal[f] = length > 0 ? Vec3(sum / length) : before[f];
     }
-    return normal;
-  });
+  }
+  return normal;
 }
 
 const VertexNeighbours& Atlas::vertexNeighbours() const

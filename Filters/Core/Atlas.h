@@ -70,6 +70,8 @@ public:
   const ElementArray<Face, Vec3>& smoothNormals() const;
   const Vec3& smoothNormal(Face face) const { return this->smoothNormals()[face]; }
   const Vec3& smoothNormal(int face) const { return this->smoothNormals()[Face(face)]; }
+  /// The same with other walls, the charts' halfedges with 1.
+  ElementArray<Face, Vec3> smoothNormalsWith(const std::vector<char>& wall) const;
   const VertexNeighbours& vertexNeighbours() const;
   const std::vector<int>& neighbourBegin() const { return this->vertexNeighbours().begin; }
   const std::vector<int>& neighbours() const { return this->vertexNeighbours().vertex; }

@@ -63,6 +63,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   auto keep = namedArray<vtkIntArray>("Keep");
   auto closed = namedArray<vtkIntArray>("Closed");
   auto width = namedArray<vtkDoubleArray>("Width");
+  auto pitch = namedArray<vtkDoubleArray>("Pitch");
 
   vtkNew<vtkCellArray> verts;
   for (const ConstraintPoint& c : graph.constraints)
@@ -78,6 +79,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     keep->InsertNextValue(static_cast<int>(c.keep));
     closed->InsertNextValue(0);
     width->InsertNextValue(0.);
+    pitch->InsertNextValue(0.);
   }
   std::map<int, vtkIdType> pointOf;
   vtkNew<vtkCellArray> lines;
@@ -109,6 +111,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
     keep->InsertNextValue(static_cast<int>(b.keep));
     closed->InsertNextValue(b.closed ? 1 : 0);
     width->InsertNextValue(b.width);
+    pitch->InsertNextValue(b.pitch);
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->SetPoints(points);
@@ -123,6 +126,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(
   output->GetCellData()->AddArray(keep);
   output->GetCellData()->AddArray(closed);
   output->GetCellData()->AddArray(width);
+  output->GetCellData()->AddArray(pitch);
   if (!graph.regionArray.empty())
   {
     setRegionArrayName(output, graph.regionArray);
@@ -221,6 +225,7 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
   vtkDataArray* closed = nullptr;
   vtkDataArray* keep = nullptr;
   vtkDataArray* width = nullptr;
+  vtkDataArray* pitch = nullptr;
   for (const Status& status :
     { findArray(lines->GetPointData(), "SurfacePointId", 1, numberOfPoints, owner, GraphRemedy,
         surfacePointId),
@@ -230,6 +235,9 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
       findArray(lines->GetCellData(), "Keep", 1, numberOfCells, owner, GraphRemedy, keep),
       lines->GetCellData()->HasArray("Width")
         ? findArray(lines->GetCellData(), "Width", 1, numberOfCells, owner, GraphRemedy, width)
+        : Status::success(),
+      lines->GetCellData()->HasArray("Pitch")
+        ? findArray(lines->GetCellData(), "Pitch", 1, numberOfCells, owner, GraphRemedy, pitch)
         : Status::success(),
       checkCells(lines->GetVerts(), numberOfPoints, "the feature graph's constraints"),
       checkCells(lines->GetLines(), numberOfPoints, "the feature graph") })
@@ -264,9 +272,14 @@ Status readFeatureGraph(vtkPolyData* lines, const AtlasSurface& surface, Feature
     }
     b.closed = closed->GetComponent(cell, 0) != 0;
     b.width = width ? width->GetComponent(cell, 0) : 0.;
-    if (!(b.width >= 0))
+    b.pitch = pitch ? pitch->GetComponent(cell, 0) : 0.;
+    for (const auto& [length, what] : { std::pair(b.width, "Width"), std::pair(b.pitch, "Pitch") })
     {
-      return Status::error("The Width of " + name + " is no length: " + GraphRemedy + ".");
+      if (!(length >= 0))
+      {
+        return Status::error(
+          "The " + std::string(what) + " of " + name + " is no length: " + GraphRemedy + ".");
+      }
     }
     if (n < (b.closed ? 3 : 2))
     {

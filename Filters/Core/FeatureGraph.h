@@ -47,6 +47,7 @@ struct Backbone
   std::vector<int> points; ///< surface point ids; a closed backbone does not repeat its first
   Keep keep = Keep::Nothing;
   double width = 0; ///< of the band that turns here, in units of length; 0 unless it is rounded off
+  double pitch = 0; ///< of the corrugation it is a ridge or groove of, in units of length; 0: none
   int numberOfSegments() const
   {
     return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1);
@@ -58,11 +59,16 @@ struct Backbone
   /// round rims a mesh's angles are .2 degrees without creases where the rim turns so in .14 edges,
   /// 1.8 in .3, and 33 to 35 from .7 on.
   static constexpr double WidthOfCrease = 0.5;
+  /// Smallest pitch of a crease, over the length of edges: of finer ridges and grooves more than
+  /// two come on an edge. As creases they leave slivers, and nothing of them can be seen.
+  static constexpr double PitchOfCrease = 1.;
   /// Whether it is a boundary, or a crease to a mesh whose edges are so long there.
   bool isCreaseTo(double edgeLength) const
   {
+    const bool isTooFine = this->pitch > 0 && this->pitch < PitchOfCrease * edgeLength;
+    const bool isTooWide = this->width > WidthOfCrease * edgeLength;
     return this->type != BackboneType::Seam &&
-      (this->keep != Keep::Nothing || !(this->width > WidthOfCrease * edgeLength));
+      (this->keep != Keep::Nothing || !(isTooFine || isTooWide));
   }
 };
 

@@ -162,7 +162,7 @@ void MeshEdit::moveAll(
       this->Before[v] = mesh.State[v];
       walk(v);
       const Face there(mesh.place(v).face);
-      __builtin_prefetch(&mesh.atlas().smoothNormal(there));
+      __builtin_prefetch(&mesh.smoothNormal(there.index()));
       __builtin_prefetch(&mesh.atlas().surface().uv[halfedgeOf(there, 0)]);
       __builtin_prefetch(&mesh.atlas().surface().faceChart[there]);
     }

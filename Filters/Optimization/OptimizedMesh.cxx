@@ -52,16 +52,41 @@ private:
 };
 }
 
+double OptimizedMesh::spacingAtUnitDensity() const
+{
+  const AtlasSurface& surface = this->Atlas->surface();
+  double area = 0;
+  for (const Face f : surface.faces())
+  {
+    area += surface.faceArea(f);
+  }
+  // Samples are spread by the density: the sum over them of what each stands for is the area.
+  double sum = 0;
+  for (const Sample& s : this->Original)
+  {
+    sum += 1. / this->densityAt(this->pointAt({ s.face, s.bary }));
+  }
+  return std::sqrt(2. / std::sqrt(3.) * area / sum);
+}
+
 void OptimizedMesh::findCreaseBackbones(
   const std::vector<std::vector<int>>& chains, bool allAreCreases)
 {
   const std::vector<Backbone>& backbones = this->Atlas->graph().backbones;
   this->IsCreaseBackbone.assign(backbones.size(), 1);
   bool isLikeAtlas = true;
+  double unit = 0; // spacing, once it is known
   for (std::size_t b = 0; b < backbones.size(); ++b)
   {
     const double edges = std::max(1., static_cast<double>(chains[b].size()) - 1.);
-    const double length = this->Atlas->traces()[b].length() / edges;
+    double length = this->Atlas->traces()[b].length() / edges;
+    if (backbones[b].pitch > 0) // samples on many lines close together are few on each
+    {
+      unit = unit > 0 ? unit : this->spacingAtUnitDensity();
+      const SurfacePlace middle =
+        this->Atlas->placeOfBackbone(static_cast<int>(b), 0.5 * this->Atlas->traces()[b].length());
+      length = unit / std::sqrt(this->densityAt(this->pointAt(middle)));
+    }
     const bool isCrease =
       backbones[b].isCreaseTo(length) || (allAreCreases && backbones[b].type != BackboneType::Seam);
     this->IsCreaseBackbone[b] = isCrease ? 1 : 0;
@@ -74,8 +99,10 @@ void OptimizedMesh::findCreaseBackbones(
     {
       isWall[b] = isWall[b] != 0 && backbones[b].type == BackboneType::Sharp ? 1 : 0;
     }
-    this->OwnWalk =
-      std::make_shared<const SurfaceWalk>(this->Atlas->surface(), this->Atlas->halfedgesOn(isWall));
+    const std::vector<char> walls = this->Atlas->halfedgesOn(isWall);
+    this->OwnWalk = std::make_shared<const SurfaceWalk>(this->Atlas->surface(), walls);
+    this->OwnNormals =
+      std::make_shared<const ElementArray<Face, Vec3>>(this->Atlas->smoothNormalsWith(walls));
   }
 }
 
@@ -417,7 +444,7 @@ Status OptimizedMesh::markCreases(std::vector<Chain> chains)
 
 SurfacePoint OptimizedMesh::pointAt(const SurfacePlace& place) const
 {
-  return { place, this->surfaceWalk().position(place), this->Atlas->smoothNormal(place.face) };
+  return { place, this->surfaceWalk().position(place), this->smoothNormal(place.face) };
 }
 
 SurfacePoint OptimizedMesh::walk(const SurfacePlace& from, const Vec3& step) const
@@ -476,7 +503,7 @@ void OptimizedMesh::findOtherNormal(Vertex v)
   {
     const BackboneTrace::Place place = trace.locate(state.arcLength);
     const int side = state.place.face == trace.face(place, 1) ? 0 : 1;
-    state.otherNormal = this->Atlas->smoothNormal(trace.face(place, side));
+    state.otherNormal = this->smoothNormal(trace.face(place, side));
   }
 }
 
@@ -589,7 +616,7 @@ Vec3 OptimizedMesh::normalBeside(Halfedge h) const
   const int side = ahead ? 0 : 1;
   if (this->Free[v] == Freedom::None)
   {
-    return this->Atlas->smoothNormal(trace.face(trace.locate(arcLength), side));
+    return this->smoothNormal(trace.face(trace.locate(arcLength), side));
   }
   const bool hasLeft = state.place.face != trace.face(trace.locate(arcLength), 1);
   return ahead == hasLeft ? state.normal : state.otherNormal;

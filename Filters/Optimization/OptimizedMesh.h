@@ -235,6 +235,11 @@ public:
   {
     return this->OwnWalk ? *this->OwnWalk : this->Atlas->walk();
   }
+  /// Of the surface, averaged on either side of these.
+  const Vec3& smoothNormal(int face) const
+  {
+    return (this->OwnNormals ? *this->OwnNormals : this->Atlas->smoothNormals())[Face(face)];
+  }
   /// The density is the same everywhere, but for coarse regions.
   bool uniform() const { return this->Field->uniform(); }
   /// From now on, spacing grows in these regions: density() is less there.
@@ -337,6 +342,9 @@ private:
   void placeVertices(const std::vector<Sample>& samples);
   /// With the samples of each backbone of the graph.
   void findCreaseBackbones(const std::vector<std::vector<int>>& chains, bool allAreCreases);
+  /// Length of edges that the number of samples makes, before there are any, where the density
+  /// is 1.
+  double spacingAtUnitDensity() const;
   /// By point of the surface.
   std::vector<char> fixedNodes() const;
   Status connect(const std::vector<Triangle>& triangles);
@@ -360,8 +368,10 @@ private:
   std::vector<Crease> Creases;
   std::vector<Chain> Chains;
   std::vector<char> IsCreaseBackbone; // of the graph's
-  /// Where rounded creases are none to this mesh; a mesh and its copies have the same.
+  /// Where some of the surface's creases are none to this mesh; a mesh and its copies have the
+  /// same.
   std::shared_ptr<const SurfaceWalk> OwnWalk;
+  std::shared_ptr<const ElementArray<Face, Vec3>> OwnNormals;
   int Changes = 0;
   int SimplifiedFeatures = 0;
   bool IsPart = false;

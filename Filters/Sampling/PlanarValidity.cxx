@@ -519,7 +519,7 @@ Status makeValid(const SamplingDomain& domain, BackbonePlaces places, ValidPlace
     }
     places = std::move(refined);
   }
-  return Status::error(
+  return Status::internal(
     "The backbones do not become a planar graph in their charts' parameter planes: "
     "lower the number of features, or cut the surface into more charts.");
 }

@@ -173,8 +173,10 @@ TEST(FeatureGraph, SaysWhichArraysItNeeds)
   }
   const auto data = toPolyData(someGraph(), somePoints());
   data->GetCellData()->RemoveArray("Width");
+  data->GetCellData()->RemoveArray("Pitch");
   EXPECT_TRUE(readFeatureGraph(data, someSurface(), read).ok()) << "all are creases then";
   EXPECT_EQ(read.backbones.front().width, 0.);
+  EXPECT_EQ(read.backbones.front().pitch, 0.);
   data->GetPointData()->RemoveArray("ChartCellId");
   EXPECT_NE(
     readFeatureGraph(data, someSurface(), read).message().find("ChartCellId"), std::string::npos);

@@ -258,8 +258,9 @@ TEST(FeatureSimplification, IsTheSameInAllScales)
   EXPECT_EQ(scaled(1. / 1024.), unit);
 }
 
-// The spacing is 0.05, teeth are as wide as 0.04: without simplification, each leaves slivers. None
-// is as high as Tuning::VisibleDistance.
+// The spacing is 0.05, teeth are as wide as 0.04: without simplification, their outlines leave
+// slivers; between them, ridges are too fine to be creases. None is as high as
+// Tuning::VisibleDistance.
 TEST(FeatureSimplification, OpensTrianglesOfToothedPlates)
 {
   double poor = 0;
@@ -270,7 +271,7 @@ TEST(FeatureSimplification, OpensTrianglesOfToothedPlates)
     const Remeshed kept(input, 900, 0.);
     const Remeshed simplified(input, 900, 1.);
     EXPECT_EQ(kept.count, 0);
-    EXPECT_GT(simplified.count, 200);
+    EXPECT_GT(simplified.count, 150);
     EXPECT_GT(angleOf(simplified.mesh), angleOf(kept.mesh)) << height;
     const MeshQuality q = measureQuality(simplified.mesh);
     const double ifKept = measureQuality(kept.mesh).percentBelow30;

@@ -253,8 +253,11 @@ TEST_F(UserArrays, FeatureGraph)
   this->expectShape(this->graph->GetCellData(), "BackboneType");
   this->expectShape(this->graph->GetCellData(), "Keep");
   this->expectShape(this->graph->GetCellData(), "Closed");
-  this->expectRefused(this->graph->GetCellData(), "Width", line, NaN);
-  this->expectRefused(this->graph->GetCellData(), "Width", line, -1.);
+  for (const char* name : { "Width", "Pitch" })
+  {
+    this->expectRefused(this->graph->GetCellData(), name, line, NaN);
+    this->expectRefused(this->graph->GetCellData(), name, line, -1.);
+  }
   for (const vtkIdType point : { -1, 1000000 })
   {
     this->expectCellRefused(this->graph, this->graph->GetLines(), point);
