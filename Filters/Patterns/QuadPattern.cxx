@@ -238,6 +238,44 @@ Status gridOfOneChart(const stipple::Atlas& atlas, int numberOfSamples, LatticeS
   return Status::success();
 }
 
+/// Puts the outline's nodes nearest to its corners there. False if two are for one corner's.
+bool snapToCorners(const stipple::Atlas& atlas, LatticeSamples& grid)
+{
+  const AtlasSurface& surface = atlas.surface();
+  std::vector<std::size_t> outline;
+  for (std::size_t i = 0; i < grid.samples.size(); ++i)
+  {
+    if (grid.samples[i].kind != SampleKind::Interior)
+    {
+      outline.push_back(i);
+    }
+  }
+  std::set<std::size_t> taken;
+  for (int p = 0; p < static_cast<int>(atlas.graph().isCorner.size()); ++p)
+  {
+    if (atlas.graph().isCorner[p] == 0)
+    {
+      continue;
+    }
+    const auto distance = [&](std::size_t i) {
+      const Sample& s = grid.samples[i];
+      return (surface.position(s.face, s.bary) - surface.points[p]).squaredNorm();
+    };
+    const auto nearest = std::min_element(outline.begin(), outline.end(),
+      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    if (nearest == outline.end() || !taken.insert(*nearest).second)
+    {
+      return false;
+    }
+    const SurfacePlace place = atlas.placeOfPoint(p);
+    Sample corner = interiorSample(place);
+    corner.kind = SampleKind::Corner;
+    corner.surfacePoint = p;
+    grid.samples[*nearest] = corner;
+  }
+  return true;
+}
+
 /// Inner backbones of every chart in its parameter plane.
 std::vector<std::vector<Segment>> innerSegments(const stipple::Atlas& atlas)
 {
@@ -366,8 +404,19 @@ bool isAboutSquare(const std::array<Vec3, 4>& corners)
     [](double angle) { return std::abs(angle - 0.5 * Pi) <= MostOff; });
 }
 
-/// A grid's quads, if they are about square but for those at the rectangle's corners: where the
-/// outline is smooth there, two sides of a cell are one line, and it becomes two triangles.
+/// Times that a cell's area may be that which is wanted, or the other way round: twice as far off
+/// as the lattice's halves.
+constexpr double MostTimes = 4;
+
+/// Half the product of its diagonals.
+double areaOf(const std::array<Vec3, 4>& corners)
+{
+  return 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]).norm();
+}
+
+/// A grid's quads, if they are alike in area, and about square but for those at the rectangle's
+/// corners: where the outline is smooth there, two sides of a cell are one line, and it becomes two
+/// triangles. Else none.
 std::vector<std::vector<int>> polygonsOfGrid(
   const AtlasSurface& surface, const LatticeSamples& grid)
 {
@@ -379,11 +428,20 @@ std::vector<std::vector<int>> polygonsOfGrid(
       ++cellsAt[static_cast<std::size_t>(corner)];
     }
   }
+  double mean = 0;
+  for (const std::array<int, 4>& cell : grid.cells)
+  {
+    mean += areaOf(cornersOf(surface, grid.samples, cell)) / static_cast<double>(grid.cells.size());
+  }
   std::vector<std::vector<int>> polygons;
   for (const std::array<int, 4>& cell : grid.cells)
   {
     const auto [a, b, c, d] = cell;
     const std::array<Vec3, 4> at = cornersOf(surface, grid.samples, cell);
+    if (areaOf(at) > MostTimes * mean) // a hill that the map makes small
+    {
+      return {};
+    }
     if (isAboutSquare(at))
     {
       polygons.push_back({ a, b, c, d });
@@ -418,13 +476,12 @@ public:
 
   bool has(const std::vector<Sample>& samples, const std::array<int, 4>& cell) const
   {
-    constexpr double MostTimes = 4; // twice as far off as the lattice's halves
     if (*std::min_element(cell.begin(), cell.end()) < 0)
     {
       return false;
     }
     const std::array<Vec3, 4> corners = cornersOf(this->Surface, samples, cell);
-    const double area = 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]).norm();
+    const double area = areaOf(corners);
     const Sample& first = samples[static_cast<std::size_t>(cell[0])];
     const double amount = area * this->densityAt({ first.face, first.bary });
     return amount * MostTimes > this->Wanted && amount < MostTimes * this->Wanted &&
@@ -550,7 +607,10 @@ Status meshWithQuads(const stipple::Atlas& atlas, const std::vector<Sample>& sam
   {
     LatticeSamples grid;
     const Status status = gridOfOneChart(atlas, static_cast<int>(samples.size()), grid);
-    mesh.polygons = polygonsOfGrid(atlas.surface(), grid);
+    if (status.ok() && snapToCorners(atlas, grid))
+    {
+      mesh.polygons = polygonsOfGrid(atlas.surface(), grid);
+    }
     if (!status.ok() || !mesh.polygons.empty())
     {
       mesh.samples = std::move(grid.samples);

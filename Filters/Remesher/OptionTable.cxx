@@ -293,7 +293,8 @@ void Maker::sampling()
     option.low = Positive;
     option.automatic = automatic;
   };
-  length("edge_length", "L", "wanted length of edges; the number of points follows from it",
+  length("edge_length", "L",
+    "wanted length of edges (semiregular: of the base mesh); the number of points follows from it",
     "by the number of points", STIPPLE_NUMBER(vtkControlMap, EdgeLength));
   this->arrayName("size_array",
     "the input's point or cell array of wanted lengths of edges, in place of "

@@ -8,11 +8,15 @@
 #include "vtkCDTRemesh.h"
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
+#include "vtkGeometryRemesher.h"
+#include "vtkPoints.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkSemiRegularSubdivision.h"
 #include "vtkTestErrorObserver.h"
 
+#include <array>
+#include <cmath>
 #include <set>
 
 namespace
@@ -177,11 +181,74 @@ void checkQuads()
   quads->Update();
   check(quads->GetOutput(0)->GetNumberOfPoints() == 0, "quads: nothing in, nothing out");
 }
+
+/// Hills with slopes on the border: the conformal map makes some small, and the sheet's corners
+/// none of the rectangle's.
+void checkQuadsOfHills()
+{
+  constexpr int N = 60;
+  const auto height = [](double x, double y) {
+    return 5. * std::sin(0.13 * x + 0.05 * y) + 4. * std::sin(0.16 * y - 0.07 * x + 2.8) +
+      2. * std::sin(0.31 * x + 0.23 * y + 2.) +
+      22. * std::exp(-0.02 * (std::pow(x - 20, 2) + std::pow(y - 36, 2)));
+  };
+  double highest = -1e300;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (int j = 0; j <= N; ++j)
+  {
+    for (int i = 0; i <= N; ++i)
+    {
+      points->InsertNextPoint(i, j, height(i, j));
+      highest = std::max(highest, height(i, j));
+    }
+  }
+  for (vtkIdType j = 0; j < N; ++j)
+  {
+    for (vtkIdType i = 0; i < N; ++i)
+    {
+      const vtkIdType a = j * (N + 1) + i;
+      for (const auto& t : { std::array<vtkIdType, 3>{ a, a + 1, a + N + 2 },
+             std::array<vtkIdType, 3>{ a, a + N + 2, a + N + 1 } })
+      {
+        cells->InsertNextCell(3, t.data());
+      }
+    }
+  }
+  vtkNew<vtkPolyData> sheet;
+  sheet->SetPoints(points);
+  sheet->SetPolys(cells);
+  for (const int number : { 700, 1500, 3000 })
+  {
+    vtkNew<vtkGeometryRemesher> remesher;
+    remesher->SetInputData(sheet);
+    remesher->SetNumberOfPoints(number);
+    remesher->SetPatternToQuads();
+    remesher->Update();
+    vtkPolyData* mesh = remesher->GetOutput();
+    const std::string name = "quads of hills, " + std::to_string(number) + ": ";
+    for (const auto& [x, y] :
+      { std::pair(0, 0), std::pair(N, 0), std::pair(0, N), std::pair(N, N) })
+    {
+      double nearest = 1e300;
+      for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+      {
+        const double* at = mesh->GetPoint(p);
+        nearest = std::min(nearest, std::hypot(at[0] - x, at[1] - y));
+      }
+      check(nearest < 1e-9, name + "corners are kept, not " + std::to_string(nearest) + " away");
+    }
+    double bounds[6];
+    mesh->GetBounds(bounds);
+    check(bounds[5] > highest - 2., name + "the summit is " + std::to_string(bounds[5]));
+  }
+}
 }
 
 int TestPatterns(int, char*[])
 {
   checkSubdivision();
   checkQuads();
+  checkQuadsOfHills();
   return test::exitStatus();
 }

@@ -35,6 +35,12 @@ class Show(unittest.TestCase):
             farthest = max(np.abs(rows - 99.5).max() / 100, np.abs(columns - 149.5).max() / 150)
             self.assertAlmostEqual(farthest, 0.9, delta=0.02)
 
+    def test_points_that_no_triangle_uses_take_no_room(self):
+        points, triangles = shapes.arrays(shapes.cube())
+        more = np.r_[points, [[50, 50, 50]]]
+        alone = stipple.show((points, triangles), size=(120, 120)).pixels
+        np.testing.assert_array_equal(stipple.show((more, triangles), size=(120, 120)).pixels, alone)
+
     def test_arrays_and_other_views(self):
         mesh = shapes.arrays(shapes.cube())
         front = inked(stipple.show(mesh, size=(201, 201), view=(0, 0, 1), edges=False).pixels)

@@ -54,7 +54,7 @@ class Option:
         if not math.isfinite(value):
             raise ValueError(f"{name} must be finite, not {value}")
         if not self.low <= value <= self.high:
-            raise ValueError(f"{name} must be {_bounds(self.low, self.high)}, not {value:.17g}")
+            raise ValueError(f"{name} must be {_bounds(self.low, self.high)}, not {_number(value)}")
         return value
 
     def word_of(self, value, name):
@@ -132,10 +132,15 @@ class Option:
         return (f"{text} | Literal[{self.word!r}]" if self.word else text) + " | None"
 
 
+def _number(value):
+    """As people write it: 2 and 1.1, whatever a double can hold of it."""
+    return repr(float(value)).removesuffix(".0")
+
+
 def _bounds(low, high):
     if math.isinf(high):
-        return "above 0" if 0 < low < 1e-300 else f"at least {low:.17g}"
-    return f"from {low:.17g} to {high:.17g}"
+        return "above 0" if 0 < low < 1e-300 else f"at least {_number(low)}"
+    return f"above 0 and up to {_number(high)}" if 0 < low < 1e-300 else f"from {_number(low)} to {_number(high)}"
 
 
 def _data_array(rows):

@@ -6,6 +6,7 @@ import operator
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkWindowToImageFilter
 
@@ -47,13 +48,24 @@ class Picture:
         return f"<stipple.Picture, {columns} x {rows} pixels>"
 
 
-def _actor(mesh, edges):
+def _drawn(mesh):
+    """What is seen of it: faces, with the points that they use."""
     bare = vtkPolyData()  # no array of the mesh's colours it
     bare.SetPoints(mesh.GetPoints())
     bare.SetPolys(mesh.GetPolys())
     bare.SetStrips(mesh.GetStrips())
+    clean = vtkCleanPolyData()
+    clean.SetInputData(bare)
+    clean.PointMergingOff()
+    clean.ConvertPolysToLinesOff()
+    clean.ConvertStripsToPolysOff()
+    clean.Update()
+    return clean.GetOutput()
+
+
+def _actor(mesh, edges):
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(bare)
+    mapper.SetInputData(mesh)
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
@@ -105,6 +117,7 @@ def show(mesh, edges=True, size=(640, 480), view=_VIEW_FROM, up=(0.0, 1.0, 0.0))
     data = from_mesh(mesh)
     if data.GetNumberOfPolys() == 0 and data.GetNumberOfStrips() == 0:
         raise ValueError("mesh has no triangles")
+    data = _drawn(data)
     width, height = map(operator.index, size)
     if not (_FEWEST_PIXELS <= width <= _MOST_PIXELS and _FEWEST_PIXELS <= height <= _MOST_PIXELS):
         raise ValueError(f"size must be from {_FEWEST_PIXELS} to {_MOST_PIXELS} pixels, not {width} x {height}")
