@@ -253,25 +253,45 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 
-/// Vertices for what the mesh has lost all the same: tips, and pockets.
-Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
-  KnownOverlaps& overlaps, const Progress& progress)
+/// A ball in which no vertex is to be put.
+struct Avoided
+{
+  Vec3 centre;
+  double radius;
+};
+
+/// Vertices for what the mesh has lost all the same: tips, and pockets. As it was is noted before
+/// it changes; `left` are triangles that pass through each other afterwards.
+Status reachPlacesOutside(const std::vector<Avoided>& avoided, OptimizedMesh& mesh, MeshEdit& edit,
+  const OptimizerOptions& options, KnownOverlaps& overlaps, std::optional<OptimizedMesh>& before,
+  int& left, const Progress& progress)
 {
   const int changes = mesh.numberOfChanges();
   for (int i = 0; i < Tuning::LooksAtFarPlaces; ++i)
   {
-    const int before = mesh.numberOfChanges();
+    const int known = mesh.numberOfChanges();
     std::vector<FarPlace> places;
     Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
+    places.erase(std::remove_if(places.begin(), places.end(),
+                   [&](const FarPlace& place) {
+                     return std::any_of(avoided.begin(), avoided.end(), [&](const Avoided& ball) {
+                       return (place.position - ball.centre).norm() < ball.radius;
+                     });
+                   }),
+      places.end());
     if (status.ok() && !places.empty())
     {
+      if (!before)
+      {
+        before = mesh;
+      }
       status = reachPlaces(mesh, places, options.featureTolerance);
     }
     if (!status.ok())
     {
       return status;
     }
-    if (mesh.numberOfChanges() == before)
+    if (mesh.numberOfChanges() == known)
     {
       break;
     }
@@ -284,7 +304,37 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
   }
   if (mesh.numberOfChanges() > changes || swaps > 0)
   {
-    resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
+    left = resolveSelfIntersections(edit, Tuning::PassesOfParting, overlaps);
+  }
+  return Status::success();
+}
+
+/// The same, but not where the mesh passes through itself for it, as in a hole three edges around.
+Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
+  KnownOverlaps& overlaps, const Progress& progress)
+{
+  std::vector<Avoided> avoided;
+  std::optional<OptimizedMesh> before;
+  for (int i = 0; i < Tuning::LooksAtFarPlaces; ++i)
+  {
+    int left = 0;
+    const Status status =
+      reachPlacesOutside(avoided, mesh, edit, options, overlaps, before, left, progress);
+    if (!status.ok() || left == 0 || !before)
+    {
+      return status;
+    }
+    if (!SelfIntersections(*before).faces().empty()) // what passes through itself does so anyway
+    {
+      return status;
+    }
+    for (const Face f : SelfIntersections(mesh).faces())
+    {
+      const auto [a, b, c] = mesh.corners(f);
+      avoided.push_back({ (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.,
+        Tuning::EdgesAvoided * meanEdgeLength(mesh, a) });
+    }
+    mesh = *before;
   }
   return Status::success();
 }

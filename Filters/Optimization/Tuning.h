@@ -222,6 +222,9 @@ struct Tuning
   /// Of the spacing: what is farther from the mesh is to be reached.
   static constexpr double FarShare = 0.5;
   static constexpr std::size_t LargestCavity = 8; ///< triangles that a vertex goes into
+  /// Mean edges about a triangle that passes through another one, in which no place is reached
+  /// then: both are in them.
+  static constexpr double EdgesAvoided = 2.;
   /// Looks at far places: about what is reached, more may be.
   static constexpr int LooksAtFarPlaces = 4;
 

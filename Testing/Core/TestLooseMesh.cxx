@@ -5,7 +5,13 @@
 #include "LooseMesh.h"
 #include "LooseTriangles.h"
 #include "OptimizerMeshes.h"
+#include "PolyDataConversion.h"
+#include "TriangleIntersections.h"
 #include "Tuning.h"
+
+#include "vtkGeometryRemesher.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
@@ -258,4 +264,58 @@ TEST(FarPlaces, AreWorthAPoorTriangleIfTheyAreFar)
   ASSERT_TRUE(reachPlaces(t->mesh, places, 1.).ok());
   EXPECT_FALSE(meshes::Snapshot(t->mesh) == before);
   EXPECT_LT(meshes::worstOf(t->mesh), 0.5);
+}
+
+namespace
+{
+/// A square of 60 x 60, 20 thick, with a hole of radius 2.5 in 24 sides.
+TriangleSurface plateWithHole()
+{
+  constexpr int N = 24;
+  TriangleSurface s;
+  for (const double z : { 0., 20. })
+  {
+    for (const bool isHole : { false, true })
+    {
+      for (int k = 0; k < N; ++k)
+      {
+        const double a = 2. * Pi * (k + 0.5) / N;
+        const Vec3 p(std::cos(a), std::sin(a), 0);
+        // The eighth from an axis on is the square's corner.
+        const Vec3 out =
+          k % 6 == 2 ? Vec3(30. * p.cwiseSign()) : Vec3(30. * p / p.cwiseAbs().maxCoeff());
+        s.points.push_back((isHole ? Vec3(2.5 * p) : out) + Vec3(0, 0, z));
+      }
+    }
+  }
+  const auto quad = [&](int a, int b, int c, int d) {
+    s.triangles.push_back({ { a, b, c } });
+    s.triangles.push_back({ { a, c, d } });
+  };
+  for (int k = 0; k < N; ++k)
+  {
+    const int l = (k + 1) % N;
+    quad(N + k, N + l, l, k);                         // below
+    quad(3 * N + k, 2 * N + k, 2 * N + l, 3 * N + l); // above
+    quad(k, l, 2 * N + l, 2 * N + k);                 // outside
+    quad(N + l, N + k, 3 * N + k, 3 * N + l);         // the hole
+  }
+  return s;
+}
+}
+
+// The hole is three edges around: a vertex that reached its wall twisted the tunnel.
+TEST(FarPlaces, AreNotReachedWhereTheMeshWouldPassThroughItself)
+{
+  const TriangleSurface plate = plateWithHole();
+  for (int number = 220; number <= 250; number += 10)
+  {
+    vtkNew<vtkGeometryRemesher> remesher;
+    remesher->SetInputData(toPolyData(plate.points, plate.triangles));
+    remesher->SetNumberOfPoints(number);
+    remesher->Update();
+    const TriangleSurface mesh = fromPolyData(remesher->GetOutput());
+    ASSERT_EQ(mesh.points.size(), static_cast<std::size_t>(number));
+    EXPECT_EQ(placesOfIntersections(mesh.points, mesh.triangles).size(), 0U) << number;
+  }
 }
