@@ -6,8 +6,10 @@
 #include "OptionText.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
+#include <system_error>
 
 namespace stipple
 {
@@ -63,6 +65,14 @@ std::vector<Option> programOptions()
   return options;
 }
 
+/// One text for a file, however it is spelled.
+std::string placeOf(const std::string& file)
+{
+  std::error_code failed;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(file, failed);
+  return failed ? file : place.string();
+}
+
 /// What no single option can tell.
 std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
 {
@@ -112,7 +122,7 @@ std::string checkTogether(OptionValues& o, const std::vector<Option>& table)
   for (const Option& option : table)
   {
     if (option.group == Group::Files && option.kind == Kind::File && o.has(option.name) &&
-      !files.insert(o.text(option.name)).second)
+      !files.insert(placeOf(o.text(option.name))).second)
     {
       return "'" + o.text(option.name) + "' is named as the output of two options";
     }

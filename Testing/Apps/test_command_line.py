@@ -94,6 +94,7 @@ class CommandLine(ProgramTest):
             ([cube, "-o", out, "--picture", "a.jpg"], "must end in .png"),
             ([cube, "-o", out, "--save-charts", "a.obj"], "must end in .vtpc, .vtp"),
             ([cube, "-o", out, "--report", out], "output of two options"),
+            ([cube, "-o", out, "--report", out.parent / ".." / out.parent.name / out.name], "output of two options"),
             ([cube, "-o", self.folder / "out.xyz"], "must end in .ply, .obj, .stl, .off, .vtp, .vtk"),
             ([self.folder / "in.step", "-o", out], "must end in .ply, .obj, .stl, .off, .vtp, .vtk"),
         ]
