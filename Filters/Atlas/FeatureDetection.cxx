@@ -111,7 +111,9 @@ public:
     }
   }
 
-  /// Of what is accepted.
+  /// Tells ridges and grooves of corrugations from the other edges that are accepted: they are
+  /// chains of their own, and no roughness beside others. Else all about a rim would be sharp, and
+  /// the rim a chain of single edges.
   void findCorrugations()
   {
     const CorrugationOptions options = corrugationOptions(this->Surface, this->Options);
