@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ridges and grooves in turn, as of a thread, a knurl, or a twisted prism in slices: creases to a
+// Ridges and grooves in turn, as of stairs, saw teeth, or a twisted prism in slices: creases to a
 // mesh whose edges are shorter than their pitch, and roughness of a smooth face to others.
 #ifndef stipple_Corrugations_h
 #define stipple_Corrugations_h

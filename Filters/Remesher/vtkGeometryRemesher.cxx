@@ -602,13 +602,13 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
     s.Atlas->SetRefinementLevel(level);
     if (!this->RunStages())
     {
-      // A number that other charts and sizes ask for says nothing about those before.
       // Maps that differ in density by more than numbers can tell places apart: other charts do.
       if (this->ErrorCode == INTERNAL_ERROR && level < s.Atlas->GetRefinementLevelMaxValue())
       {
         ++level;
         continue;
       }
+      // A number that other charts and sizes ask for says nothing about those before.
       if (this->ErrorCode == TOO_FEW_POINTS)
       {
         s.IsUnsound = !noted(status, this->ErrorCode, s.Sentence);

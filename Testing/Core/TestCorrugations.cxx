@@ -183,7 +183,7 @@ TEST(Corrugations, HaveThePitchOfTheirTeeth)
     stairs.emplace_back(i, 0.25 * i);
     stairs.emplace_back(i + 1, 0.25 * i);
   }
-  EXPECT_NEAR(pitch(stairs, 4., 1.), 1.25, 0.5);
+  EXPECT_NEAR(pitch(stairs, 4., 1.), 1.25, 1e-9);
 }
 
 TEST(Corrugations, AreNoEdgesOfOtherShapes)
