@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Corrugations.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,94 +24,84 @@ public:
     : Options(options)
     , Across(surface, normals, edge, SurfaceSection::Ends::AtBoundaries)
     , Own(this->Across.ownTurn())
-    , Left(this->Across, edge)
-    , Right(this->Across, surface.twin[edge])
+    , Left{ SurfaceSection::Walk(this->Across, edge), 1 }
+    , Right{ SurfaceSection::Walk(this->Across, surface.twin[edge]), -1 }
   {
   }
 
   double pitch()
   {
-    // Most are found near by, and far away there may be very many edges.
-    for (int k = Halvings; k >= 0; --k)
+    const double bound = 0.5 * this->Options.angle * Pi / 180;
+    double moment = 0;
+    for (Side* side = this->nearest(); side != nullptr; side = this->nearest())
     {
-      const double reach = this->Options.widestPitch / (1 << k);
-      this->Left.follow(this->Across, reach);
-      this->Right.follow(this->Across, reach);
-      if (const double result = this->pitchWithin(); result < None)
+      const double distance = side->next().distance;
+      const double angle = side->sign * side->next().angle; // from the right to the left
+      ++side->passed;
+      side->turned += angle;
+      const double direction =
+        side == &this->Left ? this->Own + this->Left.turned : -this->Right.turned;
+      if (direction < std::min(0., this->Own) - bound ||
+        direction > std::max(0., this->Own) + bound)
       {
-        return result;
+        return None;
+      }
+      moment += angle * distance;
+      if (std::abs(angle) >= std::max(2. * bound, 0.5 * std::abs(this->Own)))
+      {
+        ++side->turns;
+        side->last = distance;
+      }
+      // The mean over so far of what the curve has turned by is that of each turn, for the part of
+      // the way that is behind it.
+      const double whole = this->Own + this->Left.turned + this->Right.turned - moment / distance;
+      const int turns = this->Left.turns + this->Right.turns;
+      if (this->Left.turns > 0 && this->Right.turns > 0 && turns >= FewestTurns &&
+        std::abs(whole) < bound)
+      {
+        return 2. * (this->Left.last + this->Right.last) / turns; // a ridge and a groove
       }
     }
     return None;
   }
 
 private:
-  static constexpr int Halvings = 6;
   static constexpr int FewestTurns = 6;
 
-  struct Event
+  struct Side
   {
-    double distance;
-    double angle; ///< in the direction from the right to the left
-    bool isLeft;
+    SurfaceSection::Walk walk;
+    int sign;
+    std::size_t passed = 0; // edges of the walk
+    double turned = 0;      // from the edge on
+    int turns = 0;          // that count
+    double last = 0;        // distance of the last of them
+
+    const Turn& next() const { return this->walk.turns()[this->passed]; }
   };
 
-  double pitchWithin() const
+  /// The side that crosses the nearest edge that was not passed yet. Most profiles are decided near
+  /// by, and far away there may be very many edges: no side goes further than that.
+  Side* nearest()
   {
-    std::vector<Event> events;
-    for (const Turn& t : this->Left.turns())
+    Side* result = nullptr;
+    for (Side* side : { &this->Left, &this->Right })
     {
-      events.push_back({ t.distance, t.angle, true });
-    }
-    for (const Turn& t : this->Right.turns())
-    {
-      events.push_back({ t.distance, -t.angle, false });
-    }
-    std::sort(events.begin(), events.end(),
-      [](const Event& a, const Event& b) { return a.distance < b.distance; });
-    const double bound = 0.5 * this->Options.angle * Pi / 180;
-    struct Side
-    {
-      double turned = 0; // from the edge on
-      int turns = 0;     // that count
-      double last = 0;   // distance of the last of them
-    };
-    Side left;
-    Side right;
-    double moment = 0;
-    for (const Event& e : events)
-    {
-      Side& side = e.isLeft ? left : right;
-      side.turned += e.angle;
-      const double direction = e.isLeft ? this->Own + left.turned : -right.turned;
-      if (direction < std::min(0., this->Own) - bound ||
-        direction > std::max(0., this->Own) + bound)
+      const bool isThere = side->passed < side->walk.turns().size() ||
+        side->walk.step(this->Across, this->Options.widestPitch);
+      if (isThere && (result == nullptr || side->next().distance < result->next().distance))
       {
-        return None;
-      }
-      moment += e.angle * e.distance;
-      if (std::abs(e.angle) >= std::max(2. * bound, 0.5 * std::abs(this->Own)))
-      {
-        ++side.turns;
-        side.last = e.distance;
-      }
-      // The mean over so far of what the curve has turned by is that of each turn, for the part of
-      // the way that is behind it.
-      const double whole = this->Own + left.turned + right.turned - moment / e.distance;
-      const int turns = left.turns + right.turns;
-      if (left.turns > 0 && right.turns > 0 && turns >= FewestTurns && std::abs(whole) < bound)
-      {
-        return 2. * (left.last + right.last) / turns; // a ridge and a groove
+        result = side;
       }
     }
-    return None;
+    return result;
   }
 
   const CorrugationOptions& Options;
   const SurfaceSection Across;
   const double Own;
-  SurfaceSection::Walk Left;
-  SurfaceSection::Walk Right;
+  Side Left;
+  Side Right;
 };
 }
 
@@ -137,14 +129,20 @@ void measureCorrugations(
     {
       continue;
     }
-    std::vector<std::pair<double, double>> edges; // pitches, with lengths
+    std::vector<std::pair<double, double>> edges(backbone.numberOfSegments()); // pitches, lengths
+    constexpr vtkIdType Grain = 16;
+    vtkSMPTools::For(0, backbone.numberOfSegments(), Grain, [&](vtkIdType begin, vtkIdType end) {
+      for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
+      {
+        const Halfedge h =
+          findHalfedge(surface, first, Vertex(backbone.points[i]), Vertex(backbone.segmentEnd(i)));
+        edges[i] = { pitchAt(surface, normals, h, options), surface.edgeLength(h) };
+      }
+    });
     double whole = 0;
-    for (int i = 0; i < backbone.numberOfSegments(); ++i)
+    for (const auto& [pitch, length] : edges)
     {
-      const Halfedge h =
-        findHalfedge(surface, first, Vertex(backbone.points[i]), Vertex(backbone.segmentEnd(i)));
-      edges.emplace_back(pitchAt(surface, normals, h, options), surface.edgeLength(h));
-      whole += edges.back().second;
+      whole += length;
     }
     std::sort(edges.begin(), edges.end());
     double sum = 0;

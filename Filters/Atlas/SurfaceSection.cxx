@@ -42,51 +42,52 @@ double SurfaceSection::ownTurn() const
   return this->turn(faceOf(this->Surface.twin[this->Edge]), faceOf(this->Edge));
 }
 
-Vec3 SurfaceSection::crossing(Halfedge h) const
-{
-  const Vec3& a = this->Surface.point(this->Surface.tail(h));
-  const Vec3& b = this->Surface.point(this->Surface.head(h));
-  const double high = (a - this->Middle).dot(this->Along);
-  const double low = (b - this->Middle).dot(this->Along);
-  const double t = high == low ? 0.5 : std::clamp(high / (high - low), 0., 1.);
-  return a + t * (b - a);
-}
-
 SurfaceSection::Walk::Walk(const SurfaceSection& section, Halfedge edge)
   : Edge(edge)
   , At(section.Middle)
   , Next(edge)
+  , Tail(section.height(section.Surface.tail(edge)))
+  , Head(section.height(section.Surface.head(edge)))
 {
 }
 
-void SurfaceSection::Walk::follow(const SurfaceSection& section, double reach)
+bool SurfaceSection::Walk::step(const SurfaceSection& section, double reach)
 {
   const CutSurface& surface = section.Surface;
   // Of the two other edges of a face one has ends on both sides; a closed section comes back to
   // the edge, any other to a boundary: each face is passed once.
   const auto most = static_cast<std::size_t>(surface.numberOfFaces());
-  while (!this->HasEnded && this->Turns.size() < most)
+  if (this->HasEnded || this->Turns.size() >= most)
   {
-    const Halfedge next = nextHalfedge(this->Next);
-    const bool isHeadInFront = section.height(surface.head(this->Next)) >= 0;
-    const bool isTopInFront = section.height(surface.head(next)) >= 0;
-    const Halfedge out = isTopInFront == isHeadInFront ? nextHalfedge(next) : next;
-    const Vec3 crossing = section.crossing(out);
-    const double distance = this->Distance + (crossing - this->At).norm();
-    if (distance > reach)
-    {
-      return;
-    }
-    this->Distance = distance;
-    this->At = crossing;
-    const Halfedge across = surface.twin[out];
-    this->HasEnded =
-      !across.valid() || section.isEnd(out) || across == this->Edge || out == this->Edge;
-    if (!this->HasEnded)
-    {
-      this->Turns.push_back({ distance, section.turn(faceOf(out), faceOf(across)) });
-      this->Next = across;
-    }
+    return false;
   }
+  const Halfedge next = nextHalfedge(this->Next);
+  const double top = section.height(surface.head(next));
+  const bool isNext = (top >= 0) != (this->Head >= 0);
+  const Halfedge out = isNext ? next : nextHalfedge(next);
+  const double tail = isNext ? this->Head : top;
+  const double head = isNext ? top : this->Tail;
+  const double t = tail == head ? 0.5 : std::clamp(tail / (tail - head), 0., 1.);
+  const Vec3& begin = surface.point(surface.tail(out));
+  const Vec3 crossing = begin + t * (surface.point(surface.head(out)) - begin);
+  const double distance = this->Distance + (crossing - this->At).norm();
+  if (distance > reach)
+  {
+    return false;
+  }
+  const Halfedge across = surface.twin[out];
+  this->HasEnded =
+    !across.valid() || section.isEnd(out) || across == this->Edge || out == this->Edge;
+  if (this->HasEnded)
+  {
+    return false;
+  }
+  this->Distance = distance;
+  this->At = crossing;
+  this->Turns.push_back({ distance, section.turn(faceOf(out), faceOf(across)) });
+  this->Next = across;
+  this->Tail = head;
+  this->Head = tail;
+  return true;
 }
 }

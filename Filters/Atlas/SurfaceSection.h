@@ -45,14 +45,24 @@ public:
     Walk(const SurfaceSection& section, Halfedge edge);
     /// In the direction of the walk: of one to the right they have the other sign.
     const std::vector<Turn>& turns() const { return this->Turns; }
-    /// Goes on to that distance from the edge.
-    void follow(const SurfaceSection& section, double reach);
+    /// Goes on to the next edge that it crosses; false if none is within that distance from where
+    /// it begins.
+    bool step(const SurfaceSection& section, double reach);
+    /// Goes on to that distance.
+    void follow(const SurfaceSection& section, double reach)
+    {
+      while (this->step(section, reach))
+      {
+      }
+    }
 
   private:
     Halfedge Edge;
     Vec3 At;
     double Distance = 0;
     Halfedge Next; ///< of the face that it goes through next
+    double Tail;   ///< heights of its ends
+    double Head;
     bool HasEnded = false;
     std::vector<Turn> Turns;
   };
@@ -64,7 +74,6 @@ private:
       !this->Surface.isRounded(h);
   }
   double height(Vertex v) const { return (this->Surface.point(v) - this->Middle).dot(this->Along); }
-  Vec3 crossing(Halfedge h) const;
 
   const CutSurface& Surface;
   const FaceNormals& NormalOf;
