@@ -16,6 +16,10 @@ namespace
 // that is not near enough: deviations are maxima, which jump by some percent from mesh to mesh.
 constexpr double NearEnough = 0.85;
 constexpr double FewMore = 1.08;
+/// With more points than so many times those that are not near enough, it is not known yet what
+/// the fewest are: where bends are features of the one mesh and none of the other, deviations do
+/// not fall as they do else.
+constexpr double ManyTimes = 2.;
 constexpr double Aim = 0.92;
 /// A step at most.
 constexpr double LargestStep = 8.;
@@ -59,7 +63,7 @@ void DeviationSearch::add(int asked, int got, double deviation)
     this->Bad = { got, deviation };
   }
   const bool over = this->Trials == MostTrials ||
-    (this->Good.points > 0 && (got > asked || this->Good.deviation >= NearEnough * this->Wanted));
+    (this->Good.points > 0 && (got > asked || (this->isNearEnough() && !this->isFarAbove())));
   this->Next = over          ? 0
     : this->Good.points == 0 ? this->more(before)
     : this->Bad.points == 0  ? this->fewer()
@@ -103,6 +107,16 @@ int DeviationSearch::fewer() const
     : static_cast<int>(std::max(this->Least, std::floor(points)));
 }
 
+bool DeviationSearch::isNearEnough() const
+{
+  return this->Good.deviation >= NearEnough * this->Wanted;
+}
+
+bool DeviationSearch::isFarAbove() const
+{
+  return this->Bad.points > 0 && this->Good.points > ManyTimes * this->Bad.points;
+}
+
 int DeviationSearch::between() const
 {
   const double low = this->Bad.points;
@@ -111,7 +125,7 @@ int DeviationSearch::between() const
   {
     return 0;
   }
-  const double part = std::isfinite(this->Bad.deviation)
+  const double part = std::isfinite(this->Bad.deviation) && !this->isNearEnough()
     ? std::log(this->Bad.deviation / (Aim * this->Wanted)) /
       std::log(this->Bad.deviation / std::max(this->Good.deviation, 1e-9 * this->Wanted))
     : 0.5;

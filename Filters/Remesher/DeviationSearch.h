@@ -41,6 +41,8 @@ private:
   int more(const Trial& before);
   int fewer() const;
   int between() const;
+  bool isNearEnough() const; ///< the good one
+  bool isFarAbove() const;   ///< the bad one
 
   const double Wanted;
   const double Least;

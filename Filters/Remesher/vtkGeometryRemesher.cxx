@@ -294,17 +294,18 @@ struct vtkGeometryRemesher::Internals
     return stipple::Status::success();
   }
 
-  /// Vertices that are not among those asked for: on the border of a part, or at the ends of
-  /// backbones that run from fixed point to fixed point.
+  /// Vertices that are not among those asked for: the ends of backbones that run from fixed point
+  /// to fixed point. On the border of a part these are its edges; where cells of it touch in a
+  /// point only, the surface has that point more than once.
   int numberOfGivenVertices()
   {
+    const bool areFixed = this->Part.numberOfBorderPoints() > 0 || this->Atlas->GetFixedPoints();
     auto* graph = vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1));
-    vtkDataArray* keep =
-      this->Atlas->GetFixedPoints() && graph ? graph->GetCellData()->GetArray("Keep") : nullptr;
+    vtkDataArray* keep = areFixed && graph ? graph->GetCellData()->GetArray("Keep") : nullptr;
     vtkDataArray* surfacePoint = keep ? graph->GetPointData()->GetArray("SurfacePointId") : nullptr;
     if (!surfacePoint)
     {
-      return this->Part.numberOfBorderPoints();
+      return 0;
     }
     std::set<double> ends;
     vtkIdType size;

@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -102,6 +103,9 @@ TEST(SelectedPart, TheRestStaysAndTheMeshFits)
     { "cube", shapes::cube(8), [](const Vec3& x) { return x.x() + x.y() + x.z() > 1.2; }, 500 },
     { "slab", shapes::perforatedSlab(2, 1, 4), [](const Vec3& x) { return x.x() < 2.2; }, 900 },
     { "saddle", shapes::saddle(20), [](const Vec3& x) { return x.norm() < 0.6; }, 300 },
+    // Its parts touch in points only, at which the mesh of them has several vertices.
+    { "checkered cube", shapes::cube(8),
+      [](const Vec3& x) { return std::lround((4. * x).array().floor().sum()) % 2 == 0; }, 600 },
   };
   for (const auto& model : models)
   {

@@ -256,6 +256,20 @@ TEST(DeviationSearch, JumpsOnSmallStepsAreNotTakenForTheEnd)
   }
 }
 
+TEST(DeviationSearch, LooksBetweenNumbersThatAreFarApart)
+{
+  // As a ball cut by a cylinder at .5 %: from 4,000 points on its edge is met, and then more points
+  // do not bring much.
+  for (const double first : { 140., 800., 2400. })
+  {
+    const Found f =
+      search(0.01, first, [](int n) { return n < 4000 ? 0.0256 * std::sqrt(2400. / n) : 0.009; });
+    EXPECT_GE(f.points, 4000) << first;
+    EXPECT_LT(f.points, 8500) << first;
+    EXPECT_LE(f.trials, 9) << first;
+  }
+}
+
 TEST(DeviationSearch, EndsWhereThereAreNoFewerAndWhereMoreDoNotHelp)
 {
   EXPECT_EQ(search(
