@@ -69,6 +69,21 @@ vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* source, vtkIdType 
   return array;
 }
 
+/// Of a place's face, 0 to 2.
+int nearestCorner(const TriangleSurface& surface, const SurfacePlace& place)
+{
+  const Vec3 position = surface.position(place.face, place.bary);
+  const Triangle& corners = surface.triangles[place.face];
+  Vec3 distances;
+  for (int k = 0; k < 3; ++k)
+  {
+    distances[k] = (surface.points[corners[k]] - position).squaredNorm();
+  }
+  int nearest = 0;
+  distances.minCoeff(&nearest);
+  return nearest;
+}
+
 void makeUnit(vtkDataArray* normals)
 {
   for (vtkIdType i = 0; normals->GetNumberOfComponents() == 3 && i < normals->GetNumberOfTuples();
@@ -224,9 +239,7 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
       }
       else
       {
-        int nearest = 0;
-        place.bary.maxCoeff(&nearest);
-        array->SetTuple(i, ids[nearest], source);
+        array->SetTuple(i, ids[nearestCorner(surface, place)], source);
       }
     }
     handOver(first->GetPointData(), array, mesh->GetPointData());

@@ -18,7 +18,7 @@ namespace stipple
 
 /// Gives the mesh every point and cell array that all charts carry, but for those (isChartArray).
 /// Floating-point arrays are interpolated at the places of the points, all others are taken from
-/// the nearest corner; cell arrays come from the face under a triangle's centroid.
+/// the face's nearest corner; cell arrays come from the face under a triangle's centroid.
 STIPPLEFILTERSMESHING_EXPORT void transferAttributes(const AtlasSurface& surface,
   const SurfaceWalk& walk, const std::vector<SurfacePlace>& places,
   const std::vector<Triangle>& triangles, vtkPolyData* mesh);

@@ -82,15 +82,25 @@ vtkSmartPointer<vtkPolyData> answer(
       block->data->GetPolys()->GetCellAtId(place.triangle, corners);
       std::array<double, 3> bary = place.bary;
       result->GetPointData()->InterpolatePoint(from, i, corners, bary.data());
-      // Integers are the nearest corner's: that of the largest weight.
-      const auto largest = std::max_element(bary.begin(), bary.end()) - bary.begin();
+      // Integers are the nearest corner's.
+      std::array<Vec3, 3> corner;
+      for (int k = 0; k < 3; ++k)
+      {
+        block->data->GetPoint(corners->GetId(k), corner[k].data());
+      }
+      const Vec3 position = bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
+      const auto isNearer = [&](const Vec3& a, const Vec3& b) {
+        return (a - position).squaredNorm() < (b - position).squaredNorm();
+      };
+      const auto nearest =
+        std::min_element(corner.begin(), corner.end(), isNearer) - corner.begin();
       for (int a = 0; a < result->GetPointData()->GetNumberOfArrays(); ++a)
       {
         vtkAbstractArray* array = result->GetPointData()->GetAbstractArray(a);
         vtkAbstractArray* given = from->GetAbstractArray(array->GetName());
         if (given && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE)
         {
-          array->SetTuple(i, corners->GetId(largest), given);
+          array->SetTuple(i, corners->GetId(nearest), given);
         }
       }
       result->GetCellData()->CopyData(block->data->GetCellData(), place.triangle, i);

@@ -227,9 +227,13 @@ TEST(AttributeTransfer, InterpolatesAndTakesTheNearest)
     const Sample& s = m.samples[i];
     const Vec3 p = surface.position(s.face, s.bary);
     EXPECT_NEAR(height->GetTuple1(i), p.x() + 2. * p.y() + 3. * p.z(), 1e-9);
-    int nearest = 0;
-    s.bary.maxCoeff(&nearest);
-    EXPECT_EQ(label->GetTuple1(i), surface.point(s.face, nearest).x() > 0.5 ? 7 : 3);
+    Vec3 nearest = surface.point(s.face, 0); // not that of the largest weight
+    for (const int k : { 1, 2 })
+    {
+      const Vec3 corner = surface.point(s.face, k);
+      nearest = (corner - p).norm() < (nearest - p).norm() ? corner : nearest;
+    }
+    EXPECT_EQ(label->GetTuple1(i), nearest.x() > 0.5 ? 7 : 3);
   }
   const std::vector<int> under =
     facesUnderTriangles(surface, m.read->walk(), m.places(), m.triangles);
