@@ -146,6 +146,7 @@ struct vtkGeometryRemesher::Internals
   vtkGeometryRemesher* Self = nullptr;
   vtkNew<vtkCallbackCommand> Observer;
   int Current = 0;
+  bool HasStarted = false;    ///< the current stage had something to do
   std::string StageError;     ///< the first that the stage reported
   std::string ExecutiveError; ///< the first that its executive reported
   std::string Sentence;       ///< why there is no mesh
@@ -192,6 +193,7 @@ struct vtkGeometryRemesher::Internals
     this->Observer->SetCallback(&Internals::execute);
     for (vtkAlgorithm* stage : this->InOrder)
     {
+      stage->AddObserver(vtkCommand::StartEvent, this->Observer);
       stage->AddObserver(vtkCommand::ProgressEvent, this->Observer);
       stage->AddObserver(vtkCommand::ErrorEvent, this->Observer);
       stage->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
@@ -219,6 +221,10 @@ struct vtkGeometryRemesher::Internals
       {
         text = stipple::sentenceOf(static_cast<const char*>(callData));
       }
+    }
+    else if (event == vtkCommand::StartEvent)
+    {
+      self->HasStarted = self->HasStarted || caller == stage;
     }
     else if (caller == stage)
     {
@@ -437,6 +443,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   vtkAlgorithm* filter = s.InOrder[algorithm];
   int stage = stageOf(algorithm);
   s.Current = algorithm;
+  s.HasStarted = false;
   s.StageError.clear();
   s.ExecutiveError.clear();
   this->InvokeEvent(StageStartEvent, &stage);
@@ -447,7 +454,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
   }
   const double begin = vtkTimerLog::GetUniversalTime();
   const bool updated = filter->GetExecutive()->Update() != 0;
-  s.Seconds[stage] += vtkTimerLog::GetUniversalTime() - begin;
+  s.Seconds[stage] += s.HasStarted ? vtkTimerLog::GetUniversalTime() - begin : 0.;
   if (stipple::takeStop(filter) || this->AbortExecute)
   {
     this->AbortExecute = 1;

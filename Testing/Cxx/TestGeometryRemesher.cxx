@@ -118,6 +118,7 @@ void testExecutions()
   remesher->Update();
   executions.expect({ { 0, 0, 1, 1, 1, 1 } }, "minimum density");
   check(remesher->GetStageSeconds(vtkGeometryRemesher::CONTROL) > 0, "the control map took time");
+  check(remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) == 0, "the atlas had nothing to do");
 
   remesher->SetNumberOfPoints(1010);
   remesher->Update();
