@@ -215,9 +215,10 @@ double levelOfArea(const TriangleSurface& surface, const ChartMesh& mesh,
 }
 
 /// Moves the zeros of a function that pass close by a vertex onto it, so that cutting along them
-/// leaves no thin triangle; and those that cross a long sharp edge onto its nearer end: where a
-/// seam crosses a crease there is a fixed sample, which should not come close to a corner, and must
-/// not on edges that are kept one by one.
+/// leaves no thin triangle; and those that cross a long sharp edge, or one of a line that is kept,
+/// onto its nearer end: where a seam crosses a crease there is a sample, which should not come
+/// close to a corner, and must not on edges that are kept one by one. A seam along a jagged border
+/// of regions is then on the border for most of the way, and does not cross each tooth twice.
 void snapToVertices(
   const CutSurface& surface, const ChartMesh& mesh, double longEdge, std::vector<double>& value)
 {
@@ -231,9 +232,9 @@ void snapToVertices(
       if (a * b < 0)
       {
         const Halfedge h = halfedgeOf(mesh.faces[i], k);
-        const bool isLong =
-          surface.keep[h] == Keep::Edges || (surface.sharp[h] && surface.edgeLength(h) > longEdge);
-        const double nearest = isLong ? 0.5 : Constants::NearestToVertex;
+        const bool isAtEnd = surface.keep[h] != Keep::Nothing ||
+          (surface.sharp[h] && surface.edgeLength(h) > longEdge);
+        const double nearest = isAtEnd ? 0.5 : Constants::NearestToVertex;
         const double at = a / (a - b);
         if (at < nearest)
         {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Regions: labels of cells, whose borders meshes keep.
 #include "FeatureGraphBuilder.h"
+#include "MeshQuality.h"
 #include "PolyDataConversion.h"
 #include "RegionArrays.h"
 #include "RegionTransfer.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -218,6 +220,27 @@ TEST(Regions, MeshesKeepThemExactly)
         EXPECT_NEAR(after.at(label), area, 0.001 * whole) << label;
       }
     }
+  }
+}
+
+// Between halves of a sphere of latitudes and longitudes, each other triangle of a row is on the
+// other side. The seam runs along there, too: it would cross each of 60 teeth twice.
+TEST(Regions, SeamsAlongJaggedBordersDoNotCrossThem)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->Update();
+  const auto input =
+    labelled(fromPolyData(sphere->GetOutput()), [](const Vec3& x) { return x.z() > 0. ? 1 : 0; });
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->GetAtlas()->SetRegionArrayName("Part");
+  for (const int points : { 1000, 2000, 4000 })
+  {
+    remesher->SetNumberOfPoints(points);
+    remesher->Update();
+    EXPECT_GT(measureQuality(fromPolyData(remesher->GetOutput())).minimumAngle, 20.) << points;
   }
 }
 
