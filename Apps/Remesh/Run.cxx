@@ -319,6 +319,7 @@ void measure(Report& report, vtkPolyData* input, vtkGeometryRemesher* remesher)
 {
   const TriangleSurface mesh = fromPolyData(remesher->GetOutput());
   report.quality = measureQuality(mesh);
+  report.quality.selfIntersections = countSelfIntersections(mesh);
   report.distance = measureDistance(mesh, fromPolyData(input));
   // The input as it was repaired: loose triangles have no topology to compare with. Of a part, what
   // was remeshed: the rest is the input's.

@@ -151,7 +151,7 @@ bool intersect(const PlacedTriangle& s, const PlacedTriangle& t)
   return meet(oppositeOf(s, sharedS), wholeOf(t)) || meet(oppositeOf(t, sharedT), wholeOf(s));
 }
 
-std::vector<Box> placesOfIntersections(
+std::optional<std::vector<Box>> placesOfIntersections(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
   const auto placed = [&](int f) {
@@ -189,7 +189,7 @@ std::vector<Box> placesOfIntersections(
   }
   catch (const TooMany&)
   {
-    places.clear();
+    return {};
   }
   return places;
 }

@@ -9,6 +9,7 @@
 #include "TriangleSurface.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace stipple
@@ -51,9 +52,9 @@ struct PlacedTriangle
 STIPPLEFILTERSCORE_EXPORT bool intersect(const PlacedTriangle& s, const PlacedTriangle& t);
 
 /// For every pair of triangles that intersect, the box that both reach into, in an order of its
-/// own. None where boxes about triangles have far too much in common to compare them, as those of
-/// slivers do.
-STIPPLEFILTERSCORE_EXPORT std::vector<Box> placesOfIntersections(
+/// own. Nothing where boxes about triangles have far too much in common to compare them, as those
+/// of slivers do.
+STIPPLEFILTERSCORE_EXPORT std::optional<std::vector<Box>> placesOfIntersections(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 }
 

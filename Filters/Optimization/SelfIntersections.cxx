@@ -264,7 +264,8 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
   if (!known.ofSurface)
   {
     const AtlasSurface& surface = mesh.atlas().surface();
-    known.ofSurface.emplace(placesOfIntersections(surface.points, surface.triangles));
+    known.ofSurface.emplace(
+      placesOfIntersections(surface.points, surface.triangles).value_or(std::vector<Box>()));
   }
   const auto look = [&]() {
     bad = filtered(

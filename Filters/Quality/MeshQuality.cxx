@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshQuality.h"
 
+#include "TriangleIntersections.h"
+
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -413,6 +415,12 @@ MeshDistance measureDistance(
   return status.ok() ? result : MeshDistance(); // without a progress, nothing stops it
 }
 
+double countSelfIntersections(const TriangleSurface& mesh)
+{
+  const auto places = placesOfIntersections(mesh.points, mesh.triangles);
+  return places ? static_cast<double>(places->size()) : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<QualityFigure> figuresOf(const MeshQuality& q, const MeshDistance* d)
 {
   constexpr auto Count = QualityFigure::Count;
@@ -431,8 +439,8 @@ std::vector<QualityFigure> figuresOf(const MeshQuality& q, const MeshDistance* d
     { "components", Count, double(q.components) },
     { "boundary_loops", Count, double(q.boundaryLoops) }, { "euler", Count, double(q.euler) },
     { "genus", Number, q.genus }, { "degenerate", Count, double(q.degenerate) },
-    { "Qmin", Number, shape(q.minimumQ) }, { "Qavg", Number, shape(q.averageQ) },
-    { "angle_min", Number, shape(q.minimumAngle) },
+    { "self_intersections", Number, q.selfIntersections }, { "Qmin", Number, shape(q.minimumQ) },
+    { "Qavg", Number, shape(q.averageQ) }, { "angle_min", Number, shape(q.minimumAngle) },
     { "angle_min_avg", Number, shape(q.averageMinimumAngle) },
     { "angle_max", Number, shape(q.maximumAngle) }, { "pct_lt30", Number, shape(q.percentBelow30) },
     { "pct_gt90", Number, shape(q.percentAbove90) }, { "V6_pct", Number, shape(q.percentValence6) },

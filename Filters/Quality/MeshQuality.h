@@ -10,6 +10,7 @@
 #include "StippleFiltersQualityModule.h"
 #include "TriangleSurface.h"
 
+#include <limits>
 #include <vector>
 
 namespace stipple
@@ -37,8 +38,10 @@ struct MeshQuality
   int components = 0;          ///< joined by edges
   int boundaryLoops = 0;       ///< connected sets of boundary edges
   int euler = 0;               ///< V - E + F over the points that triangles use
-  double genus = 0;    ///< (2 components - boundary loops - euler) / 2: of all components together
-  int degenerate = 0;  ///< triangles of area <= 1e-12 of their longest edge squared
+  double genus = 0;   ///< (2 components - boundary loops - euler) / 2: of all components together
+  int degenerate = 0; ///< triangles of area <= 1e-12 of their longest edge squared
+  /// Pairs of triangles that pass through each other; NaN unless countSelfIntersections() said so.
+  double selfIntersections = std::numeric_limits<double>::quiet_NaN();
   double minimumQ = 0; ///< Q = 6 / sqrt 3 area / (half perimeter, longest edge): 1 if equilateral
   double averageQ = 0;
   double minimumAngle = 0;        ///< degrees
@@ -99,6 +102,12 @@ struct QualityFigure
 STIPPLEFILTERSQUALITY_EXPORT Status nearestPlaces(const std::vector<Vec3>& samples,
   const TriangleSurface& target, const Progress& progress,
   std::vector<NearestTriangle::Hit>& nearest);
+
+/// Pairs of triangles that have more in common than a corner or an edge that they share (folds
+/// about an edge do not count); NaN if there is no telling, as of millions of slivers that lie
+/// crosswise.
+[[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT double countSelfIntersections(
+  const TriangleSurface& mesh);
 
 /// Samples each surface with numberOfSamples points spread evenly by area and all its vertices, and
 /// measures to the other; the same for any number of threads. All 0 if one of them is empty.

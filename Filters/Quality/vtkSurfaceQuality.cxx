@@ -198,8 +198,10 @@ int vtkSurfaceQuality::RequestData(
         addArray(output->GetPointData(), "Distance", output->GetNumberOfPoints());
       std::copy(distance.ofPoint.begin(), distance.ofPoint.end(), array->GetPointer(0));
     }
+    stipple::MeshQuality quality = stipple::measureQuality(mesh);
+    quality.selfIntersections = stipple::countSelfIntersections(mesh);
     fill(vtkTable::GetData(outputVector, 1),
-      stipple::figuresOf(stipple::measureQuality(mesh), referenceData ? &distance : nullptr));
+      stipple::figuresOf(quality, referenceData ? &distance : nullptr));
     return status;
   });
 }

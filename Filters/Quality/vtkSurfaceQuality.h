@@ -30,6 +30,8 @@
  * - components (joined by edges), boundary_loops, euler (V - E + F over used points), genus (of all
  *   components together)
  * - degenerate: triangles of area <= 1e-12 of their longest edge squared
+ * - self_intersections: pairs of triangles that have more in common than a corner or an edge that
+ *   they share (vtkDoubleArray; NaN if there is no telling, as of millions of crossed slivers)
  * - Qmin, Qavg: of Quality
  * - angle_min, angle_min_avg, angle_max: degrees
  * - pct_lt30, pct_gt90: % of the triangles with an angle below 30, above 90 degrees

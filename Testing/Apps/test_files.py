@@ -12,7 +12,7 @@ from stipple_program import MODELS, ProgramTest, mesh_check, points_of
 
 SECONDS = ["load", "atlas", "maps", "control", "sampling", "meshing", "optimisation", "write", "total"]
 QUALITY = """V F isolated nonmanifold_edges boundary_edges misoriented_edges nonmanifold_vertices components boundary_loops
-euler genus degenerate Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_gt90 V6_pct V567_pct area_cv edge_cv area
+euler genus degenerate self_intersections Qmin Qavg angle_min angle_min_avg angle_max pct_lt30 pct_gt90 V6_pct V567_pct area_cv edge_cv area
 closed manifold rms_pct hausdorff_pct rms_to_pct hausdorff_to_pct rms_from_pct hausdorff_from_pct area_ratio same_topology""".split()
 
 

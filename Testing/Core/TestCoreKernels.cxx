@@ -249,16 +249,16 @@ TEST(TriangleIntersections, AreNoSharedCornersAndEdges)
   const std::vector<Vec3> points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 2, 2, 0 },
     { 0.5, 0.5, -1 }, { 0.5, 0.5, 1 }, { 3, 0.5, 1 }, { 0.5, 0.5, 0 }, { 1, 0.2, 0 } };
   const std::vector<Triangle> flat = { { 0, 1, 2 }, { 2, 1, 3 } };
-  EXPECT_TRUE(placesOfIntersections(points, flat).empty()) << "they share an edge";
+  EXPECT_TRUE(placesOfIntersections(points, flat)->empty()) << "they share an edge";
   const std::vector<Triangle> hinged = { { 0, 1, 2 }, { 0, 5, 6 } };
-  EXPECT_TRUE(placesOfIntersections(points, hinged).empty()) << "they share a corner";
+  EXPECT_TRUE(placesOfIntersections(points, hinged)->empty()) << "they share a corner";
   const std::vector<Triangle> pierced = { { 0, 1, 2 }, { 0, 4, 5 }, { 4, 6, 5 } };
-  EXPECT_EQ(placesOfIntersections(points, pierced).size(), 2U) << "one of them at a corner, too";
+  EXPECT_EQ(placesOfIntersections(points, pierced)->size(), 2U) << "one of them at a corner, too";
   const std::vector<Triangle> touched = { { 0, 1, 2 }, { 7, 5, 6 } };
-  const std::vector<Box> places = placesOfIntersections(points, touched);
+  const std::vector<Box> places = placesOfIntersections(points, touched).value();
   ASSERT_EQ(places.size(), 1U);
   EXPECT_EQ(places[0].low, Vec3(0.5, 0.5, 0));
   EXPECT_EQ(places[0].high, Vec3(2, 0.5, 0));
   const std::vector<Triangle> lying = { { 0, 1, 2 }, { 0, 8, 3 } };
-  EXPECT_EQ(placesOfIntersections(points, lying).size(), 1U) << "in one plane";
+  EXPECT_EQ(placesOfIntersections(points, lying)->size(), 1U) << "in one plane";
 }

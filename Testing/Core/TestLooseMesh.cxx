@@ -316,6 +316,6 @@ TEST(FarPlaces, AreNotReachedWhereTheMeshWouldPassThroughItself)
     remesher->Update();
     const TriangleSurface mesh = fromPolyData(remesher->GetOutput());
     ASSERT_EQ(mesh.points.size(), static_cast<std::size_t>(number));
-    EXPECT_EQ(placesOfIntersections(mesh.points, mesh.triangles).size(), 0U) << number;
+    EXPECT_EQ(placesOfIntersections(mesh.points, mesh.triangles)->size(), 0U) << number;
   }
 }

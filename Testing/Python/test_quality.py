@@ -45,6 +45,12 @@ class Quality(unittest.TestCase):
         self.assertEqual(figures["misoriented_edges"], 1)
         self.assertEqual(figures["degenerate"], 1)
 
+    def test_triangles_that_pass_through_each_other(self):
+        points = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0.5, 0.5, -1], [0.5, 0.5, 1], [3, 3, 0]])
+        for triangle, pairs in ([3, 4, 5], 1), ([1, 5, 2], 0), ([1, 3, 4], 1), ([1, 4, 5], 0):
+            self.assertEqual(stipple.quality((points, [[0, 1, 2], triangle]))["self_intersections"], pairs, msg=triangle)
+        self.assertEqual(stipple.quality(shapes.arrays(shapes.plane(20)))["self_intersections"], 0)
+
     def test_pinched_point(self):
         points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
         figures = stipple.quality((points, [[0, 1, 2], [0, 3, 4]]))

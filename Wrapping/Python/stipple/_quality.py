@@ -33,6 +33,8 @@ def quality(mesh, reference=None, samples=20000):
         - euler: V - E + F over the points that triangles use; genus: that of all components together, an int
           where it is whole (it is not on surfaces that cannot be oriented);
         - degenerate: triangles of no area;
+        - self_intersections: pairs of triangles that pass through each other, nan if there is no telling, as of millions
+          of crossed slivers;
         - Qmin, Qavg: 6/sqrt(3) area / (half perimeter x longest edge), 1 for an equilateral triangle;
         - angle_min, angle_min_avg, angle_max: degrees;
         - pct_lt30, pct_gt90: % of the triangles with an angle below 30, above 90 degrees;
