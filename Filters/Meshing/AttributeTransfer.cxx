@@ -24,6 +24,14 @@ bool isChartArray(const std::string& name)
 
 namespace
 {
+/// Whether an array says something of the surface, and neither of its charts nor of which cells of
+/// the data it came in are to be seen.
+bool isOfSurface(const char* name)
+{
+  return name && *name && !isChartArray(name) &&
+    name != std::string(vtkDataSetAttributes::GhostArrayName());
+}
+
 /// The arrays of that name in all charts; empty if one chart lacks it or has another type of it.
 std::vector<vtkAbstractArray*> inAllCharts(
   const AtlasSurface& surface, const char* name, vtkDataSetAttributes* (*data)(vtkPolyData*))
@@ -212,7 +220,7 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
   for (int a = 0; a < first->GetPointData()->GetNumberOfArrays(); ++a)
   {
     const char* name = first->GetPointData()->GetArrayName(a);
-    if (!name || !*name || isChartArray(name))
+    if (!isOfSurface(name))
     {
       continue;
     }
@@ -249,8 +257,8 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
   for (int a = 0; a < first->GetCellData()->GetNumberOfArrays(); ++a)
   {
     const char* name = first->GetCellData()->GetArrayName(a);
-    const auto sources = name && *name && !isChartArray(name) ? inAllCharts(surface, name, cellData)
-                                                              : std::vector<vtkAbstractArray*>();
+    const auto sources =
+      isOfSurface(name) ? inAllCharts(surface, name, cellData) : std::vector<vtkAbstractArray*>();
     if (sources.empty())
     {
       continue;

@@ -16,9 +16,10 @@ namespace stipple
 /// AreaDistortion, LargestNormalCurvature.
 [[nodiscard]] STIPPLEFILTERSMESHING_EXPORT bool isChartArray(const std::string& name);
 
-/// Gives the mesh every point and cell array that all charts carry, but for those (isChartArray).
-/// Floating-point arrays are interpolated at the places of the points, all others are taken from
-/// the face's nearest corner; cell arrays come from the face under a triangle's centroid.
+/// Gives the mesh every point and cell array that all charts carry, but for those (isChartArray)
+/// and vtkGhostType. Floating-point arrays are interpolated at the places of the points, all others
+/// are taken from the face's nearest corner; cell arrays come from the face under a triangle's
+/// centroid.
 STIPPLEFILTERSMESHING_EXPORT void transferAttributes(const AtlasSurface& surface,
   const SurfaceWalk& walk, const std::vector<SurfacePlace>& places,
   const std::vector<Triangle>& triangles, vtkPolyData* mesh);

@@ -17,10 +17,11 @@
  * - 0: the mesh, a vtkPolyData of triangles oriented like the input; its point arrays (`ChartId`,
  * `ChartCellId`, `BarycentricCoordinates`, `UV`, `SourceCellId`, `SampleKind`, `BackboneId`,
  * `ArcLength`) say where on the input each point lies; the input's named arrays come along, active
- * for what they are active for there (but active normals, which are of another surface, do not, and
- * global ids are not active): float and double point arrays interpolated, other point
- * arrays by the nearest corner of the input's triangle below, cell arrays by the input cell below,
- * but labels of regions exactly (see vtkConformalAtlas::RegionArrayName); field arrays as they are
+ * for what they are active for there (but active normals, which are of another surface, and
+ * vtkGhostType, which is not heeded, do not, and global ids are not active): float and double point
+ * arrays interpolated, other point arrays by the nearest corner of the input's triangle below, cell
+ * arrays by the input cell below, but labels of regions exactly (see
+ * vtkConformalAtlas::RegionArrayName); field arrays as they are
  * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points,
  * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)

@@ -415,6 +415,16 @@ class Attributes(unittest.TestCase):
         self.assertEqual(result.GetFieldData().GetArray("time").GetValue(0), 3.5)
         self.assertIsNotNone(mesh.GetPointData().GetNormals(), "the input keeps its own")
 
+    def test_cells_of_the_input_that_are_ghosts_make_none(self):
+        mesh = shapes.sphere(10)
+        hidden = np.full(mesh.GetNumberOfCells(), 32, np.uint8)
+        mesh.GetCellData().AddArray(named(hidden, "vtkGhostType"))
+        mesh.GetCellData().AddArray(named(hidden, "kept"))
+        result = stipple.remesh(mesh, points=200)
+        self.assertEqual(result.GetNumberOfPoints(), 200)
+        self.assertFalse(result.GetCellData().HasArray("vtkGhostType"))
+        np.testing.assert_array_equal(vtk_to_numpy(result.GetCellData().GetArray("kept")), 32)
+
     def test_a_density_that_is_no_number(self):
         for keyword in ("importance_array", "size_array"):
             for value, word in ((np.nan, "NaN"), (np.inf, "infinite")):
