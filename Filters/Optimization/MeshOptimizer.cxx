@@ -324,9 +324,9 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
     {
       return status;
     }
-    if (!SelfIntersections(*before).faces().empty()) // what passes through itself does so anyway
+    if (static_cast<int>(overlapsOf(*before, SelfIntersections(*before), overlaps).size()) >= left)
     {
-      return status;
+      return status; // what passes through itself does so anyway
     }
     for (const Face f : SelfIntersections(mesh).faces())
     {

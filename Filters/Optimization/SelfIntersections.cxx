@@ -225,6 +225,13 @@ bool partBySwap(MeshEdit& edit, SelfIntersections& intersections, Edge e)
   return isBetter;
 }
 
+/// Where much of a mesh passes through itself, sheets are closer together than edges are long: then
+/// there is nothing to part, and trying takes long.
+int mostOverlaps(const OptimizedMesh& mesh)
+{
+  return Tuning::FewIntersecting + mesh.faces().size() / 50;
+}
+
 /// Places the vertices about the triangles anew, of as few rings as part any.
 bool partByEmbedding(MeshEdit& edit, SelfIntersections& intersections,
   const std::vector<Face>& faces, int& budget, FailedEmbeddings& failed)
@@ -249,17 +256,13 @@ bool partByEmbedding(MeshEdit& edit, SelfIntersections& intersections,
 }
 }
 
-int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOverlaps& known)
+std::vector<Face> overlapsOf(
+  const OptimizedMesh& mesh, const SelfIntersections& intersections, KnownOverlaps& known)
 {
-  const OptimizedMesh& mesh = edit.mesh();
-  SelfIntersections intersections(mesh);
-  std::vector<Face> bad = intersections.faces();
-  // Where much of a mesh passes through itself, sheets are closer together than edges are long:
-  // then there is nothing to part, and trying takes long.
-  const int most = Tuning::FewIntersecting + mesh.faces().size() / 50;
-  if (bad.empty() || static_cast<int>(bad.size()) > Tuning::MostOfSurface * most)
+  std::vector<Face> faces = intersections.faces();
+  if (faces.empty() || static_cast<int>(faces.size()) > Tuning::MostOfSurface * mostOverlaps(mesh))
   {
-    return static_cast<int>(bad.size());
+    return faces;
   }
   if (!known.ofSurface)
   {
@@ -267,12 +270,15 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
     known.ofSurface.emplace(
       placesOfIntersections(surface.points, surface.triangles).value_or(std::vector<Box>()));
   }
-  const auto look = [&]() {
-    bad = filtered(
-      intersections.faces(), [&](Face f) { return !intersections.isNear(f, *known.ofSurface); });
-  };
-  look();
-  if (static_cast<int>(bad.size()) > most)
+  return filtered(faces, [&](Face f) { return !intersections.isNear(f, *known.ofSurface); });
+}
+
+int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOverlaps& known)
+{
+  const OptimizedMesh& mesh = edit.mesh();
+  SelfIntersections intersections(mesh);
+  std::vector<Face> bad = overlapsOf(mesh, intersections, known);
+  if (static_cast<int>(bad.size()) > mostOverlaps(mesh))
   {
     return static_cast<int>(bad.size());
   }
@@ -298,7 +304,7 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
         }
       }
     }
-    look();
+    bad = overlapsOf(mesh, intersections, known);
     // What is left then lies in layers that face the same way.
     if (pass > 0 || !changed)
     {
@@ -314,7 +320,7 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
       break;
     }
     hasChanged = true;
-    look();
+    bad = overlapsOf(mesh, intersections, known);
   }
   // Of layers that were parted, triangles may be left that are folded onto their neighbours.
   const std::size_t left = intersections.faces().size();

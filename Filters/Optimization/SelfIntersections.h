@@ -50,6 +50,11 @@ struct KnownOverlaps
   std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked
 };
 
+/// Triangles that intersect others where the surface does not pass through itself; all that
+/// intersect others if these are too many to tell. What they are is as last updated.
+STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<Face> overlapsOf(
+  const OptimizedMesh& mesh, const SelfIntersections& intersections, KnownOverlaps& known);
+
 /// Moves vertices and swaps edges of intersecting triangles, always such that fewer pairs
 /// intersect and no triangle gets worse than Tuning::PartingAngle unless it was; what is left is
 /// embedded anew. What is where the surface passes through itself is left as it is, and so is a

@@ -262,8 +262,10 @@ public:
   ///@{
   /**
    * Bounds on the lengths of edges, in the surface's unit, which go before all else but
-   * NumberOfSamples: what that cannot keep is an error with the number that can. 0: none. At least
-   * 0; the default is 0.
+   * NumberOfSamples: what that cannot keep is an error with the number that can. They are bounds on
+   * what is wanted, that is on the mean about a place; single edges differ by a third, and by a
+   * factor of two where an importance changes from edge to edge: a Gradation smooths it. 0: none.
+   * At least 0; the default is 0.
    */
   vtkSetClampMacro(SizeMinimum, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMinimum, double);
