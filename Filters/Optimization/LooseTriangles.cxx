@@ -110,7 +110,7 @@ bool LooseTriangles::keepsLines(Vertex v, Vertex u) const
     (kept == 2 && this->keep(v, u) == Keep::Border &&
       std::all_of(gone.begin(), gone.end(), [&](int t) {
         const Vertex w = apexOf(this->Triangles[t], v, u);
-        return !this->isCrease(v, w) && !this->isCrease(u, w);
+        return !this->isCrease(v, w) || !this->isCrease(u, w);
       }));
 }
 

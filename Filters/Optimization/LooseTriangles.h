@@ -65,7 +65,8 @@ public:
   std::vector<int> neighbours(int t) const;
   int numberOfCreases(Vertex v) const;
   /// Whether lines that must stay do, and regions stay apart, when v has gone to u: v may lie
-  /// inside a border that leads to u, with nothing of it on the triangles that go.
+  /// inside a border that leads to u. A triangle that goes may have one more edge on the border, as
+  /// the tip of a tooth has; a region that has only that triangle stays.
   bool keepsLines(Vertex v, Vertex u) const;
   bool isOnBoundary(Vertex v) const;
 

@@ -244,6 +244,31 @@ TEST(Regions, SeamsAlongJaggedBordersDoNotCrossThem)
   }
 }
 
+// The same border where edges are twice as long as its teeth are wide: tips may go, areas stay.
+TEST(Regions, TeethThatAreFinerThanEdgesLeaveNoSlivers)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->Update();
+  const auto input =
+    labelled(fromPolyData(sphere->GetOutput()), [](const Vec3& x) { return x.z() > 0. ? 1 : 0; });
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(input);
+  remesher->GetAtlas()->SetRegionArrayName("Part");
+  remesher->SetNumberOfPoints(500);
+  remesher->Update();
+  vtkPolyData* mesh = remesher->GetOutput();
+  const MeshQuality q = measureQuality(fromPolyData(mesh));
+  EXPECT_GT(q.minimumAngle, 20.);
+  EXPECT_LT(q.percentBelow30, 2.);
+  EXPECT_EQ(crossings(input, mesh), 0);
+  const auto before = areas(input);
+  const auto after = areas(mesh);
+  ASSERT_EQ(after.size(), 2U);
+  EXPECT_NEAR(after.at(0) / after.at(1), before.at(0) / before.at(1), 0.005);
+}
+
 // Stripes far narrower than the spacing: there is no good mesh of so few points, but a right one.
 TEST(Regions, NarrowOnesStay)
 {
