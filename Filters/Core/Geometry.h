@@ -91,6 +91,17 @@ inline Vec3 barycentricInSpace(const Vec3& p, const Vec3& a, const Vec3& b, cons
   return { 1 - s - t, s, t };
 }
 
+/// The corner, 0 to 2, of a triangle in space that is nearest to a place in it; of several, the
+/// first. In a long triangle it need not be that of the largest coordinate.
+inline int nearestCorner(const Vec3& barycentric, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 place = barycentric[0] * a + barycentric[1] * b + barycentric[2] * c;
+  int nearest = 0;
+  Vec3((a - place).squaredNorm(), (b - place).squaredNorm(), (c - place).squaredNorm())
+    .minCoeff(&nearest);
+  return nearest;
+}
+
 /// Clamps barycentric coordinates to the triangle and makes them sum to one.
 inline Vec3 clampedBarycentric(const Vec3& b)
 {

@@ -77,21 +77,6 @@ vtkSmartPointer<vtkAbstractArray> emptyLike(vtkAbstractArray* source, vtkIdType 
   return array;
 }
 
-/// Of a place's face, 0 to 2.
-int nearestCorner(const TriangleSurface& surface, const SurfacePlace& place)
-{
-  const Vec3 position = surface.position(place.face, place.bary);
-  const Triangle& corners = surface.triangles[place.face];
-  Vec3 distances;
-  for (int k = 0; k < 3; ++k)
-  {
-    distances[k] = (surface.points[corners[k]] - position).squaredNorm();
-  }
-  int nearest = 0;
-  distances.minCoeff(&nearest);
-  return nearest;
-}
-
 void makeUnit(vtkDataArray* normals)
 {
   for (vtkIdType i = 0; normals->GetNumberOfComponents() == 3 && i < normals->GetNumberOfTuples();
@@ -247,7 +232,9 @@ void transferAttributes(const AtlasSurface& surface, const SurfaceWalk& walk,
       }
       else
       {
-        array->SetTuple(i, ids[nearestCorner(surface, place)], source);
+        const int nearest = nearestCorner(place.bary, surface.point(place.face, 0),
+          surface.point(place.face, 1), surface.point(place.face, 2));
+        array->SetTuple(i, ids[nearest], source);
       }
     }
     handOver(first->GetPointData(), array, mesh->GetPointData());

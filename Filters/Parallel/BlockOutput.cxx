@@ -88,12 +88,7 @@ vtkSmartPointer<vtkPolyData> answer(
       {
         block->data->GetPoint(corners->GetId(k), corner[k].data());
       }
-      const Vec3 position = bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
-      const auto isNearer = [&](const Vec3& a, const Vec3& b) {
-        return (a - position).squaredNorm() < (b - position).squaredNorm();
-      };
-      const auto nearest =
-        std::min_element(corner.begin(), corner.end(), isNearer) - corner.begin();
+      const int nearest = nearestCorner(Vec3(bary.data()), corner[0], corner[1], corner[2]);
       for (int a = 0; a < result->GetPointData()->GetNumberOfArrays(); ++a)
       {
         vtkAbstractArray* array = result->GetPointData()->GetAbstractArray(a);

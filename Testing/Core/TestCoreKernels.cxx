@@ -244,6 +244,18 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
   EXPECT_TRUE(BoxGrid().pairs([](int, int) { return true; }).empty());
 }
 
+TEST(Geometry, NearestCornersNeedNotHaveTheLargestCoordinate)
+{
+  const Vec3 a(0, 0, 0);
+  const Vec3 b(10, 0, 0);
+  const Vec3 c(0, 1, 0);
+  EXPECT_EQ(nearestCorner(Vec3(0.4, 0.45, 0.15), a, b, c), 0);
+  EXPECT_EQ(nearestCorner(Vec3(0.2, 0.6, 0.2), a, b, c), 1);
+  EXPECT_EQ(nearestCorner(Vec3(0.3, 0.35, 0.35), a, b, c), 0);
+  EXPECT_EQ(nearestCorner(Vec3(0.1, 0.2, 0.7), a, b, c), 2);
+  EXPECT_EQ(nearestCorner(Vec3(0.5, 0.5, 0), a, b, c), 0) << "of two, the first";
+}
+
 TEST(TriangleIntersections, AreNoSharedCornersAndEdges)
 {
   const std::vector<Vec3> points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 2, 2, 0 },

@@ -47,6 +47,18 @@ vtkSmartPointer<vtkPolyData> labelled(const TriangleSurface& surface, const Labe
   return data;
 }
 
+/// Of a sphere of latitudes and longitudes: between them, each other triangle of a row is on the
+/// other side.
+vtkSmartPointer<vtkPolyData> jaggedHalves()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->Update();
+  return labelled(
+    fromPolyData(sphere->GetOutput()), [](const Vec3& x) { return x.z() > 0. ? 1 : 0; });
+}
+
 std::map<int, double> areas(vtkPolyData* data)
 {
   const TriangleSurface surface = fromPolyData(data);
@@ -223,16 +235,10 @@ TEST(Regions, MeshesKeepThemExactly)
   }
 }
 
-// Between halves of a sphere of latitudes and longitudes, each other triangle of a row is on the
-// other side. The seam runs along there, too: it would cross each of 60 teeth twice.
+// The seam runs along the border, too: it would cross each of 60 teeth twice.
 TEST(Regions, SeamsAlongJaggedBordersDoNotCrossThem)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(60);
-  sphere->SetPhiResolution(60);
-  sphere->Update();
-  const auto input =
-    labelled(fromPolyData(sphere->GetOutput()), [](const Vec3& x) { return x.z() > 0. ? 1 : 0; });
+  const auto input = jaggedHalves();
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(input);
   remesher->GetAtlas()->SetRegionArrayName("Part");
@@ -247,12 +253,7 @@ TEST(Regions, SeamsAlongJaggedBordersDoNotCrossThem)
 // The same border where edges are twice as long as its teeth are wide: tips may go, areas stay.
 TEST(Regions, TeethThatAreFinerThanEdgesLeaveNoSlivers)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(60);
-  sphere->SetPhiResolution(60);
-  sphere->Update();
-  const auto input =
-    labelled(fromPolyData(sphere->GetOutput()), [](const Vec3& x) { return x.z() > 0. ? 1 : 0; });
+  const auto input = jaggedHalves();
   vtkNew<vtkGeometryRemesher> remesher;
   remesher->SetInputData(input);
   remesher->GetAtlas()->SetRegionArrayName("Part");
