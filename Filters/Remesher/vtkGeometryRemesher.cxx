@@ -7,10 +7,12 @@
 #include "DeviationSearch.h"
 #include "FilterExecution.h"
 #include "MeshCheck.h"
+#include "MeshOverlaps.h"
 #include "MessageText.h"
 #include "OptionTable.h"
 #include "PolyDataConversion.h"
 #include "Progress.h"
+#include "SamplingConstants.h"
 #include "SelectedPart.h"
 #include "SizingFunction.h"
 #include "SurfaceDeviation.h"
@@ -23,6 +25,7 @@
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
 #include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
@@ -120,6 +123,11 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
   }
   return status.ok();
 }
+
+/// How often shorter edges are asked for where a mesh passes through itself, and up to how many
+/// pairs of triangles that do so, in triangles.
+constexpr int PartingTries = 2;
+constexpr double PartedShare = 0.01;
 
 constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
   "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
@@ -252,14 +260,19 @@ struct vtkGeometryRemesher::Internals
                                           : OPTIMISATION];
   }
 
+  /// The one that the stages share.
+  stipple::Status readAtlas(stipple::Atlas::Pointer& atlas)
+  {
+    return stipple::Atlas::read(
+      vtkPartitionedDataSetCollection::SafeDownCast(this->Atlas->GetOutputDataObject(0)),
+      vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1)), atlas);
+  }
+
   /// Whether the optimised mesh may be handed to a user.
   stipple::Status check(vtkPolyData* result)
   {
-    stipple::Atlas::Pointer atlas; // the one that the stages share
-    const stipple::Status status = stipple::Atlas::read(
-      vtkPartitionedDataSetCollection::SafeDownCast(this->Atlas->GetOutputDataObject(0)),
-      vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1)), atlas);
-    if (!status.ok())
+    stipple::Atlas::Pointer atlas;
+    if (const stipple::Status status = this->readAtlas(atlas); !status.ok())
     {
       return status;
     }
@@ -267,6 +280,40 @@ struct vtkGeometryRemesher::Internals
     mesh.connect();
     return stipple::checkMesh(mesh, atlas->surface(), atlas->topology(),
       [this](double) { return this->Self->GetAbortExecute() == 0; });
+  }
+
+  /// Adds a row for SizePlaces where the mesh passes through itself and the surface does not, as
+  /// short as sizes may get beside features. Returns how many there are.
+  int addOverlaps(vtkDoubleArray* places)
+  {
+    stipple::Atlas::Pointer atlas;
+    if (!this->readAtlas(atlas).ok())
+    {
+      return 0;
+    }
+    const bool subdivides = this->Self->GetPattern() == SEMIREGULAR;
+    const stipple::TriangleSurface mesh = stipple::fromPolyData(
+      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0)));
+    // Edges that are asked for are those of the base mesh.
+    const double share = stipple::SamplingConstants::FinestSize *
+      (subdivides ? std::pow(2., this->Subdivider->GetNumberOfSubdivisions()) : 1.);
+    const std::vector<stipple::MeshOverlap> overlaps =
+      stipple::findOverlaps(mesh, atlas->surface());
+    for (const stipple::MeshOverlap& overlap : overlaps)
+    {
+      double length = 0;
+      for (const stipple::Face f : overlap.faces)
+      {
+        const stipple::Triangle& t = mesh.triangles[f.index()];
+        for (int k = 0; k < 3; ++k)
+        {
+          length += (mesh.points[t[k]] - mesh.points[t[(k + 1) % 3]]).norm() / 6.;
+        }
+      }
+      const stipple::Vec3& p = overlap.position;
+      places->InsertNextTuple4(p.x(), p.y(), p.z(), share * length);
+    }
+    return static_cast<int>(overlaps.size());
   }
 
   /// Hands the input, or the part of it that is selected, to the atlas if it is not the one of
@@ -665,6 +712,59 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   }
 }
 
+/// Where a mesh passes through itself, sheets of the surface are closer together than its edges are
+/// long: shorter ones are asked for there, and the best of the meshes is kept.
+bool vtkGeometryRemesher::RunStagesAndPart()
+{
+  Internals& s = *this->Stages;
+  s.ControlMap->SetSizePlaces(nullptr);
+  if (!this->RunStagesAndCheck())
+  {
+    return false;
+  }
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(4);
+  int fewest = this->Pattern == QUADS ? 0 : s.addOverlaps(places); // of quads sizes do not grow
+  const vtkIdType triangles = s.Optimizer->GetOutput()->GetNumberOfCells();
+  // Where it does all over, points for all these places would be missed everywhere.
+  if (fewest > PartedShare * static_cast<double>(triangles))
+  {
+    return true;
+  }
+  vtkNew<vtkDoubleArray> best;
+  best->SetNumberOfComponents(4);
+  int last = fewest;
+  for (int i = 0; i < PartingTries && last > 0; ++i)
+  {
+    vtkNew<vtkDoubleArray> now;
+    now->DeepCopy(places);
+    s.ControlMap->SetSizePlaces(now);
+    if (!this->RunStagesAndCheck())
+    {
+      if (this->ErrorCode == ABORTED)
+      {
+        return false;
+      }
+      this->ErrorCode = 0;
+      s.Sentence.clear();
+      last = std::numeric_limits<int>::max();
+      break;
+    }
+    last = s.addOverlaps(places);
+    if (last < fewest)
+    {
+      fewest = last;
+      best->DeepCopy(now);
+    }
+  }
+  if (last == fewest)
+  {
+    return true;
+  }
+  s.ControlMap->SetSizePlaces(best);
+  return this->RunStagesAndCheck();
+}
+
 /// Remeshes with numbers of points until one holds the largest deviation.
 bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
 {
@@ -683,7 +783,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   const double diagonal = reference.boundingBoxDiagonal();
   if (!(diagonal > 0.) || !std::isfinite(diagonal))
   {
-    return this->RunStagesAndCheck(); // they say what is wrong, or make nothing of nothing
+    return this->RunStagesAndPart(); // they say what is wrong, or make nothing of nothing
   }
   double wanted = std::numeric_limits<double>::infinity();
   for (const double bound :
@@ -708,7 +808,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     this->NumberOfPointsTried = points;
     s.ProgressFrom = s.ProgressTo;
     s.ProgressTo = 0.5 * (1. + s.ProgressTo);
-    if (!this->RunStagesAndCheck())
+    if (!this->RunStagesAndPart())
     {
       return false;
     }
@@ -784,7 +884,7 @@ int vtkGeometryRemesher::RequestData(
   const bool done = this->TakeInput(input) &&
     (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
         ? this->SearchNumberOfPoints(input)
-        : this->RunStagesAndCheck());
+        : this->RunStagesAndPart());
   this->NumberOfPointsTried = 0;
   if (done)
   {

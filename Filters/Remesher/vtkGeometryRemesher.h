@@ -285,6 +285,7 @@ private:
   bool RunMapsAndControl();
   bool RunStages();
   bool RunStagesAndCheck();
+  bool RunStagesAndPart();
   bool SearchNumberOfPoints(vtkPolyData* input);
 
   int NumberOfPoints = 0;

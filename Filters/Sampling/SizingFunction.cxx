@@ -51,6 +51,10 @@ public:
     std::vector<FeatureSize> sizes = featureSizes(atlas, spacing, stop);
     const std::vector<FeatureSize> ofLoops = girthSizes(atlas, spacing, stop);
     sizes.insert(sizes.end(), ofLoops.begin(), ofLoops.end());
+    for (const SizeSource& place : this->Options.places)
+    {
+      sizes.push_back({ place.position, place.size, place.size / Constants::FinestSize });
+    }
     return sizes;
   }
   Growth takeGrowth() { return std::move(this->Grown); }

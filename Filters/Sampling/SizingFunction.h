@@ -6,6 +6,7 @@
 
 #include "Atlas.h"
 #include "ControlImage.h"
+#include "GradedSizes.h"
 #include "Progress.h"
 
 #include <cmath>
@@ -25,6 +26,9 @@ struct SizingOptions
   /// Ratio of the lengths of neighbouring edges, above 1, from where features are near one another
   /// (featureSizes()); 0: lengths may jump.
   double growth = 0;
+  /// Places at which edges are to be no longer than that, besides those near features, and from
+  /// which they grow as from these.
+  std::vector<SizeSource> places;
 };
 
 /// What the lengths of edges of a control are.

@@ -45,17 +45,39 @@ static_assert(vtkControlMap::CHART == static_cast<int>(PictureProjection::Chart)
   vtkControlMap::Z_AXIS == static_cast<int>(PictureProjection::ZAxis));
 
 constexpr int StrokeComponents = 5;
+constexpr int SizePlaceComponents = 4;
 
 bool isStroke(const double* s)
 {
   return std::all_of(s, s + StrokeComponents, [](double x) { return std::isfinite(x); }) &&
     s[3] >= 0. && s[4] >= -1.;
 }
+
+bool isSizePlace(const double* p)
+{
+  return std::all_of(p, p + SizePlaceComponents, [](double x) { return std::isfinite(x); }) &&
+    p[3] > 0.;
+}
+
+/// Copies an array with as many components, nullptr being an empty one; whether that differs.
+bool assign(vtkDoubleArray* own, vtkDoubleArray* other)
+{
+  const vtkIdType n = other ? other->GetNumberOfValues() : 0;
+  if (n == own->GetNumberOfValues() &&
+    (n == 0 || std::equal(own->GetPointer(0), own->GetPointer(0) + n, other->GetPointer(0))))
+  {
+    return false;
+  }
+  own->SetNumberOfValues(n);
+  std::copy_n(n > 0 ? other->GetPointer(0) : nullptr, n, own->GetPointer(0));
+  return true;
+}
 }
 
 struct vtkControlMap::Internals
 {
   vtkNew<vtkDoubleArray> strokes;
+  vtkNew<vtkDoubleArray> sizePlaces;
   stipple::ControlMapBuilder builder;
 };
 
@@ -84,6 +106,8 @@ vtkControlMap::vtkControlMap()
   this->SetNumberOfInputPorts(3);
   this->Data->strokes->SetName("Strokes");
   this->Data->strokes->SetNumberOfComponents(StrokeComponents);
+  this->Data->sizePlaces->SetName("SizePlaces");
+  this->Data->sizePlaces->SetNumberOfComponents(SizePlaceComponents);
 }
 
 vtkControlMap::~vtkControlMap()
@@ -166,21 +190,40 @@ void vtkControlMap::SetStrokes(vtkDoubleArray* strokes)
       return;
     }
   }
-  vtkDoubleArray* own = this->Data->strokes;
-  if (n == own->GetNumberOfTuples() &&
-    std::equal(own->GetPointer(0), own->GetPointer(0) + StrokeComponents * n,
-      n > 0 ? strokes->GetPointer(0) : own->GetPointer(0)))
+  if (assign(this->Data->strokes, strokes))
   {
-    return;
+    this->Modified();
   }
-  own->SetNumberOfTuples(n);
-  std::copy_n(n > 0 ? strokes->GetPointer(0) : nullptr, StrokeComponents * n, own->GetPointer(0));
-  this->Modified();
 }
 
 vtkDoubleArray* vtkControlMap::GetStrokes()
 {
   return this->Data->strokes;
+}
+
+void vtkControlMap::SetSizePlaces(vtkDoubleArray* places)
+{
+  const vtkIdType n = places ? places->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    if (places->GetNumberOfComponents() != SizePlaceComponents ||
+      !isSizePlace(places->GetPointer(SizePlaceComponents * i)))
+    {
+      vtkErrorMacro("Place " << i
+                             << " of a size is none: it has the components x, y, z and length, all "
+                                "finite, the length positive.");
+      return;
+    }
+  }
+  if (assign(this->Data->sizePlaces, places))
+  {
+    this->Modified();
+  }
+}
+
+vtkDoubleArray* vtkControlMap::GetSizePlaces()
+{
+  return this->Data->sizePlaces;
 }
 
 int vtkControlMap::FillInputPortInformation(int port, vtkInformation* info)
@@ -227,6 +270,11 @@ int vtkControlMap::RequestData(
   options.sizing.largest = this->SizeMaximum;
   options.sizing.growth = this->Growth;
   options.growFromFeatures = this->GrowFromFeatures;
+  for (vtkIdType i = 0; i < this->Data->sizePlaces->GetNumberOfTuples(); ++i)
+  {
+    const double* p = this->Data->sizePlaces->GetPointer(SizePlaceComponents * i);
+    options.sizing.places.push_back({ { p[0], p[1], p[2] }, p[3] });
+  }
   for (vtkIdType i = 0; i < this->Data->strokes->GetNumberOfTuples(); ++i)
   {
     const double* s = this->Data->strokes->GetPointer(StrokeComponents * i);
@@ -288,6 +336,7 @@ void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMinimum: " << this->SizeMinimum << "\n";
   os << indent << "SizeMaximum: " << this->SizeMaximum << "\n";
   os << indent << "Growth: " << this->Growth << "\n";
+  os << indent << "SizePlaces: " << this->Data->sizePlaces->GetNumberOfTuples() << "\n";
   os << indent << "FollowImportance: " << this->FollowImportance << "\n";
   os << indent << "GrowFromFeatures: " << this->GrowFromFeatures << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";

@@ -337,6 +337,47 @@ TEST(SizingFunction, GrowsFromThinPlacesAndKeepsTheNumber)
   EXPECT_TRUE(applySizing(plate.atlas.get(), maps.images, options, stop, control, sizes).isAbort());
 }
 
+TEST(SizingFunction, GrowsFromPlaces)
+{
+  const Plate plate(Vec3(1., 1., 1.)); // a cube, whose edges are not near one another
+  const AtlasSurface& s = plate.atlas->surface();
+  ControlMaps maps(s, 64);
+  const std::vector<float*> control = maps.pixels();
+  const std::vector<std::vector<float>> before = maps.control;
+  SizingOptions options;
+  options.numberOfSamples = 1000;
+  options.growth = 1.5;
+  Sizes sizes;
+  ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
+  EXPECT_EQ(maps.control, before);
+  const double spacing = spacingOf(options.numberOfSamples / s.area());
+  options.places = { { Vec3(1., 0., 0.), 0.5 * spacing }, { Vec3(0., 1., 0.), 0.01 * spacing } };
+  ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
+  EXPECT_TRUE(sizes.hasGrown);
+  EXPECT_EQ(sizes.numberOfSamples, 1000.);
+  double mass = 0;
+  for (const ControlImage& image : maps.images)
+  {
+    mass += controlMass(image).total;
+  }
+  std::array<double, 3> smallest = { { 1., 1., 1. } }; // near the places, and far from them
+  for (int c = 0; c < s.numberOfCharts(); ++c)
+  {
+    for (int i = 0; i < maps.images[c].numberOfPixels(); ++i)
+    {
+      const Vec3 p = maps.position(s, c, i);
+      const double size = spacingOf(options.numberOfSamples / mass * maps.images[c].density(i));
+      const std::size_t at = (p - options.places[0].position).norm() < 2. * spacing ? 0
+        : (p - options.places[1].position).norm() < 2. * spacing                    ? 1
+                                                                                    : 2;
+      smallest[at] = std::min(smallest[at], size / spacing);
+    }
+  }
+  EXPECT_NEAR(smallest[0], 0.5, 0.15);
+  EXPECT_NEAR(smallest[1], SamplingConstants::FinestSize, 0.1) << "no finer than features get";
+  EXPECT_GT(smallest[2], 0.8);
+}
+
 TEST(FeatureSizes, AreMetByEdgesOfTheFinestAndLonger)
 {
   const std::vector<FeatureSize> features = { { Vec3(0, 0, 0), 1., 1. }, { Vec3(1, 0, 0), .5, 1. },

@@ -243,6 +243,40 @@ void testStrokes()
   near(p.at(0.1, 0.1), 0.5, 0.05, "in their order");
 }
 
+void testSizePlaces()
+{
+  vtkNew<vtkControlMap> control;
+  vtkNew<vtkTest::ErrorObserver> errors;
+  control->AddObserver(vtkCommand::ErrorEvent, errors);
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(4);
+  places->InsertNextTuple4(1., 2., 3., 0.5);
+  control->SetSizePlaces(places);
+  check(control->GetSizePlaces()->GetNumberOfTuples() == 1 &&
+      control->GetSizePlaces()->GetComponent(0, 3) == 0.5,
+    "places of sizes as numbers");
+  const vtkMTimeType time = control->GetMTime();
+  control->SetSizePlaces(places);
+  check(control->GetMTime() == time, "the same places change nothing");
+  for (const double length : { 0., -1., std::nan(""), static_cast<double>(INFINITY) })
+  {
+    errors->Clear();
+    places->SetComponent(0, 3, length);
+    control->SetSizePlaces(places);
+    check(errors->GetError() && control->GetSizePlaces()->GetComponent(0, 3) == 0.5,
+      "what is no length is refused");
+  }
+  vtkNew<vtkDoubleArray> three;
+  three->SetNumberOfComponents(3);
+  three->InsertNextTuple3(1., 2., 3.);
+  errors->Clear();
+  control->SetSizePlaces(three);
+  check(errors->GetError() && control->GetMTime() == time, "nor are arrays of other shapes taken");
+  control->SetSizePlaces(nullptr);
+  check(control->GetSizePlaces()->GetNumberOfTuples() == 0 && control->GetMTime() > time,
+    "nullptr is none");
+}
+
 void testGammaKeepsWhatItCan()
 {
   // The quantity's map is gone: a new gamma must not ask for it again, a new importance must.
@@ -336,6 +370,7 @@ int TestControlMapSurface(int, char*[])
   testGradation();
   testBandPass();
   testStrokes();
+  testSizePlaces();
   testGammaKeepsWhatItCan();
   testProjection();
   testFaceIndexOfOtherCharts();

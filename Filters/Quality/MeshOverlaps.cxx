@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshOverlaps.h"
+
+#include "BoxGrid.h"
+#include "TriangleIntersections.h"
+
+namespace stipple
+{
+std::vector<MeshOverlap> findOverlaps(const TriangleSurface& mesh, const TriangleSurface& surface)
+{
+  const auto placed = [&](int f) {
+    const Triangle& t = mesh.triangles[f];
+    return PlacedTriangle{ t, { mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] } };
+  };
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+  {
+    boxes.push_back(Box::around(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+  }
+  BoxGrid grid(std::move(boxes));
+  const std::vector<std::array<int, 2>> pairs =
+    grid.pairs([&](int i, int j) { return intersect(placed(i), placed(j)); });
+  std::vector<MeshOverlap> overlaps;
+  if (pairs.empty())
+  {
+    return overlaps;
+  }
+  BoxGrid known(
+    placesOfIntersections(surface.points, surface.triangles).value_or(std::vector<Box>()));
+  for (const auto& [i, j] : pairs)
+  {
+    const Box place = grid.box(i).common(grid.box(j));
+    if (!known.hasNear(place.grown(grid.meanSize())))
+    {
+      overlaps.push_back({ { { Face(i), Face(j) } }, 0.5 * (place.low + place.high) });
+    }
+  }
+  return overlaps;
+}
+}

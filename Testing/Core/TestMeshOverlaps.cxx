@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a mesh passes through itself and the surface that it is of does not.
+#include "MeshOverlaps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace stipple;
+
+namespace
+{
+constexpr int Side = 8;
+
+/// Unit squares of Side x Side cells, parallel to the x-y plane but for a slope along x.
+struct Sheets
+{
+  TriangleSurface surface;
+
+  void add(double z, double slope = 0.)
+  {
+    const auto first = static_cast<int>(this->surface.points.size());
+    for (int y = 0; y <= Side; ++y)
+    {
+      for (int x = 0; x <= Side; ++x)
+      {
+        const double u = static_cast<double>(x) / Side;
+        this->surface.points.emplace_back(u, static_cast<double>(y) / Side, z + slope * (u - 0.51));
+      }
+    }
+    for (int y = 0; y < Side; ++y)
+    {
+      for (int x = 0; x < Side; ++x)
+      {
+        const int a = first + y * (Side + 1) + x;
+        this->surface.triangles.push_back({ a, a + 1, a + Side + 2 });
+        this->surface.triangles.push_back({ a, a + Side + 2, a + Side + 1 });
+      }
+    }
+  }
+};
+}
+
+TEST(MeshOverlaps, AreFoundWhereTheSurfaceHasNone)
+{
+  Sheets apart;
+  apart.add(0.);
+  apart.add(0.1);
+  EXPECT_TRUE(findOverlaps(apart.surface, apart.surface).empty());
+
+  Sheets mesh;
+  mesh.add(0.);
+  mesh.add(0., 0.05);
+  const std::vector<MeshOverlap> overlaps = findOverlaps(mesh.surface, apart.surface);
+  EXPECT_GE(overlaps.size(), static_cast<std::size_t>(2 * Side)) << "along a line across the sheet";
+  const int half = static_cast<int>(mesh.surface.triangles.size()) / 2;
+  for (const MeshOverlap& overlap : overlaps)
+  {
+    EXPECT_NEAR(overlap.position.x(), 0.51, 1.1 / Side);
+    EXPECT_NEAR(overlap.position.z(), 0., 0.01);
+    const auto [low, high] = std::minmax(overlap.faces[0], overlap.faces[1]);
+    EXPECT_LT(low.index(), half) << "one of each sheet";
+    EXPECT_GE(high.index(), half);
+  }
+}
+
+TEST(MeshOverlaps, OfTheSurfaceDoNotCount)
+{
+  Sheets mesh;
+  mesh.add(0.);
+  mesh.add(0., 0.05);
+  EXPECT_TRUE(findOverlaps(mesh.surface, mesh.surface).empty());
+
+  // Another pair of sheets far away crosses in the mesh alone.
+  Sheets both = mesh;
+  Sheets surface = mesh;
+  both.add(5.);
+  both.add(5., 0.05);
+  surface.add(5.);
+  surface.add(5.1);
+  const std::vector<MeshOverlap> overlaps = findOverlaps(both.surface, surface.surface);
+  EXPECT_FALSE(overlaps.empty());
+  EXPECT_TRUE(std::all_of(overlaps.begin(), overlaps.end(),
+    [](const MeshOverlap& overlap) { return overlap.position.z() > 4.; }));
+}
