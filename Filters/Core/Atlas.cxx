@@ -6,6 +6,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cassert>
 #include <list>
 
 namespace stipple
@@ -90,6 +91,20 @@ Status Atlas::read(vtkPartitionedDataSetCollection* charts, vtkPolyData* feature
   return Status::success();
 }
 
+Atlas::Pointer Atlas::withGraph(FeatureGraph graph) const
+{
+  const std::shared_ptr<Atlas> result(new Atlas);
+  result->Source = this->Source ? this->Source : this;
+  result->Surface = this->Surface;
+  result->GraphData = this->GraphData;
+  result->Graph = std::move(graph);
+  result->Outgoing = this->Outgoing;
+  const Status status = traceBackbones(*this->Surface, result->Graph, result->Traces);
+  assert(status.ok()); // they run along edges as before
+  static_cast<void>(status);
+  return result;
+}
+
 int Atlas::numberOfReads()
 {
   return Cache::instance().Reads;
@@ -108,11 +123,19 @@ Status Atlas::readGraph(vtkPolyData* featureGraph)
 
 const SurfaceTopology& Atlas::topology() const
 {
+  if (this->Source)
+  {
+    return this->Source->topology();
+  }
   return this->Topology.get([this] { return this->Surface->topology(); });
 }
 
 const ElementArray<Face, FirstFundamentalForm>& Atlas::metric() const
 {
+  if (this->Source)
+  {
+    return this->Source->metric();
+  }
   return this->Metric.get([this] {
     const AtlasSurface& s = *this->Surface;
     ElementArray<Face, FirstFundamentalForm> result(s.triangles.size());
@@ -188,12 +211,20 @@ std::vector<char> Atlas::creasesTo(const std::function<double(const SurfacePlace
 
 const SurfaceWalk& Atlas::walk() const
 {
+  if (this->Source)
+  {
+    return this->Source->walk();
+  }
   return this->Walk.get(
     [this] { return SurfaceWalk(*this->Surface, this->halfedgesOn({ BackboneType::Sharp })); });
 }
 
 const ElementArray<Face, Vec3>& Atlas::smoothNormals() const
 {
+  if (this->Source)
+  {
+    return this->Source->smoothNormals();
+  }
   return this->SmoothNormals.get(
     [this] { return this->smoothNormalsWith(this->halfedgesOn({ BackboneType::Sharp })); });
 }
@@ -231,6 +262,10 @@ ElementArray<Face, Vec3> Atlas::smoothNormalsWith(const std::vector<char>& wall)
 
 const VertexNeighbours& Atlas::vertexNeighbours() const
 {
+  if (this->Source)
+  {
+    return this->Source->vertexNeighbours();
+  }
   return this->Neighbours.get([this] {
     const AtlasSurface& s = *this->Surface;
     const auto forEachEdge = [&](const auto& visit) {

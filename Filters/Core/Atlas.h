@@ -53,6 +53,9 @@ public:
   /// Stopped while charts are read, there is none.
   [[nodiscard]] static Status read(vtkPartitionedDataSetCollection* charts,
     vtkPolyData* featureGraph, Pointer& atlas, const Stop& stop = {});
+  /// The same surface with another graph of the same sharp edges. Borrows this one for what does
+  /// not depend on which backbones they make.
+  Pointer withGraph(FeatureGraph graph) const;
   /// How often charts were read in this process.
   static int numberOfReads();
 
@@ -94,6 +97,7 @@ private:
   Atlas() = default;
   Status readGraph(vtkPolyData* featureGraph);
 
+  const Atlas* Source = nullptr; ///< that this is withGraph() of
   std::shared_ptr<const AtlasSurface> Surface;
   vtkSmartPointer<vtkPolyData> GraphData;
   FeatureGraph Graph;

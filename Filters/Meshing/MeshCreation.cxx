@@ -365,7 +365,7 @@ vtkSmartPointer<vtkPolyData> featureLines(const FeatureGraph& graph,
       {
         lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
         type->InsertNextValue(static_cast<int>(backbone.type));
-        closed->InsertNextValue(backbone.closed && pieces.size() == 1 ? 1 : 0);
+        closed->InsertNextValue(piece.front() == piece.back() ? 1 : 0);
         id->InsertNextValue(static_cast<int>(b));
       }
     }

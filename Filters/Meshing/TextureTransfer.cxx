@@ -3,6 +3,8 @@
 #include "TextureTransfer.h"
 
 #include "CornerTexture.h"
+#include "JoinedCreases.h"
+#include "MeshCreation.h"
 #include "SampleSet.h"
 
 #include "vtkCellArray.h"
@@ -68,26 +70,24 @@ struct Corner
 using BesideEdges = std::map<std::pair<vtkIdType, vtkIdType>, std::array<Vec2, 2>>;
 
 BesideEdges besideEdges(const Atlas& atlas, const SurfaceTexture& texture,
-  const std::vector<Sample>& samples, vtkPolyData* lines)
+  const std::vector<Sample>& samples, const std::vector<std::vector<int>>& chains)
 {
   BesideEdges result;
-  vtkDataArray* backbones = lines->GetCellData()->GetArray("BackboneId");
-  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  for (std::size_t b = 0; b < chains.size(); ++b)
   {
-    const auto b = static_cast<int>(backbones->GetComponent(line, 0));
-    if (atlas.graph().backbones[static_cast<std::size_t>(b)].keep == Keep::Nothing)
+    if (atlas.graph().backbones[b].keep == Keep::Nothing)
     {
       continue;
     }
-    const BackboneTrace& trace = atlas.traces()[static_cast<std::size_t>(b)];
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(line, size, ids);
-    const auto arcLength = [&](vtkIdType i) { // of samples, or of the nodes at the ends
-      const Sample& sample = samples[static_cast<std::size_t>(ids[i])];
-      return sample.backbone == b ? sample.arcLength : i == 0 ? 0. : trace.length();
+    const BackboneTrace& trace = atlas.traces()[b];
+    const std::vector<int>& chain = chains[b];
+    const auto arcLength = [&](std::size_t i) { // of samples, or of the nodes at the ends
+      const Sample& sample = samples[static_cast<std::size_t>(chain[i])];
+      const bool isOnIt =
+        sample.kind == SampleKind::Backbone && sample.backbone == static_cast<int>(b);
+      return isOnIt ? sample.arcLength : i == 0 ? 0. : trace.length();
     };
-    for (vtkIdType i = 1; i < size; ++i)
+    for (std::size_t i = 1; i < chain.size(); ++i)
     {
       for (const int side : { 0, 1 })
       {
@@ -95,17 +95,17 @@ BesideEdges besideEdges(const Atlas& atlas, const SurfaceTexture& texture,
         {
           continue;
         }
-        const auto at = [&](vtkIdType point) {
+        const auto at = [&](std::size_t point) {
           const BackboneTrace::Place place = trace.locate(arcLength(point));
           return texture.at(trace.face(place, side), trace.bary(place, side));
         };
         if (side == 0)
         {
-          result[{ ids[i - 1], ids[i] }] = { at(i - 1), at(i) };
+          result[{ chain[i - 1], chain[i] }] = { at(i - 1), at(i) };
         }
         else
         {
-          result[{ ids[i], ids[i - 1] }] = { at(i), at(i - 1) };
+          result[{ chain[i], chain[i - 1] }] = { at(i), at(i - 1) };
         }
       }
     }
@@ -167,7 +167,15 @@ Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh
   {
     return status;
   }
-  const BesideEdges beside = besideEdges(atlas, texture, samples, lines);
+  std::vector<std::vector<int>> chains;
+  if (Status status = readFeatureLines(lines, atlas.graph(), mesh->GetNumberOfPoints(), chains);
+      !status.ok())
+  {
+    return status;
+  }
+  const JoinedCreases creases(atlas);
+  const BesideEdges beside =
+    besideEdges(creases.atlas(), texture, creases.joined(samples), creases.joined(chains));
 
   vtkCellArray* polygons = mesh->GetPolys();
   auto array = newCornerTexture(mesh->GetNumberOfPolys(), polygons->GetMaxCellSize());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRemeshOptimizer.h"
 
+#include "JoinedCreases.h"
 #include "LeastSquaresPlacement.h"
 #include "MeshCreation.h"
 #include "MeshOptimizer.h"
@@ -41,6 +42,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   auto* images = this->FollowDensity
     ? vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0))
     : nullptr;
+  const stipple::JoinedCreases creases(request.atlas);
   stipple::DensityField density;
   stipple::TriangleSurface given;
   stipple::OptimizedMesh mesh;
@@ -51,7 +53,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   }
   if (status.ok())
   {
-    status = mesh.build(request.atlas, density, request.samples, given.triangles);
+    status = mesh.build(creases.atlas(), density, creases.joined(request.samples), given.triangles);
   }
   if (status.ok())
   {
@@ -64,8 +66,8 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   }
   this->NumberOfSimplifiedFeatures = mesh.numberOfSimplifiedFeatures();
   const bool hasMoved = options.moves != Options::Moves::None && options.iterations > 0;
-  request.mesh->ShallowCopy(stipple::meshToPolyData(
-    request.atlas, hasMoved ? mesh.samples() : request.samples, mesh.triangles()));
+  request.mesh->ShallowCopy(stipple::meshToPolyData(request.atlas,
+    hasMoved ? creases.original(mesh.samples()) : request.samples, mesh.triangles()));
   if (this->Placement == LEAST_SQUARES)
   {
     const std::vector<stipple::Vec3> positions = stipple::leastSquaresPositions(mesh);
@@ -75,7 +77,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
     }
   }
   request.lines->ShallowCopy(stipple::featureLines(
-    request.atlas.graph(), stipple::idsOf(mesh.chains()), request.mesh, false));
+    request.atlas.graph(), creases.original(stipple::idsOf(mesh.chains())), request.mesh, false));
   return status;
 }
 

@@ -10,9 +10,10 @@
  *
  * Vertices walk straight over the triangles of the surface, across the seams of the charts: they
  * stay exactly on it (but see Placement), and no seam shows in the result. Vertices on sharp and
- * boundary backbones move along their backbone only; corners and constraints do not move. Edges
- * along sharp and boundary backbones are never swapped. No swap and no move folds the mesh over,
- * makes a degenerate triangle or a second edge between two vertices.
+ * boundary backbones move along their backbone only, also over the places where seams end on it;
+ * corners and constraints do not move. Edges along sharp and boundary backbones are never swapped.
+ * No swap and no move folds the mesh over, makes a degenerate triangle or a second edge between two
+ * vertices.
  *
  * Input ports:
  * - 0: mesh, a vtkPolyData (vtkCDTRemesh, port 0), with its arrays SampleKind, ChartId,
@@ -25,10 +26,11 @@
  *
  * Output ports, both vtkPolyData:
  * - 0: the mesh, with the arrays that vtkCDTRemesh writes, for the new places;
- * - 1: the mesh's edges along sharp and boundary backbones, one polyline a backbone on the mesh's
- * points, with the cell arrays BackboneType, Closed and BackboneId. (Once vertices move, those on
- * seams are ordinary vertices: SampleKind 0. So are those on a crease that is rounded off and
- * wider, by the feature graph's array Width, than half of the edges along it.)
+ * - 1: the mesh's edges along sharp and boundary backbones, one polyline on the mesh's points for
+ * each, or for those that go on in one another where seams end, with the cell arrays BackboneType,
+ * Closed (its first point is also its last) and BackboneId (of several, the lowest). (Once vertices
+ * move, those on seams are ordinary vertices: SampleKind 0. So are those on a crease that is
+ * rounded off and wider, by the feature graph's array Width, than half of the edges along it.)
  *
  * The result is the same for any number of threads.
  *

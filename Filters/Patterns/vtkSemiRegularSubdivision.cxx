@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSemiRegularSubdivision.h"
 
+#include "JoinedCreases.h"
 #include "MeshCreation.h"
 #include "PolyDataConversion.h"
 #include "SemiRegularSubdivision.h"
@@ -66,6 +67,8 @@ int vtkSemiRegularSubdivision::FillInputPortInformation(int port, vtkInformation
 stipple::Status vtkSemiRegularSubdivision::MakeMesh(stipple::MeshRequest& request)
 {
   const stipple::FeatureGraph& graph = request.atlas.graph();
+  const stipple::JoinedCreases creases(request.atlas);
+  const std::vector<stipple::Sample> samples = creases.joined(request.samples);
   auto* lines = vtkPolyData::SafeDownCast(this->GetInputDataObject(3, 0));
   stipple::TriangleSurface given;
   stipple::SubdividedMesh mesh;
@@ -74,22 +77,24 @@ stipple::Status vtkSemiRegularSubdivision::MakeMesh(stipple::MeshRequest& reques
   if (status.ok() && lines)
   {
     status = stipple::readFeatureLines(lines, graph, request.given->GetNumberOfPoints(), chains);
+    chains = creases.joined(chains);
   }
   else
   {
-    chains = stipple::backboneChains(graph, request.samples);
+    chains = stipple::backboneChains(creases.atlas().graph(), samples);
   }
   if (status.ok())
   {
-    status = stipple::subdivideSemiRegularly(request.atlas, request.samples, given.triangles,
-      chains, this->NumberOfSubdivisions, this->NumberOfIterations, mesh, request.progress);
+    status = stipple::subdivideSemiRegularly(creases.atlas(), samples, given.triangles, chains,
+      this->NumberOfSubdivisions, this->NumberOfIterations, mesh, request.progress);
   }
   if (status.ok())
   {
-    request.mesh->ShallowCopy(stipple::meshToPolyData(request.atlas, mesh.samples, mesh.triangles));
+    request.mesh->ShallowCopy(
+      stipple::meshToPolyData(request.atlas, creases.original(mesh.samples), mesh.triangles));
     addHierarchy(mesh, request.mesh);
-    request.lines->ShallowCopy(
-      stipple::featureLines(graph, stipple::idsOf(mesh.chains), request.mesh, false));
+    request.lines->ShallowCopy(stipple::featureLines(
+      graph, creases.original(stipple::idsOf(mesh.chains)), request.mesh, false));
   }
   return status;
 }

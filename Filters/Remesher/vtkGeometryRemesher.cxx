@@ -127,7 +127,7 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
 /// How often shorter edges are asked for where a mesh passes through itself, and up to how many
 /// pairs of triangles that do so, in triangles.
 constexpr int PartingTries = 2;
-constexpr double PartedShare = 0.01;
+constexpr double PartedShare = 0.005;
 
 constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
   "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
@@ -722,12 +722,16 @@ bool vtkGeometryRemesher::RunStagesAndPart()
   {
     return false;
   }
+  if (!s.ControlMap->GetGrowFromFeatures() || s.ControlMap->GetGrowth() <= 1.)
+  {
+    return true; // sizes do not grow from places either
+  }
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(4);
-  int fewest = this->Pattern == QUADS ? 0 : s.addOverlaps(places); // of quads sizes do not grow
-  const vtkIdType triangles = s.Optimizer->GetOutput()->GetNumberOfCells();
+  int fewest = s.addOverlaps(places);
+  auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
   // Where it does all over, points for all these places would be missed everywhere.
-  if (fewest > PartedShare * static_cast<double>(triangles))
+  if (fewest > PartedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
     return true;
   }

@@ -23,7 +23,7 @@
  * arrays by the input cell below, but labels of regions exactly (see
  * vtkConformalAtlas::RegionArrayName); field arrays as they are
  * - 1: the mesh's edges along features, boundaries and seams, as polylines on the mesh's points,
- * with the cell arrays `BackboneType`, `Closed` and `BackboneId`
+ * with the cell arrays `BackboneType`, `Closed` and `BackboneId` (see vtkRemeshOptimizer)
  * - 2: the charts, a vtkPartitionedDataSetCollection (vtkConformalAtlas)
  * - 3: the feature graph, a vtkPolyData (vtkConformalAtlas)
  * - 4: the maps with `Control`, a vtkPartitionedDataSetCollection of images (vtkControlMap): those

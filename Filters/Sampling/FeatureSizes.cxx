@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureSizes.h"
 
+#include "JoinedCreases.h"
 #include "SamplingConstants.h"
 #include "StraightWalk.h"
 
@@ -66,8 +67,7 @@ public:
     {
       if (!this->isClosed(b))
       {
-        this->Ends[b] = { { this->cornerFrom(b, this->backbone(b).points.front()),
-          this->cornerFrom(b, this->backbone(b).points.back()) } };
+        this->Ends[b] = { { this->backbone(b).points.front(), this->backbone(b).points.back() } };
       }
     }
   }
@@ -87,7 +87,7 @@ public:
       trace.arcLength[i] + t * (trace.arcLength[i + 1] - trace.arcLength[i]) };
   }
 
-  /// Whether the features that two backbones are parts of end at the same corner.
+  /// Whether two backbones end at the same corner.
   bool meet(int a, int b) const
   {
     const auto has = [&](int corner) {
@@ -149,45 +149,18 @@ public:
   double length(int b) const { return this->Source.traces()[b].length(); }
   bool isClosed(int b) const { return this->backbone(b).closed; }
   const Backbone& backbone(int b) const { return this->Source.graph().backbones[b]; }
-  /// A node where two lines meet as one goes on: a seam ends there.
-  bool isPassed(int node) const
-  {
-    return this->Incident.at(node).size() == 2 && this->Source.graph().isCorner[node] == 0;
-  }
   int otherEnd(int line, int node) const
   {
     const std::vector<int>& points = this->backbone(line).points;
     return points.front() == node ? points.back() : points.front();
   }
-  /// The line that goes on beyond a node that is passed.
-  int nextLine(int line, int node) const
-  {
-    const std::vector<int>& both = this->Incident.at(node);
-    return both[0] == line ? both[1] : both[0];
-  }
 
 private:
-  /// Where a feature ends, from a backbone on beyond one of its nodes, over the ends of seams; -1
-  /// if it comes back.
-  int cornerFrom(int line, int node) const
-  {
-    for (int first = line; this->isPassed(node);)
-    {
-      line = this->nextLine(line, node);
-      node = this->otherEnd(line, node);
-      if (line == first)
-      {
-        return -1;
-      }
-    }
-    return node;
-  }
-
   const Atlas& Source;
   std::vector<int> Lines;
-  std::vector<std::array<int, 2>> Ends; ///< by backbone, the corners at which its feature ends
-  std::vector<int> At;                  ///< by halfedge, the backbone along it
-  std::vector<int> Segment;             ///< and which of its segments it is
+  std::vector<std::array<int, 2>> Ends;               ///< by backbone, its corners
+  std::vector<int> At;                                ///< by halfedge, the backbone along it
+  std::vector<int> Segment;                           ///< and which of its segments it is
   std::unordered_map<int, std::vector<int>> Incident; ///< by node
 };
 
@@ -297,27 +270,10 @@ private:
     }
   }
 
-  /// From a corner on, over the ends of seams, to the next one.
   void addShortLine(int line, int corner, std::vector<FeatureSize>& sources) const
   {
-    if (this->Lines.isPassed(corner))
-    {
-      return;
-    }
     const SurfacePlace place = this->Source.placeOfPoint(corner);
-    const double spacing = this->Spacing(place);
-    double length = 0;
-    for (int node = corner; length < spacing;)
-    {
-      length += this->Lines.length(line);
-      node = this->Lines.otherEnd(line, node);
-      if (node == corner || !this->Lines.isPassed(node))
-      {
-        break;
-      }
-      line = this->Lines.nextLine(line, node);
-    }
-    this->add(place, spacing, length, sources);
+    this->add(place, this->Spacing(place), this->Lines.length(line), sources);
   }
 
   const Atlas& Source;
@@ -329,8 +285,10 @@ private:
 std::vector<FeatureSize> featureSizes(
   const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
 {
-  const FeatureLines lines(atlas, atlas.creasesTo(spacing));
-  const SizeSearch search(atlas, lines, spacing);
+  const JoinedCreases creases(atlas);
+  const Atlas& joined = creases.atlas();
+  const FeatureLines lines(joined, joined.creasesTo(spacing));
+  const SizeSearch search(joined, lines, spacing);
   std::vector<std::vector<FeatureSize>> found(lines.lines().size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end && !isAsked(stop); ++i)
