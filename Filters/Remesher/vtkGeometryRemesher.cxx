@@ -3,11 +3,11 @@
 #include "vtkGeometryRemesher.h"
 
 #include "Atlas.h"
+#include "CoarsePlaces.h"
 #include "DensityArray.h"
 #include "DeviationSearch.h"
 #include "FilterExecution.h"
 #include "MeshCheck.h"
-#include "MeshOverlaps.h"
 #include "MessageText.h"
 #include "OptionTable.h"
 #include "PolyDataConversion.h"
@@ -124,10 +124,10 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
   return status.ok();
 }
 
-/// How often shorter edges are asked for where a mesh passes through itself, and up to how many
-/// pairs of triangles that do so, in triangles.
-constexpr int PartingTries = 2;
-constexpr double PartedShare = 0.005;
+/// How often shorter edges are asked for where they are too long for a mesh to be sound or
+/// beautiful, and at how many places at most, as a share of the triangles.
+constexpr int RefiningTries = 2;
+constexpr double RefinedShare = 0.005;
 
 constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
   "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
@@ -282,38 +282,39 @@ struct vtkGeometryRemesher::Internals
       [this](double) { return this->Self->GetAbortExecute() == 0; });
   }
 
-  /// Adds a row for SizePlaces where the mesh passes through itself and the surface does not, as
-  /// short as sizes may get beside features. Returns how many there are.
-  int addOverlaps(vtkDoubleArray* places)
+  /// Adds rows for SizePlaces where edges are too long, as short as sizes may get beside features.
+  /// Returns in how many the mesh passes through itself, and how many others there are.
+  std::array<int, 2> addCoarsePlaces(vtkDoubleArray* rows)
   {
+    std::array<int, 2> count = { { 0, 0 } };
     stipple::Atlas::Pointer atlas;
     if (!this->readAtlas(atlas).ok())
     {
-      return 0;
+      return count;
     }
-    const bool subdivides = this->Self->GetPattern() == SEMIREGULAR;
-    const stipple::TriangleSurface mesh = stipple::fromPolyData(
-      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0)));
-    // Edges that are asked for are those of the base mesh.
-    const double share = stipple::SamplingConstants::FinestSize *
-      (subdivides ? std::pow(2., this->Subdivider->GetNumberOfSubdivisions()) : 1.);
-    const std::vector<stipple::MeshOverlap> overlaps =
-      stipple::findOverlaps(mesh, atlas->surface());
-    for (const stipple::MeshOverlap& overlap : overlaps)
+    const int pattern = this->Self->GetPattern();
+    auto* mesh = vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0));
+    vtkDataArray* kind = mesh->GetPointData()->GetArray("SampleKind");
+    std::vector<char> isFree(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+    for (std::size_t p = 0; p < isFree.size(); ++p)
     {
-      double length = 0;
-      for (const stipple::Face f : overlap.faces)
-      {
-        const stipple::Triangle& t = mesh.triangles[f.index()];
-        for (int k = 0; k < 3; ++k)
-        {
-          length += (mesh.points[t[k]] - mesh.points[t[(k + 1) % 3]]).norm() / 6.;
-        }
-      }
-      const stipple::Vec3& p = overlap.position;
-      places->InsertNextTuple4(p.x(), p.y(), p.z(), share * length);
+      isFree[p] = kind->GetComponent(static_cast<vtkIdType>(p), 0) ==
+          static_cast<double>(stipple::SampleKind::Interior)
+        ? 1
+        : 0;
     }
-    return static_cast<int>(overlaps.size());
+    // Edges that are asked for are those of the base mesh.
+    const double splits = pattern == SEMIREGULAR ? this->Subdivider->GetNumberOfSubdivisions() : 0;
+    const double share = stipple::SamplingConstants::FinestSize * std::pow(2., splits);
+    const std::vector<stipple::CoarsePlace> places =
+      stipple::coarsePlaces(stipple::fromPolyData(mesh), isFree, atlas->surface());
+    for (const stipple::CoarsePlace& place : places)
+    {
+      const stipple::Vec3& p = place.position;
+      rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
+      ++count[place.isOverlap ? 0 : 1];
+    }
+    return count;
   }
 
   /// Hands the input, or the part of it that is selected, to the atlas if it is not the one of
@@ -712,9 +713,9 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   }
 }
 
-/// Where a mesh passes through itself, sheets of the surface are closer together than its edges are
-/// long: shorter ones are asked for there, and the best of the meshes is kept.
-bool vtkGeometryRemesher::RunStagesAndPart()
+/// Asks for shorter edges where they are too long (coarsePlaces()); of the meshes the one that has
+/// the fewest such places is kept.
+bool vtkGeometryRemesher::RunStagesAndRefine()
 {
   Internals& s = *this->Stages;
   s.ControlMap->SetSizePlaces(nullptr);
@@ -728,17 +729,18 @@ bool vtkGeometryRemesher::RunStagesAndPart()
   }
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(4);
-  int fewest = s.addOverlaps(places);
+  constexpr std::array<int, 2> None = { { 0, 0 } };
+  std::array<int, 2> fewest = s.addCoarsePlaces(places); // what is wrong goes before what is ugly
   auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
-  // Where it does all over, points for all these places would be missed everywhere.
-  if (fewest > PartedShare * static_cast<double>(mesh->GetNumberOfCells()))
+  // Where they are all over, points for all of them would be missed everywhere.
+  if (fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
     return true;
   }
   vtkNew<vtkDoubleArray> best;
   best->SetNumberOfComponents(4);
-  int last = fewest;
-  for (int i = 0; i < PartingTries && last > 0; ++i)
+  bool isBest = true; // the last one
+  for (int i = 0; i < RefiningTries && !(isBest && fewest == None); ++i)
   {
     vtkNew<vtkDoubleArray> now;
     now->DeepCopy(places);
@@ -751,17 +753,22 @@ bool vtkGeometryRemesher::RunStagesAndPart()
       }
       this->ErrorCode = 0;
       s.Sentence.clear();
-      last = std::numeric_limits<int>::max();
+      isBest = false;
       break;
     }
-    last = s.addOverlaps(places);
-    if (last < fewest)
+    const std::array<int, 2> last = s.addCoarsePlaces(places);
+    if (last == fewest)
+    {
+      return true; // it is not their length
+    }
+    isBest = last < fewest;
+    if (isBest)
     {
       fewest = last;
       best->DeepCopy(now);
     }
   }
-  if (last == fewest)
+  if (isBest)
   {
     return true;
   }
@@ -787,7 +794,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   const double diagonal = reference.boundingBoxDiagonal();
   if (!(diagonal > 0.) || !std::isfinite(diagonal))
   {
-    return this->RunStagesAndPart(); // they say what is wrong, or make nothing of nothing
+    return this->RunStagesAndRefine(); // they say what is wrong, or make nothing of nothing
   }
   double wanted = std::numeric_limits<double>::infinity();
   for (const double bound :
@@ -812,7 +819,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     this->NumberOfPointsTried = points;
     s.ProgressFrom = s.ProgressTo;
     s.ProgressTo = 0.5 * (1. + s.ProgressTo);
-    if (!this->RunStagesAndPart())
+    if (!this->RunStagesAndRefine())
     {
       return false;
     }
@@ -888,7 +895,7 @@ int vtkGeometryRemesher::RequestData(
   const bool done = this->TakeInput(input) &&
     (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
         ? this->SearchNumberOfPoints(input)
-        : this->RunStagesAndPart());
+        : this->RunStagesAndRefine());
   this->NumberOfPointsTried = 0;
   if (done)
   {

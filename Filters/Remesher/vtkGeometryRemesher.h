@@ -285,7 +285,7 @@ private:
   bool RunMapsAndControl();
   bool RunStages();
   bool RunStagesAndCheck();
-  bool RunStagesAndPart();
+  bool RunStagesAndRefine();
   bool SearchNumberOfPoints(vtkPolyData* input);
 
   int NumberOfPoints = 0;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a mesh's edges are too long for it to be sound or beautiful.
+#ifndef stipple_CoarsePlaces_h
+#define stipple_CoarsePlaces_h
+
+#include "StippleFiltersRemesherModule.h"
+#include "TriangleSurface.h"
+
+#include <vector>
+
+namespace stipple
+{
+struct CoarsePlace
+{
+  Vec3 position;
+  double edgeLength; ///< the mean of the triangles' there
+  bool isOverlap;    ///< the mesh passes through itself; else its triangle is just poor
+};
+
+/// Smallest angle of a triangle, in degrees, that shorter edges are not asked for.
+constexpr double SmallestGoodAngle = 15.;
+
+/// Places where the mesh passes through itself and the surface does not (findOverlaps()): sheets
+/// are closer together than edges are long. And triangles with smaller angles than
+/// SmallestGoodAngle of which a vertex may go anywhere (isFree): the surface is bent more than they
+/// can follow. What lies between features alone is as these are.
+[[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT std::vector<CoarsePlace> coarsePlaces(
+  const TriangleSurface& mesh, const std::vector<char>& isFree, const TriangleSurface& surface);
+}
+
+#endif
