@@ -260,6 +260,18 @@ ElementArray<Face, Vec3> Atlas::smoothNormalsWith(const std::vector<char>& wall)
   return normal;
 }
 
+const std::vector<Box>& Atlas::selfIntersections() const
+{
+  if (this->Source)
+  {
+    return this->Source->selfIntersections();
+  }
+  return this->SelfIntersections.get([this] {
+    return placesOfIntersections(this->Surface->points, this->Surface->triangles)
+      .value_or(std::vector<Box>());
+  });
+}
+
 const VertexNeighbours& Atlas::vertexNeighbours() const
 {
   if (this->Source)

@@ -9,6 +9,7 @@
 #include "Progress.h"
 #include "StippleFiltersCoreModule.h"
 #include "SurfaceWalk.h"
+#include "TriangleIntersections.h"
 
 #include <functional>
 #include <initializer_list>
@@ -75,6 +76,9 @@ public:
   const Vec3& smoothNormal(int face) const { return this->smoothNormals()[Face(face)]; }
   /// The same with other walls, the charts' halfedges with 1.
   ElementArray<Face, Vec3> smoothNormalsWith(const std::vector<char>& wall) const;
+  /// Where the surface passes through itself, as placesOfIntersections() says; empty if it cannot
+  /// tell.
+  const std::vector<Box>& selfIntersections() const;
   const VertexNeighbours& vertexNeighbours() const;
   const std::vector<int>& neighbourBegin() const { return this->vertexNeighbours().begin; }
   const std::vector<int>& neighbours() const { return this->vertexNeighbours().vertex; }
@@ -108,6 +112,7 @@ private:
   Lazy<SurfaceWalk> Walk;
   Lazy<ElementArray<Face, Vec3>> SmoothNormals;
   Lazy<VertexNeighbours> Neighbours;
+  Lazy<std::vector<Box>> SelfIntersections;
 };
 }
 

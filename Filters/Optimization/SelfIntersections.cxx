@@ -266,9 +266,7 @@ std::vector<Face> overlapsOf(
   }
   if (!known.ofSurface)
   {
-    const AtlasSurface& surface = mesh.atlas().surface();
-    known.ofSurface.emplace(
-      placesOfIntersections(surface.points, surface.triangles).value_or(std::vector<Box>()));
+    known.ofSurface.emplace(mesh.atlas().selfIntersections());
   }
   return filtered(faces, [&](Face f) { return !intersections.isNear(f, *known.ofSurface); });
 }

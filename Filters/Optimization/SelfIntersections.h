@@ -43,7 +43,7 @@ private:
 /// What is known of a mesh's overlaps from what was done about them before.
 struct KnownOverlaps
 {
-  /// Where the surface passes through itself: placesOfIntersections(), once asked.
+  /// Where the surface passes through itself, once asked.
   std::optional<BoxGrid> ofSurface;
   FailedEmbeddings folds;    ///< that unfold() could not undo
   FailedEmbeddings layers;   ///< that could not be parted

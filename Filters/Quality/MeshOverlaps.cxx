@@ -7,7 +7,8 @@
 
 namespace stipple
 {
-std::vector<MeshOverlap> findOverlaps(const TriangleSurface& mesh, const TriangleSurface& surface)
+std::vector<MeshOverlap> findOverlaps(
+  const TriangleSurface& mesh, const std::function<std::vector<Box>()>& known, const Stop& stop)
 {
   const auto placed = [&](int f) {
     const Triangle& t = mesh.triangles[f];
@@ -21,18 +22,17 @@ std::vector<MeshOverlap> findOverlaps(const TriangleSurface& mesh, const Triangl
   }
   BoxGrid grid(std::move(boxes));
   const std::vector<std::array<int, 2>> pairs =
-    grid.pairs([&](int i, int j) { return intersect(placed(i), placed(j)); });
+    grid.pairs([&](int i, int j) { return !isAsked(stop) && intersect(placed(i), placed(j)); });
   std::vector<MeshOverlap> overlaps;
-  if (pairs.empty())
+  if (pairs.empty() || isAsked(stop))
   {
     return overlaps;
   }
-  BoxGrid known(
-    placesOfIntersections(surface.points, surface.triangles).value_or(std::vector<Box>()));
+  BoxGrid ofSurface(known());
   for (const auto& [i, j] : pairs)
   {
     const Box place = grid.box(i).common(grid.box(j));
-    if (!known.hasNear(place.grown(grid.meanSize())))
+    if (!ofSurface.hasNear(place.grown(grid.meanSize())))
     {
       overlaps.push_back({ { { Face(i), Face(j) } }, 0.5 * (place.low + place.high) });
     }

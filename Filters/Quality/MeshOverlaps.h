@@ -4,10 +4,13 @@
 #ifndef stipple_MeshOverlaps_h
 #define stipple_MeshOverlaps_h
 
+#include "Progress.h"
 #include "StippleFiltersQualityModule.h"
+#include "TriangleIntersections.h"
 #include "TriangleSurface.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace stipple
@@ -20,11 +23,12 @@ struct MeshOverlap
 };
 
 /// Pairs of triangles as countSelfIntersections() counts them, without those that are no farther
-/// than triangles are large in the mean from where the surface passes through itself; all of them
-/// where there is no telling that of the surface. In an order of their own, the same for any number
-/// of threads.
+/// than triangles are large in the mean from where the surface passes through itself (`known`,
+/// asked for if there are any pairs). In an order of their own, the same for any number of threads;
+/// of no use if stopped.
 [[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT std::vector<MeshOverlap> findOverlaps(
-  const TriangleSurface& mesh, const TriangleSurface& surface);
+  const TriangleSurface& mesh, const std::function<std::vector<Box>()>& known,
+  const Stop& stop = {});
 }
 
 #endif

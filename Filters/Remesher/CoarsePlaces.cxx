@@ -9,8 +9,8 @@
 
 namespace stipple
 {
-std::vector<CoarsePlace> coarsePlaces(
-  const TriangleSurface& mesh, const std::vector<char>& isFree, const TriangleSurface& surface)
+std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::vector<char>& isFree,
+  const std::function<std::vector<Box>()>& known, const Stop& stop)
 {
   const auto meanEdge = [&](Face f) {
     double sum = 0;
@@ -21,13 +21,17 @@ std::vector<CoarsePlace> coarsePlaces(
     return sum / 3.;
   };
   std::vector<CoarsePlace> places;
-  for (const MeshOverlap& overlap : findOverlaps(mesh, surface))
+  for (const MeshOverlap& overlap : findOverlaps(mesh, known, stop))
   {
     const auto [f, g] = overlap.faces;
     places.push_back({ overlap.position, 0.5 * (meanEdge(f) + meanEdge(g)), true });
   }
   for (const Face f : mesh.faces())
   {
+    if (isTimeToAsk(f.index()) && isAsked(stop))
+    {
+      break;
+    }
     const Triangle& t = mesh.triangles[f.index()];
     if (std::any_of(t.begin(), t.end(), [&](int p) { return isFree[p] != 0; }) &&
       measureTriangle(mesh, f).smallestAngle < SmallestGoodAngle)

@@ -4,9 +4,12 @@
 #ifndef stipple_CoarsePlaces_h
 #define stipple_CoarsePlaces_h
 
+#include "Progress.h"
 #include "StippleFiltersRemesherModule.h"
+#include "TriangleIntersections.h"
 #include "TriangleSurface.h"
 
+#include <functional>
 #include <vector>
 
 namespace stipple
@@ -24,9 +27,10 @@ constexpr double SmallestGoodAngle = 15.;
 /// Places where the mesh passes through itself and the surface does not (findOverlaps()): sheets
 /// are closer together than edges are long. And triangles with smaller angles than
 /// SmallestGoodAngle of which a vertex may go anywhere (isFree): the surface is bent more than they
-/// can follow. What lies between features alone is as these are.
+/// can follow. What lies between features alone is as these are. Of no use if stopped.
 [[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT std::vector<CoarsePlace> coarsePlaces(
-  const TriangleSurface& mesh, const std::vector<char>& isFree, const TriangleSurface& surface);
+  const TriangleSurface& mesh, const std::vector<char>& isFree,
+  const std::function<std::vector<Box>()>& known, const Stop& stop = {});
 }
 
 #endif

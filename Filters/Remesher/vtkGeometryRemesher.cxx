@@ -12,6 +12,7 @@
 #include "OptionTable.h"
 #include "PolyDataConversion.h"
 #include "Progress.h"
+#include "ReportingThread.h"
 #include "SamplingConstants.h"
 #include "SelectedPart.h"
 #include "SizingFunction.h"
@@ -268,6 +269,15 @@ struct vtkGeometryRemesher::Internals
       vtkPolyData::SafeDownCast(this->Atlas->GetOutputDataObject(1)), atlas);
   }
 
+  /// Calls observers, which may ask to stop.
+  stipple::Progress reportNothingNew()
+  {
+    return [this](double) {
+      this->tell(0.);
+      return this->Self->GetAbortExecute() == 0;
+    };
+  }
+
   /// Whether the optimised mesh may be handed to a user.
   stipple::Status check(vtkPolyData* result)
   {
@@ -278,8 +288,9 @@ struct vtkGeometryRemesher::Internals
     }
     stipple::TriangleSurface mesh = stipple::fromPolyData(result);
     mesh.connect();
-    return stipple::checkMesh(mesh, atlas->surface(), atlas->topology(),
-      [this](double) { return this->Self->GetAbortExecute() == 0; });
+    return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
+      return stipple::checkMesh(mesh, atlas->surface(), atlas->topology(), progress);
+    });
   }
 
   /// Adds rows for SizePlaces where edges are too long, as short as sizes may get beside features.
@@ -307,7 +318,11 @@ struct vtkGeometryRemesher::Internals
     const double splits = pattern == SEMIREGULAR ? this->Subdivider->GetNumberOfSubdivisions() : 0;
     const double share = stipple::SamplingConstants::FinestSize * std::pow(2., splits);
     const std::vector<stipple::CoarsePlace> places =
-      stipple::coarsePlaces(stipple::fromPolyData(mesh), isFree, atlas->surface());
+      stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
+        return stipple::coarsePlaces(
+          stipple::fromPolyData(mesh), isFree, [&] { return atlas->selfIntersections(); },
+          [&] { return !stipple::report(progress, 0.); });
+      });
     for (const stipple::CoarsePlace& place : places)
     {
       const stipple::Vec3& p = place.position;
@@ -732,6 +747,10 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   constexpr std::array<int, 2> None = { { 0, 0 } };
   std::array<int, 2> fewest = s.addCoarsePlaces(places); // what is wrong goes before what is ugly
   auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
+  if (this->AbortExecute)
+  {
+    return noted(stipple::Status::aborted(), this->ErrorCode, s.Sentence);
+  }
   // Where they are all over, points for all of them would be missed everywhere.
   if (fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
@@ -757,6 +776,10 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
       break;
     }
     const std::array<int, 2> last = s.addCoarsePlaces(places);
+    if (this->AbortExecute)
+    {
+      return noted(stipple::Status::aborted(), this->ErrorCode, s.Sentence);
+    }
     if (last == fewest)
     {
       return true; // it is not their length

@@ -5,9 +5,11 @@
 #define stipple_Shapes_h
 
 #include "CutSurface.h"
+#include "TriangleIntersections.h"
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <ostream>
 
 class vtkPolyData;
@@ -49,6 +51,16 @@ struct Named
 stipple::CutSurface cutSurface(const stipple::TriangleSurface& surface);
 
 vtkSmartPointer<vtkPolyData> toPolyData(const stipple::TriangleSurface& surface);
+
+/// Says where a surface, which must outlive it, passes through itself.
+inline std::function<std::vector<stipple::Box>()> intersectionsOf(
+  const stipple::TriangleSurface& surface)
+{
+  return [&surface] {
+    return stipple::placesOfIntersections(surface.points, surface.triangles)
+      .value_or(std::vector<stipple::Box>());
+  };
+}
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a mesh's edges are too long: a flat fan whose middle goes towards its rim.
 #include "CoarsePlaces.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -34,18 +35,19 @@ const std::vector<char> Nothing(Rim + 1, 0);
 TEST(CoarsePlaces, AreTrianglesWithSmallAngles)
 {
   const TriangleSurface good = fan(Vec3::Zero());
-  EXPECT_TRUE(coarsePlaces(good, Inside, good).empty());
+  EXPECT_TRUE(coarsePlaces(good, Inside, shapes::intersectionsOf(good)).empty());
   // The triangle on the first edge gets an angle of 13 degrees.
   const Vec3 rim = 0.5 * (good.points[0] + good.points[1]);
   const Vec3 middle = rim - 0.5 * std::tan(13. * Pi / 180) * rim.normalized();
   const TriangleSurface flat = fan(middle);
-  const std::vector<CoarsePlace> places = coarsePlaces(flat, Inside, good);
+  const std::vector<CoarsePlace> places = coarsePlaces(flat, Inside, shapes::intersectionsOf(good));
   ASSERT_EQ(places.size(), 1U);
   EXPECT_LT((places[0].position - (good.points[0] + good.points[1] + middle) / 3.).norm(), 1e-12);
   EXPECT_NEAR(places[0].edgeLength, (1. + 1. / std::cos(13. * Pi / 180)) / 3., 1e-12);
-  EXPECT_TRUE(coarsePlaces(flat, Nothing, good).empty()) << "all corners on features";
+  EXPECT_TRUE(coarsePlaces(flat, Nothing, shapes::intersectionsOf(good)).empty())
+    << "all corners on features";
   const Vec3 better = rim - 0.5 * std::tan(16. * Pi / 180) * rim.normalized();
-  EXPECT_TRUE(coarsePlaces(fan(better), Inside, good).empty());
+  EXPECT_TRUE(coarsePlaces(fan(better), Inside, shapes::intersectionsOf(good)).empty());
 }
 
 TEST(CoarsePlaces, AreWhereTheMeshPassesThroughItself)
@@ -72,13 +74,15 @@ TEST(CoarsePlaces, AreWhereTheMeshPassesThroughItself)
   const TriangleSurface apart = both(0.);
   const TriangleSurface through = both(-0.35);
   const std::vector<char> none(apart.points.size(), 0);
-  EXPECT_TRUE(coarsePlaces(apart, none, apart).empty());
-  const std::vector<CoarsePlace> places = coarsePlaces(through, none, apart);
+  EXPECT_TRUE(coarsePlaces(apart, none, shapes::intersectionsOf(apart)).empty());
+  const std::vector<CoarsePlace> places =
+    coarsePlaces(through, none, shapes::intersectionsOf(apart));
   EXPECT_FALSE(places.empty());
   for (const CoarsePlace& place : places)
   {
     EXPECT_NEAR(place.edgeLength, 1., 0.15);
     EXPECT_LT(place.position.norm(), 1.);
   }
-  EXPECT_TRUE(coarsePlaces(through, none, through).empty()) << "the surface does so, too";
+  EXPECT_TRUE(coarsePlaces(through, none, shapes::intersectionsOf(through)).empty())
+    << "the surface does so, too";
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a mesh passes through itself and the surface that it is of does not.
 #include "MeshOverlaps.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -47,12 +48,13 @@ TEST(MeshOverlaps, AreFoundWhereTheSurfaceHasNone)
   Sheets apart;
   apart.add(0.);
   apart.add(0.1);
-  EXPECT_TRUE(findOverlaps(apart.surface, apart.surface).empty());
+  EXPECT_TRUE(findOverlaps(apart.surface, shapes::intersectionsOf(apart.surface)).empty());
 
   Sheets mesh;
   mesh.add(0.);
   mesh.add(0., 0.05);
-  const std::vector<MeshOverlap> overlaps = findOverlaps(mesh.surface, apart.surface);
+  const std::vector<MeshOverlap> overlaps =
+    findOverlaps(mesh.surface, shapes::intersectionsOf(apart.surface));
   EXPECT_GE(overlaps.size(), static_cast<std::size_t>(2 * Side)) << "along a line across the sheet";
   const int half = static_cast<int>(mesh.surface.triangles.size()) / 2;
   for (const MeshOverlap& overlap : overlaps)
@@ -70,7 +72,7 @@ TEST(MeshOverlaps, OfTheSurfaceDoNotCount)
   Sheets mesh;
   mesh.add(0.);
   mesh.add(0., 0.05);
-  EXPECT_TRUE(findOverlaps(mesh.surface, mesh.surface).empty());
+  EXPECT_TRUE(findOverlaps(mesh.surface, shapes::intersectionsOf(mesh.surface)).empty());
 
   // Another pair of sheets far away crosses in the mesh alone.
   Sheets both = mesh;
@@ -79,7 +81,8 @@ TEST(MeshOverlaps, OfTheSurfaceDoNotCount)
   both.add(5., 0.05);
   surface.add(5.);
   surface.add(5.1);
-  const std::vector<MeshOverlap> overlaps = findOverlaps(both.surface, surface.surface);
+  const std::vector<MeshOverlap> overlaps =
+    findOverlaps(both.surface, shapes::intersectionsOf(surface.surface));
   EXPECT_FALSE(overlaps.empty());
   EXPECT_TRUE(std::all_of(overlaps.begin(), overlaps.end(),
     [](const MeshOverlap& overlap) { return overlap.position.z() > 4.; }));
