@@ -128,7 +128,7 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
 /// How often shorter edges are asked for where they are too long for a mesh to be sound or
 /// beautiful, and at how many places at most, as a share of the triangles.
 constexpr int RefiningTries = 2;
-constexpr double RefinedShare = 0.005;
+constexpr double RefinedShare = 0.01;
 
 constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
   "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
