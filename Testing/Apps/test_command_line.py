@@ -165,7 +165,7 @@ class CommandLine(ProgramTest):
         """On a terminal, by --verbose, and in the report; not where they are kept."""
         for tolerance, least, most in ((1, 1, 1000), (0, 0, 0)):
             report = self.folder / "report.json"
-            options = "--points", "300", "--feature-tolerance", str(tolerance), "--report", report
+            options = "--points", "250", "--feature-tolerance", str(tolerance), "--report", report
             arguments = MODELS / "anchor_dense.off", "-o", self.folder / "a.ply", *options
             shown = self.shown_on_a_terminal(*arguments)
             lost = json.loads(report.read_text())["repairs"]["lost_feature_edges"]
