@@ -295,8 +295,8 @@ public:
    * together with these, down to a third of what they would be else. Without Growth or
    * GrowFromFeatures they take no effect. SetSizePlaces() copies the array, nullptr being none, and
    * changes nothing if a number is not finite, or a length not positive, which is an error. Change
-   * what GetSizePlaces() returns by SetSizePlaces() only. vtkGeometryRemesher sets them itself, where
-   * a mesh asks for it. The default is none.
+   * what GetSizePlaces() returns by SetSizePlaces() only. vtkGeometryRemesher sets them itself,
+   * where a mesh asks for it. The default is none.
    */
   void SetSizePlaces(vtkDoubleArray* places);
   vtkDoubleArray* GetSizePlaces();
