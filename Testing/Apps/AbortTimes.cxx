@@ -31,6 +31,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 using Clock = std::chrono::steady_clock;
@@ -71,6 +72,19 @@ long statusOf(const std::string& name)
     }
   }
   return -1;
+}
+
+/// How many more than so many there are: the kernel counts one that has ended, and was waited for,
+/// for some moments more.
+long threadsBeyond(long threads)
+{
+  long more = statusOf("Threads") - threads;
+  for (int i = 0; i < 100 && more > 0; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    more = statusOf("Threads") - threads;
+  }
+  return more;
 }
 
 /// In KB: what is allocated, and what of the memory the process keeps once what is free has been
@@ -263,7 +277,7 @@ int main(int argc, char* argv[])
     longest[stage] = std::max(longest[stage], waited);
     mostWork[stage] = std::max(mostWork[stage], worked);
   }
-  const long moreThreads = statusOf("Threads") - threads;
+  const long moreThreads = threadsBeyond(threads);
   measure();
   std::string stages;
   for (std::size_t i = 0; i < StageNames.size(); ++i)
