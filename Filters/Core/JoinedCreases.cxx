@@ -103,7 +103,6 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
   joined.closed = isClosed;
   joined.points.clear();
   this->Parts.emplace_back();
-  double length = 0;
   for (const auto& [b, isReversed] : steps)
   {
     std::vector<int> points = backbones[b].points;
@@ -115,8 +114,7 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
     joined.points.insert(joined.points.end(), points.begin(), points.end() - (isAlone ? 0 : 1));
     this->PartOf[b] = { static_cast<int>(graph.backbones.size()),
       static_cast<int>(this->Parts.back().size()) };
-    this->Parts.back().push_back({ b, isReversed, length });
-    length += this->Source.traces()[b].length();
+    this->Parts.back().push_back({ b, isReversed, 0. }); // where it begins the trace will say
   }
   if (!isClosed)
   {
@@ -126,7 +124,7 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
   graph.backbones.push_back(std::move(joined));
 }
 
-/// Finds the nodes inside joined backbones. Arc lengths of parts begin where the trace says.
+/// Finds where parts begin, and the nodes inside joined backbones.
 void JoinedCreases::locate()
 {
   this->NodeAt.assign(this->Source.surface().points.size(), { -1, 0. });

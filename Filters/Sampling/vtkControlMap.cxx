@@ -59,6 +59,20 @@ bool isSizePlace(const double* p)
     p[3] > 0.;
 }
 
+/// The first row of an array that is none of so many components, or -1; nullptr has none.
+vtkIdType firstBadRow(vtkDoubleArray* array, int components, bool (*isRow)(const double*))
+{
+  const vtkIdType n = array ? array->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    if (array->GetNumberOfComponents() != components || !isRow(array->GetPointer(components * i)))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
 /// Copies an array with as many components, nullptr being an empty one; whether that differs.
 bool assign(vtkDoubleArray* own, vtkDoubleArray* other)
 {
@@ -177,18 +191,12 @@ int vtkControlMap::GetNumberOfStrokes()
 
 void vtkControlMap::SetStrokes(vtkDoubleArray* strokes)
 {
-  const vtkIdType n = strokes ? strokes->GetNumberOfTuples() : 0;
-  for (vtkIdType i = 0; i < n; ++i)
+  if (const vtkIdType i = firstBadRow(strokes, StrokeComponents, isStroke); i >= 0)
   {
-    if (strokes->GetNumberOfComponents() != StrokeComponents ||
-      !isStroke(strokes->GetPointer(StrokeComponents * i)))
-    {
-      vtkErrorMacro(
-        "Stroke " << i
-                  << " is none: it has the components x, y, z, radius and strength, all "
-                     "finite, the radius positive, and the strength at least -1.");
-      return;
-    }
+    vtkErrorMacro("Stroke " << i
+                            << " is none: it has the components x, y, z, radius and strength, all "
+                               "finite, the radius positive, and the strength at least -1.");
+    return;
   }
   if (assign(this->Data->strokes, strokes))
   {
@@ -203,17 +211,12 @@ vtkDoubleArray* vtkControlMap::GetStrokes()
 
 void vtkControlMap::SetSizePlaces(vtkDoubleArray* places)
 {
-  const vtkIdType n = places ? places->GetNumberOfTuples() : 0;
-  for (vtkIdType i = 0; i < n; ++i)
+  if (const vtkIdType i = firstBadRow(places, SizePlaceComponents, isSizePlace); i >= 0)
   {
-    if (places->GetNumberOfComponents() != SizePlaceComponents ||
-      !isSizePlace(places->GetPointer(SizePlaceComponents * i)))
-    {
-      vtkErrorMacro("Place " << i
-                             << " of a size is none: it has the components x, y, z and length, all "
-                                "finite, the length positive.");
-      return;
-    }
+    vtkErrorMacro("Place " << i
+                           << " of a size is none: it has the components x, y, z and length, all "
+                              "finite, the length positive.");
+    return;
   }
   if (assign(this->Data->sizePlaces, places))
   {

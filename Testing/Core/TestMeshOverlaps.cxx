@@ -21,23 +21,15 @@ struct Sheets
 
   void add(double z, double slope = 0.)
   {
+    const TriangleSurface sheet = shapes::grid(Side);
     const auto first = static_cast<int>(this->surface.points.size());
-    for (int y = 0; y <= Side; ++y)
+    for (const Vec3& p : sheet.points)
     {
-      for (int x = 0; x <= Side; ++x)
-      {
-        const double u = static_cast<double>(x) / Side;
-        this->surface.points.emplace_back(u, static_cast<double>(y) / Side, z + slope * (u - 0.51));
-      }
+      this->surface.points.emplace_back(p.x(), p.y(), z + slope * (p.x() - 0.51));
     }
-    for (int y = 0; y < Side; ++y)
+    for (const Triangle& t : sheet.triangles)
     {
-      for (int x = 0; x < Side; ++x)
-      {
-        const int a = first + y * (Side + 1) + x;
-        this->surface.triangles.push_back({ a, a + 1, a + Side + 2 });
-        this->surface.triangles.push_back({ a, a + Side + 2, a + Side + 1 });
-      }
+      this->surface.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
     }
   }
 };
