@@ -3,6 +3,7 @@
 #include "JoinedCreases.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace stipple
@@ -51,53 +52,45 @@ JoinedCreases::JoinedCreases(const Atlas& source)
 void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, FeatureGraph& graph)
 {
   const std::vector<Backbone>& backbones = this->Source.graph().backbones;
-  // The backbone that goes on beyond a node, or -1.
-  const auto next = [&](int b, int node) {
-    const std::vector<int>& both = at[node];
-    if (this->Source.graph().isCorner[node] != 0 || both.size() != 2)
-    {
-      return -1;
-    }
-    const int other = both[0] == b ? both[1] : both[0];
-    return mayJoin(backbones[b], backbones[other]) ? other : -1;
-  };
-  const auto startOf = [&](int b, bool isReversed) {
-    return isReversed ? backbones[b].points.back() : backbones[b].points.front();
-  };
-  using Step = std::pair<int, bool>; // and whether it is walked against its direction
-  // From one on, in a direction; its own direction first.
-  const auto walk = [&](bool isReversed, bool& isClosed) {
-    std::vector<Step> steps = { { first, isReversed } };
-    isClosed = backbones[first].closed;
-    while (!isClosed && backbones[first].type != BackboneType::Seam)
-    {
-      const auto [b, against] = steps.back();
-      const int node = startOf(b, !against);
-      const int other = next(b, node);
-      if (other < 0)
-      {
-        break;
-      }
-      isClosed = other == first;
-      if (!isClosed)
-      {
-        steps.emplace_back(other, backbones[other].points.front() != node);
-      }
-    }
-    return steps;
-  };
-  bool isClosed = false;
-  std::vector<Step> steps = walk(false, isClosed);
-  if (!isClosed)
+  struct Step
   {
-    std::vector<Step> before = walk(true, isClosed);
-    std::reverse(before.begin(), before.end());
-    before.pop_back(); // the first itself
-    for (Step& step : before)
+    int backbone;
+    bool isReversed; ///< walked against its direction
+
+    Step turned() const { return { this->backbone, !this->isReversed }; }
+  };
+  const auto endOf = [&](const Step& step) {
+    const std::vector<int>& points = backbones[step.backbone].points;
+    return step.isReversed ? points.front() : points.back();
+  };
+  // What goes on beyond the end of a step.
+  const auto next = [&](const Step& step) -> std::optional<Step> {
+    const Backbone& backbone = backbones[step.backbone];
+    const int node = endOf(step);
+    const std::vector<int>& both = at[node];
+    if (backbone.closed || this->Source.graph().isCorner[node] != 0 || both.size() != 2)
     {
-      step.second = !step.second;
+      return {};
     }
-    steps.insert(steps.begin(), before.begin(), before.end());
+    const int other = both[0] == step.backbone ? both[1] : both[0];
+    return mayJoin(backbone, backbones[other])
+      ? std::optional(Step{ other, backbones[other].points.front() != node })
+      : std::nullopt;
+  };
+  // Back to where it begins, or around to itself.
+  Step start = { first, false };
+  bool isClosed = backbones[first].closed;
+  for (std::optional<Step> step = next(start.turned()); step && !isClosed;
+       step = next(start.turned()))
+  {
+    isClosed = step->backbone == first;
+    start = isClosed ? Step{ first, false } : step->turned();
+  }
+  std::vector<Step> steps = { start };
+  for (std::optional<Step> step = next(start); step && step->backbone != start.backbone;
+       step = next(*step))
+  {
+    steps.push_back(*step);
   }
   Backbone joined = backbones[first];
   joined.closed = isClosed;
@@ -118,8 +111,7 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
   }
   if (!isClosed)
   {
-    const auto [b, isReversed] = steps.back();
-    joined.points.push_back(startOf(b, !isReversed));
+    joined.points.push_back(endOf(steps.back()));
   }
   graph.backbones.push_back(std::move(joined));
 }
