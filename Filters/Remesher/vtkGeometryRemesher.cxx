@@ -759,7 +759,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   vtkNew<vtkDoubleArray> best;
   best->SetNumberOfComponents(4);
   bool isBest = true; // the last one
-  for (int i = 0; i < RefiningTries && !(isBest && fewest == None); ++i)
+  for (int i = 0; i < RefiningTries && fewest != None; ++i)
   {
     vtkNew<vtkDoubleArray> now;
     now->DeepCopy(places);
@@ -785,11 +785,12 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
       return true; // it is not their length
     }
     isBest = last < fewest;
-    if (isBest)
+    if (!isBest)
     {
-      fewest = last;
-      best->DeepCopy(now);
+      break; // more of it is no better, either
     }
+    fewest = last;
+    best->DeepCopy(now);
   }
   if (isBest)
   {
