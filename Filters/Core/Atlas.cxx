@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Atlas.h"
 
+#include "JoinedCreases.h"
+#include "ParallelFor.h"
+
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
@@ -47,6 +50,9 @@ struct Atlas::Cache
     return nullptr;
   }
 };
+
+Atlas::Atlas() = default;
+Atlas::~Atlas() = default;
 
 Status Atlas::read(vtkPartitionedDataSetCollection* charts, vtkPolyData* featureGraph,
   Pointer& atlas, const Stop& stop)
@@ -98,8 +104,8 @@ Atlas::Pointer Atlas::withGraph(FeatureGraph graph) const
   result->Surface = this->Surface;
   result->GraphData = this->GraphData;
   result->Graph = std::move(graph);
-  result->Outgoing = this->Outgoing;
-  const Status status = traceBackbones(*this->Surface, result->Graph, result->Traces);
+  const Status status =
+    traceBackbones(*this->Surface, this->vertexHalfedges(), result->Graph, result->Traces);
   assert(status.ok()); // they run along edges as before
   static_cast<void>(status);
   return result;
@@ -118,7 +124,7 @@ Status Atlas::readGraph(vtkPolyData* featureGraph)
     return status;
   }
   this->Outgoing = this->Surface->vertexHalfedges();
-  return traceBackbones(*this->Surface, this->Graph, this->Traces);
+  return traceBackbones(*this->Surface, this->Outgoing, this->Graph, this->Traces);
 }
 
 const SurfaceTopology& Atlas::topology() const
@@ -139,8 +145,7 @@ const ElementArray<Face, FirstFundamentalForm>& Atlas::metric() const
   return this->Metric.get([this] {
     const AtlasSurface& s = *this->Surface;
     ElementArray<Face, FirstFundamentalForm> result(s.triangles.size());
-    for (const Face f : s.faces())
-    {
+    parallelFor(s.faces(), [&](Face f) {
       const Vec2 a = s.cornerUV(f, 1) - s.cornerUV(f, 0);
       const Vec2 b = s.cornerUV(f, 2) - s.cornerUV(f, 0);
       const Vec3 p = s.point(f, 1) - s.point(f, 0);
@@ -149,13 +154,13 @@ const ElementArray<Face, FirstFundamentalForm>& Atlas::metric() const
       if (det == 0)
       {
         result[f] = { 0, 0, 0 };
-        continue;
+        return;
       }
       const Vec3 du = (p * b.y() - q * a.y()) / det;
       const Vec3 dv = (q * a.x() - p * b.x()) / det;
       result[f] = { static_cast<float>(du.dot(du)), static_cast<float>(du.dot(dv)),
         static_cast<float>(dv.dot(dv)) };
-    }
+    });
     return result;
   });
 }
@@ -234,16 +239,14 @@ ElementArray<Face, Vec3> Atlas::smoothNormalsWith(const std::vector<char>& wall)
   const AtlasSurface& s = *this->Surface;
   ElementArray<Face, double> area(s.triangles.size());
   ElementArray<Face, Vec3> normal(s.triangles.size());
-  for (const Face f : s.faces())
-  {
+  parallelFor(s.faces(), [&](Face f) {
     normal[f] = s.faceNormal(f);
     area[f] = s.faceArea(f);
-  }
+  });
   for (int round = 0; round < 3; ++round)
   {
     const ElementArray<Face, Vec3> before = normal;
-    for (const Face f : s.faces())
-    {
+    parallelFor(s.faces(), [&](Face f) {
       Vec3 sum = area[f] * before[f];
       for (const Halfedge h : halfedgesOf(f))
       {
@@ -255,7 +258,7 @@ ElementArray<Face, Vec3> Atlas::smoothNormalsWith(const std::vector<char>& wall)
       }
       const double length = sum.norm();
       normal[f] = length > 0 ? Vec3(sum / length) : before[f];
-    }
+    });
   }
   return normal;
 }
@@ -270,6 +273,11 @@ const std::vector<Box>& Atlas::selfIntersections() const
     return placesOfIntersections(this->Surface->points, this->Surface->triangles)
       .value_or(std::vector<Box>());
   });
+}
+
+const JoinedCreases& Atlas::joinedCreases() const
+{
+  return *this->Creases.get([this] { return std::make_unique<const JoinedCreases>(*this); });
 }
 
 const VertexNeighbours& Atlas::vertexNeighbours() const

@@ -18,6 +18,8 @@
 
 namespace stipple
 {
+class JoinedCreases;
+
 /// Squared length on the surface of a step (du, dv): E du^2 + 2 F du dv + G dv^2.
 struct FirstFundamentalForm
 {
@@ -48,6 +50,7 @@ class STIPPLEFILTERSCORE_EXPORT Atlas
 public:
   using Pointer = std::shared_ptr<const Atlas>;
 
+  ~Atlas();
   /// The atlas of these data sets; the feature graph may be null. Who asks for the same unmodified
   /// data sets while anyone keeps their atlas gets that one, and the charts alone are shared by
   /// atlases of any graph. Modified() of a chart, its points, cells or arrays makes a new one.
@@ -79,11 +82,16 @@ public:
   /// Where the surface passes through itself, as placesOfIntersections() says; empty if it cannot
   /// tell.
   const std::vector<Box>& selfIntersections() const;
+  /// Its creases and boundaries as they go on where seams end.
+  const JoinedCreases& joinedCreases() const;
   const VertexNeighbours& vertexNeighbours() const;
   const std::vector<int>& neighbourBegin() const { return this->vertexNeighbours().begin; }
   const std::vector<int>& neighbours() const { return this->vertexNeighbours().vertex; }
   /// As TriangleSurface::vertexHalfedges().
-  const ElementArray<Vertex, Halfedge>& vertexHalfedges() const { return this->Outgoing; }
+  const ElementArray<Vertex, Halfedge>& vertexHalfedges() const
+  {
+    return this->Source ? this->Source->Outgoing : this->Outgoing;
+  }
   /// The place at an arc length of a backbone, seen from the first side that it has.
   SurfacePlace placeOfBackbone(int backbone, double arcLength) const;
   /// 1 for the charts' halfedges that lie on backbones of these types, 0 for others.
@@ -98,7 +106,7 @@ public:
 
 private:
   struct Cache;
-  Atlas() = default;
+  Atlas();
   Status readGraph(vtkPolyData* featureGraph);
 
   const Atlas* Source = nullptr; ///< that this is withGraph() of
@@ -113,6 +121,7 @@ private:
   Lazy<ElementArray<Face, Vec3>> SmoothNormals;
   Lazy<VertexNeighbours> Neighbours;
   Lazy<std::vector<Box>> SelfIntersections;
+  Lazy<std::unique_ptr<const JoinedCreases>> Creases;
 };
 }
 

@@ -31,10 +31,9 @@ Vec2 BackboneTrace::parameter(const AtlasSurface& surface, const Place& place, i
   return surface.parameter(this->face(place, side), this->bary(place, side));
 }
 
-Status traceBackbones(
-  const AtlasSurface& surface, const FeatureGraph& graph, std::vector<BackboneTrace>& traces)
+Status traceBackbones(const AtlasSurface& surface, const ElementArray<Vertex, Halfedge>& first,
+  const FeatureGraph& graph, std::vector<BackboneTrace>& traces)
 {
-  const auto first = surface.vertexHalfedges();
   const int numberOfPoints = static_cast<int>(surface.points.size());
   traces.assign(graph.backbones.size(), {});
   for (std::size_t b = 0; b < graph.backbones.size(); ++b)

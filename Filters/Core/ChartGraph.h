@@ -38,9 +38,11 @@ struct STIPPLEFILTERSCORE_EXPORT BackboneTrace
   Vec2 parameter(const AtlasSurface& surface, const Place& place, int side) const;
 };
 
-/// Traces all backbones; an error if one does not run along the edges of the surface.
-STIPPLEFILTERSCORE_EXPORT Status traceBackbones(
-  const AtlasSurface& surface, const FeatureGraph& graph, std::vector<BackboneTrace>& traces);
+/// Traces all backbones; an error if one does not run along the edges of the surface, of which
+/// `first` is TriangleSurface::vertexHalfedges().
+STIPPLEFILTERSCORE_EXPORT Status traceBackbones(const AtlasSurface& surface,
+  const ElementArray<Vertex, Halfedge>& first, const FeatureGraph& graph,
+  std::vector<BackboneTrace>& traces);
 
 /// The samples of a chart that lie on backbones, and the segments between neighbours.
 struct ChartGraph

@@ -21,8 +21,7 @@ JoinedCreases::JoinedCreases(const Atlas& source)
   : Source(source)
 {
   const FeatureGraph& before = source.graph();
-  // Ends of creases and boundaries, by node.
-  std::vector<std::vector<int>> at(source.surface().points.size());
+  EndsAt at; // of creases and boundaries
   for (std::size_t b = 0; b < before.backbones.size(); ++b)
   {
     const Backbone& backbone = before.backbones[b];
@@ -49,7 +48,7 @@ JoinedCreases::JoinedCreases(const Atlas& source)
 }
 
 /// Makes the backbone that one is the first part of.
-void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, FeatureGraph& graph)
+void JoinedCreases::follow(int first, const EndsAt& at, FeatureGraph& graph)
 {
   const std::vector<Backbone>& backbones = this->Source.graph().backbones;
   struct Step
@@ -67,11 +66,12 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
   const auto next = [&](const Step& step) -> std::optional<Step> {
     const Backbone& backbone = backbones[step.backbone];
     const int node = endOf(step);
-    const std::vector<int>& both = at[node];
-    if (backbone.closed || this->Source.graph().isCorner[node] != 0 || both.size() != 2)
+    if (backbone.closed || backbone.type == BackboneType::Seam ||
+      this->Source.graph().isCorner[node] != 0 || at.at(node).size() != 2)
     {
       return {};
     }
+    const std::vector<int>& both = at.at(node);
     const int other = both[0] == step.backbone ? both[1] : both[0];
     return mayJoin(backbone, backbones[other])
       ? std::optional(Step{ other, backbones[other].points.front() != node })
@@ -119,7 +119,6 @@ void JoinedCreases::follow(int first, const std::vector<std::vector<int>>& at, F
 /// Finds where parts begin, and the nodes inside joined backbones.
 void JoinedCreases::locate()
 {
-  this->NodeAt.assign(this->Source.surface().points.size(), { -1, 0. });
   for (std::size_t j = 0; j < this->Parts.size(); ++j)
   {
     const Backbone& backbone = this->Joined->graph().backbones[j];
@@ -141,12 +140,12 @@ void JoinedCreases::locate()
 Sample JoinedCreases::joined(const Sample& sample) const
 {
   Sample result = sample;
-  if (sample.kind == SampleKind::Corner && sample.surfacePoint >= 0 &&
-    this->NodeAt[sample.surfacePoint].backbone >= 0)
+  const auto node = this->NodeAt.find(sample.surfacePoint);
+  if (sample.kind == SampleKind::Corner && node != this->NodeAt.end())
   {
-    const Place& node = this->NodeAt[sample.surfacePoint];
-    const SurfacePlace place = this->Joined->placeOfBackbone(node.backbone, node.arcLength);
-    result = { SampleKind::Backbone, place.face, place.bary, node.backbone, node.arcLength, -1 };
+    const auto [backbone, arcLength] = node->second;
+    const SurfacePlace place = this->Joined->placeOfBackbone(backbone, arcLength);
+    result = { SampleKind::Backbone, place.face, place.bary, backbone, arcLength, -1 };
   }
   else if (sample.kind == SampleKind::Backbone)
   {

@@ -8,6 +8,8 @@
 #include "SampleSet.h"
 #include "StippleFiltersCoreModule.h"
 
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace stipple
@@ -48,10 +50,11 @@ private:
   };
   struct Place
   {
-    int backbone; ///< joined; -1: none
+    int backbone; ///< joined
     double arcLength;
   };
-  void follow(int first, const std::vector<std::vector<int>>& at, FeatureGraph& graph);
+  using EndsAt = std::unordered_map<int, std::vector<int>>; ///< backbones, by surface point
+  void follow(int first, const EndsAt& at, FeatureGraph& graph);
   void locate();
 
   const Atlas& Source;
@@ -59,7 +62,7 @@ private:
   std::vector<std::vector<Part>> Parts;    ///< by joined backbone, in its direction
   std::vector<std::pair<int, int>> PartOf; ///< by backbone of the source: joined one, and which
                                            ///< part
-  std::vector<Place> NodeAt;               ///< by surface point: of nodes that are inside one
+  std::unordered_map<int, Place> NodeAt;   ///< by surface point: of nodes that are inside one
 };
 }
 

@@ -2,21 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceWalk.h"
 
+#include "ParallelFor.h"
+
 namespace stipple
 {
 SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, const std::vector<char>& wall)
   : Faces(surface.triangles.size())
 {
-  for (int f = 0; f < surface.numberOfFaces(); ++f)
-  {
-    this->Faces[f].normal = surface.faceNormal(f);
+  parallelFor(surface.faces(), [&](Face f) {
+    FaceData& face = this->Faces[f.index()];
+    face.normal = surface.faceNormal(f);
     for (int k = 0; k < 3; ++k)
     {
-      this->Faces[f].point[k] = surface.point(f, k);
-      this->Faces[f].twin[k] = surface.twin[3 * f + k];
-      this->Faces[f].wall[k] = wall.empty() ? 0 : wall[3 * f + k];
+      const Halfedge h = halfedgeOf(f, k);
+      face.point[k] = surface.point(f, k);
+      face.twin[k] = surface.twin[h].index();
+      face.wall[k] = wall.empty() ? 0 : wall[h.index()];
     }
-  }
+  });
 }
 
 SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, bool passWalls) const

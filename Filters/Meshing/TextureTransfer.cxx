@@ -173,7 +173,7 @@ Status transferTexture(const Atlas& atlas, vtkPolyData* lines, vtkPolyData* mesh
   {
     return status;
   }
-  const JoinedCreases creases(atlas);
+  const JoinedCreases& creases = atlas.joinedCreases();
   const BesideEdges beside =
     besideEdges(creases.atlas(), texture, creases.joined(samples), creases.joined(chains));
 

@@ -42,7 +42,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   auto* images = this->FollowDensity
     ? vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0))
     : nullptr;
-  const stipple::JoinedCreases creases(request.atlas);
+  const stipple::JoinedCreases& creases = request.atlas.joinedCreases();
   stipple::DensityField density;
   stipple::TriangleSurface given;
   stipple::OptimizedMesh mesh;

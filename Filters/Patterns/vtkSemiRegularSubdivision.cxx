@@ -67,7 +67,7 @@ int vtkSemiRegularSubdivision::FillInputPortInformation(int port, vtkInformation
 stipple::Status vtkSemiRegularSubdivision::MakeMesh(stipple::MeshRequest& request)
 {
   const stipple::FeatureGraph& graph = request.atlas.graph();
-  const stipple::JoinedCreases creases(request.atlas);
+  const stipple::JoinedCreases& creases = request.atlas.joinedCreases();
   const std::vector<stipple::Sample> samples = creases.joined(request.samples);
   auto* lines = vtkPolyData::SafeDownCast(this->GetInputDataObject(3, 0));
   stipple::TriangleSurface given;

@@ -12,26 +12,21 @@
 #include "OptionTable.h"
 #include "PolyDataConversion.h"
 #include "Progress.h"
+#include "RemesherStages.h"
 #include "ReportingThread.h"
 #include "SamplingConstants.h"
 #include "SelectedPart.h"
 #include "SizingFunction.h"
 #include "SurfaceDeviation.h"
 
-#include "vtkCDTRemesh.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkConformalAtlas.h"
-#include "vtkControlMap.h"
-#include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkErrorDiffusionSampler.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
-#include "vtkGeometryMapRenderer.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -40,9 +35,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkQuadRemesh.h"
-#include "vtkRemeshOptimizer.h"
-#include "vtkSemiRegularSubdivision.h"
 #include "vtkTimerLog.h"
 #include "vtkWeakPointer.h"
 
@@ -62,6 +54,7 @@ vtkStandardNewMacro(vtkGeometryRemesher);
 namespace
 {
 using Remesher = vtkGeometryRemesher;
+using stipple::RemesherStages;
 constexpr bool isCode(int code, stipple::StatusCode status)
 {
   return code == static_cast<int>(status) && code > vtkErrorCode::UserError;
@@ -72,38 +65,6 @@ static_assert(isCode(Remesher::ABORTED, stipple::StatusCode::Aborted) &&
   isCode(Remesher::INTERNAL_ERROR, stipple::StatusCode::Internal));
 static_assert(
   static_cast<int>(Remesher::StageStartEvent) > static_cast<int>(vtkCommand::UserEvent));
-
-constexpr int NumberOfStages = 6;
-// Behind the stages come the algorithms that other patterns put in their places.
-constexpr int QuadMeshing = 6;
-constexpr int Subdivision = 7;
-constexpr int NumberOfAlgorithms = 8;
-
-/// The stage that an algorithm belongs to.
-int stageOf(int algorithm)
-{
-  return algorithm == QuadMeshing ? vtkGeometryRemesher::MESHING
-    : algorithm == Subdivision    ? vtkGeometryRemesher::OPTIMISATION
-                                  : algorithm;
-}
-
-/// Where each stage's progress begins in the whole: about the shares of time it takes, and the end.
-constexpr std::array<double, NumberOfStages + 1> ProgressBegin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
-  1. } };
-
-/// Begin and end of an algorithm's progress in the whole.
-std::array<double, 2> progressOf(int algorithm, bool subdivides)
-{
-  const int stage = stageOf(algorithm);
-  std::array<double, 2> range = { { ProgressBegin[stage], ProgressBegin[stage + 1] } };
-  if (subdivides && stage == vtkGeometryRemesher::OPTIMISATION)
-  {
-    // The base mesh is small.
-    constexpr double OfBase = 0.1;
-    range[algorithm == Subdivision ? 0 : 1] = range[0] + OfBase * (range[1] - range[0]);
-  }
-  return range;
-}
 
 /// A count that is not known better, as it is read: 4300, 1200000.
 std::string inTwoDigits(double count)
@@ -129,22 +90,10 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
 /// beautiful, and at how many places at most, as a share of the triangles.
 constexpr int RefiningTries = 2;
 constexpr double RefinedShare = 0.01;
-
-constexpr const char* AlgorithmNames[NumberOfAlgorithms] = { "atlas", "map renderer", "control map",
-  "sampler", "mesher", "optimizer", "quad mesher", "subdivision" };
 }
 
-struct vtkGeometryRemesher::Internals
+struct vtkGeometryRemesher::Internals : stipple::RemesherStages
 {
-  vtkNew<vtkConformalAtlas> Atlas;
-  vtkNew<vtkGeometryMapRenderer> MapRenderer;
-  vtkNew<vtkControlMap> ControlMap;
-  vtkNew<vtkErrorDiffusionSampler> Sampler;
-  vtkNew<vtkCDTRemesh> Mesher;
-  vtkNew<vtkRemeshOptimizer> Optimizer;
-  vtkNew<vtkQuadRemesh> QuadMesher;
-  vtkNew<vtkSemiRegularSubdivision> Subdivider;
-  std::array<vtkAlgorithm*, NumberOfAlgorithms> InOrder;
   std::array<double, NumberOfStages> Seconds = {};
 
   vtkWeakPointer<vtkPolyData> Input;
@@ -167,37 +116,10 @@ struct vtkGeometryRemesher::Internals
   bool IsUnsound = false;     ///< a mesh was made, and not sound: what would be is not known
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
-  std::vector<std::string> EnabledMaps; ///< those that this filter added to the selection
 
   explicit Internals(vtkGeometryRemesher* self)
     : Self(self)
   {
-    this->InOrder = { { this->Atlas, this->MapRenderer, this->ControlMap, this->Sampler,
-      this->Mesher, this->Optimizer, this->QuadMesher, this->Subdivider } };
-    vtkAlgorithmOutput* charts = this->Atlas->GetOutputPort(0);
-    vtkAlgorithmOutput* graph = this->Atlas->GetOutputPort(1);
-    this->MapRenderer->SetInputConnection(0, charts);
-    this->ControlMap->SetInputConnection(0, this->MapRenderer->GetOutputPort(0));
-    this->ControlMap->SetInputConnection(1, charts);
-    this->Sampler->SetInputConnection(0, this->ControlMap->GetOutputPort(0));
-    this->Sampler->SetInputConnection(1, charts);
-    this->ControlMap->SetInputConnection(2, graph);
-    this->Sampler->SetInputConnection(2, graph);
-    this->Mesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
-    this->Mesher->SetInputConnection(1, charts);
-    this->Mesher->SetInputConnection(2, graph);
-    this->Optimizer->SetInputConnection(0, this->Mesher->GetOutputPort(0));
-    this->Optimizer->SetInputConnection(1, charts);
-    this->Optimizer->SetInputConnection(2, graph);
-    this->Optimizer->SetInputConnection(3, this->ControlMap->GetOutputPort(0));
-    this->QuadMesher->SetInputConnection(0, this->Sampler->GetOutputPort(0));
-    this->QuadMesher->SetInputConnection(1, charts);
-    this->QuadMesher->SetInputConnection(2, graph);
-    this->QuadMesher->SetInputConnection(3, this->ControlMap->GetOutputPort(0));
-    this->Subdivider->SetInputConnection(0, this->Optimizer->GetOutputPort(0));
-    this->Subdivider->SetInputConnection(1, charts);
-    this->Subdivider->SetInputConnection(2, graph);
-    this->Subdivider->SetInputConnection(3, this->Optimizer->GetOutputPort(1));
     this->Observer->SetClientData(this);
     this->Observer->SetCallback(&Internals::execute);
     for (vtkAlgorithm* stage : this->InOrder)
@@ -253,14 +175,6 @@ struct vtkGeometryRemesher::Internals
       this->ProgressFrom + (this->ProgressTo - this->ProgressFrom) * fraction));
   }
 
-  /// The algorithm whose output is the mesh.
-  vtkAlgorithm* last(int pattern) const
-  {
-    return this->InOrder[pattern == QUADS ? QuadMeshing
-        : pattern == SEMIREGULAR          ? Subdivision
-                                          : OPTIMISATION];
-  }
-
   /// The one that the stages share.
   stipple::Status readAtlas(stipple::Atlas::Pointer& atlas)
   {
@@ -294,14 +208,14 @@ struct vtkGeometryRemesher::Internals
   }
 
   /// Adds rows for SizePlaces where edges are too long, as short as sizes may get beside features.
-  /// Returns in how many the mesh passes through itself, and how many others there are.
-  std::array<int, 2> addCoarsePlaces(vtkDoubleArray* rows)
+  /// Counts in how many the mesh passes through itself, and how many others there are.
+  stipple::Status addCoarsePlaces(vtkDoubleArray* rows, std::array<int, 2>& count)
   {
-    std::array<int, 2> count = { { 0, 0 } };
+    count = { { 0, 0 } };
     stipple::Atlas::Pointer atlas;
-    if (!this->readAtlas(atlas).ok())
+    if (const stipple::Status status = this->readAtlas(atlas); !status.ok())
     {
-      return count;
+      return status;
     }
     const int pattern = this->Self->GetPattern();
     auto* mesh = vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0));
@@ -329,7 +243,7 @@ struct vtkGeometryRemesher::Internals
       rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
       ++count[place.isOverlap ? 0 : 1];
     }
-    return count;
+    return this->Self->GetAbortExecute() ? stipple::Status::aborted() : stipple::Status::success();
   }
 
   /// Hands the input, or the part of it that is selected, to the atlas if it is not the one of
@@ -392,70 +306,6 @@ struct vtkGeometryRemesher::Internals
     }
     return static_cast<int>(ends.size());
   }
-
-  /// The maps that control map and sampler read.
-  std::vector<std::string> neededMaps() const
-  {
-    const char* name = this->ControlMap->GetImportanceArrayName();
-    const bool projected = this->ControlMap->GetImageProjection() != vtkControlMap::CHART;
-    std::vector<std::string> maps{ "AreaDistortion", "FaceIndex" };
-    switch (const int importance = this->ControlMap->GetImportance())
-    {
-      case vtkControlMap::MEAN:
-      case vtkControlMap::GAUSSIAN:
-      case vtkControlMap::MINIMUM:
-      case vtkControlMap::MAXIMUM:
-      case vtkControlMap::TOTAL:
-      {
-        static const char* const curvatures[] = { "MeanCurvature", "GaussianCurvature",
-          "MinimumCurvature", "MaximumCurvature", "TotalCurvature" };
-        maps.emplace_back(curvatures[importance - vtkControlMap::MEAN]);
-        break;
-      }
-      case vtkControlMap::L2:
-        maps.insert(maps.end(), { "MeanCurvature", "GaussianCurvature" });
-        break;
-      case vtkControlMap::IMAGE:
-        maps.insert(maps.end(), projected ? 1 : 0, "Position");
-        break;
-      case vtkControlMap::ARRAY:
-        maps.insert(maps.end(), name ? 1 : 0, name ? name : "");
-        break;
-      default:
-        break;
-    }
-    const char* sizes = this->ControlMap->GetSizeArrayName();
-    maps.insert(maps.end(), sizes ? 1 : 0, sizes ? sizes : "");
-    return maps;
-  }
-
-  /// Adds them to what the caller selected, and takes back what was added for another importance.
-  void selectMaps()
-  {
-    vtkDataArraySelection* maps = this->MapRenderer->GetMapSelection();
-    const std::vector<std::string> needed = this->neededMaps();
-    std::vector<std::string> added;
-    for (const std::string& map : this->EnabledMaps)
-    {
-      if (std::find(needed.begin(), needed.end(), map) == needed.end())
-      {
-        maps->DisableArray(map.c_str());
-      }
-      else
-      {
-        added.push_back(map);
-      }
-    }
-    for (const std::string& map : needed)
-    {
-      if (!maps->ArrayIsEnabled(map.c_str()))
-      {
-        maps->EnableArray(map.c_str());
-        added.push_back(map);
-      }
-    }
-    this->EnabledMaps = std::move(added);
-  }
 };
 
 vtkGeometryRemesher::vtkGeometryRemesher()
@@ -504,7 +354,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
 {
   Internals& s = *this->Stages;
   vtkAlgorithm* filter = s.InOrder[algorithm];
-  int stage = stageOf(algorithm);
+  int stage = RemesherStages::stageOf(algorithm);
   s.Current = algorithm;
   s.HasStarted = false;
   s.StageError.clear();
@@ -535,7 +385,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     s.Sentence = !s.StageError.empty() ? s.StageError
       : !s.ExecutiveError.empty()
       ? s.ExecutiveError
-      : "The " + std::string(AlgorithmNames[algorithm]) + " failed without saying why.";
+      : "The " + std::string(RemesherStages::nameOf(algorithm)) + " failed without saying why.";
     if (const int least = this->GetLeastNumberOfPoints();
         s.Part.numberOfBorderPoints() > 0 && this->ErrorCode == TOO_FEW_POINTS && least > 0)
     {
@@ -544,7 +394,7 @@ bool vtkGeometryRemesher::RunStage(int algorithm)
     }
     return false;
   }
-  s.tell(progressOf(algorithm, this->Pattern == SEMIREGULAR)[1]);
+  s.tell(RemesherStages::progressOf(algorithm, this->Pattern == SEMIREGULAR)[1]);
   this->InvokeEvent(StageEndEvent, &stage);
   return true;
 }
@@ -601,7 +451,7 @@ bool vtkGeometryRemesher::RunStages()
   if (this->Pattern == QUADS)
   {
     s.QuadMesher->SetFeatureTolerance(s.Optimizer->GetFeatureTolerance());
-    return this->RunStage(QuadMeshing);
+    return this->RunStage(RemesherStages::QuadMeshing);
   }
   s.Optimizer->SetFeatureToleranceScale(s.ToleranceScale);
   return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
@@ -700,7 +550,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
           ": ask for fewer, or for fewer subdivisions.";
         return false;
       }
-      if (!this->RunStage(Subdivision))
+      if (!this->RunStage(RemesherStages::Subdivision))
       {
         return false;
       }
@@ -745,12 +595,12 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(4);
   constexpr std::array<int, 2> None = { { 0, 0 } };
-  std::array<int, 2> fewest = s.addCoarsePlaces(places); // what is wrong goes before what is ugly
-  auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
-  if (this->AbortExecute)
+  std::array<int, 2> fewest; // what is wrong goes before what is ugly
+  if (!noted(s.addCoarsePlaces(places, fewest), this->ErrorCode, s.Sentence))
   {
-    return noted(stipple::Status::aborted(), this->ErrorCode, s.Sentence);
+    return false;
   }
+  auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
   // Where they are all over, points for all of them would be missed everywhere.
   if (fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
@@ -775,10 +625,10 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
       isBest = false;
       break;
     }
-    const std::array<int, 2> last = s.addCoarsePlaces(places);
-    if (this->AbortExecute)
+    std::array<int, 2> last;
+    if (!noted(s.addCoarsePlaces(places, last), this->ErrorCode, s.Sentence))
     {
-      return noted(stipple::Status::aborted(), this->ErrorCode, s.Sentence);
+      return false;
     }
     if (last == fewest)
     {
@@ -993,7 +843,7 @@ std::string vtkGeometryRemesher::GetOptionTable()
 
 double vtkGeometryRemesher::GetStageSeconds(int stage)
 {
-  return stage >= 0 && stage < NumberOfStages ? this->Stages->Seconds[stage] : 0.;
+  return stage >= 0 && stage < RemesherStages::NumberOfStages ? this->Stages->Seconds[stage] : 0.;
 }
 
 // Parameters that live in the stages.
@@ -1106,10 +956,10 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "SelectionArrayName: " << (this->SelectionArrayName ? this->SelectionArrayName : "(none)")
      << "\n";
-  for (int a = 0; a < NumberOfAlgorithms; ++a)
+  for (int a = 0; a < RemesherStages::NumberOfAlgorithms; ++a)
   {
-    os << indent << "The " << AlgorithmNames[a];
-    if (a < NumberOfStages)
+    os << indent << "The " << RemesherStages::nameOf(a);
+    if (a < RemesherStages::NumberOfStages)
     {
       os << " (" << this->Stages->Seconds[a] << " s)";
     }

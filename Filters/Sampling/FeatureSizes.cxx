@@ -285,7 +285,7 @@ private:
 std::vector<FeatureSize> featureSizes(
   const Atlas& atlas, const std::function<double(const SurfacePlace&)>& spacing, const Stop& stop)
 {
-  const JoinedCreases creases(atlas);
+  const JoinedCreases& creases = atlas.joinedCreases();
   const Atlas& joined = creases.atlas();
   const FeatureLines lines(joined, joined.creasesTo(spacing));
   const SizeSearch search(joined, lines, spacing);

@@ -135,7 +135,9 @@ public:
       }
     }
     this->Status_ = readAtlas(this->Result.charts, this->Result.surface).ok() &&
-      traceBackbones(this->Result.surface, graph, this->Result.traces).ok();
+      traceBackbones(
+        this->Result.surface, this->Result.surface.vertexHalfedges(), graph, this->Result.traces)
+        .ok();
     this->Result.graphData = toPolyData(graph, this->Result.surface.points);
     return this->Result;
   }

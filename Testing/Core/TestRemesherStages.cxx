@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The pipeline's stages, joined.
+#include "RemesherStages.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataArraySelection.h"
+#include "vtkGeometryRemesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using stipple::RemesherStages;
+
+namespace
+{
+std::set<std::string> enabledMaps(RemesherStages& stages)
+{
+  vtkDataArraySelection* maps = stages.MapRenderer->GetMapSelection();
+  std::set<std::string> result;
+  for (int i = 0; i < maps->GetNumberOfArrays(); ++i)
+  {
+    if (maps->GetArraySetting(i))
+    {
+      result.insert(maps->GetArrayName(i));
+    }
+  }
+  return result;
+}
+
+/// Of what an algorithm is made, all that it comes of.
+std::set<vtkAlgorithm*> upstreamOf(vtkAlgorithm* algorithm)
+{
+  std::set<vtkAlgorithm*> result;
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    if (algorithm->GetNumberOfInputConnections(port) > 0)
+    {
+      vtkAlgorithm* producer = algorithm->GetInputConnection(port, 0)->GetProducer();
+      result.insert(producer);
+      result.merge(upstreamOf(producer));
+    }
+  }
+  return result;
+}
+
+TEST(RemesherStages, EveryMeshComesOfTheSameSamples)
+{
+  RemesherStages stages;
+  for (const int pattern : { vtkGeometryRemesher::TRIANGLES, vtkGeometryRemesher::QUADS,
+         vtkGeometryRemesher::SEMIREGULAR })
+  {
+    const std::set<vtkAlgorithm*> upstream = upstreamOf(stages.last(pattern));
+    for (const int stage : { vtkGeometryRemesher::ATLAS, vtkGeometryRemesher::MAPS,
+           vtkGeometryRemesher::CONTROL, vtkGeometryRemesher::SAMPLING })
+    {
+      EXPECT_EQ(upstream.count(stages.InOrder[stage]), 1u)
+        << pattern << " " << RemesherStages::nameOf(stage);
+    }
+    EXPECT_EQ(upstream.count(stages.Mesher), pattern == vtkGeometryRemesher::QUADS ? 0u : 1u);
+    EXPECT_EQ(
+      upstream.count(stages.Optimizer), pattern == vtkGeometryRemesher::SEMIREGULAR ? 1u : 0u);
+  }
+  EXPECT_EQ(stages.last(vtkGeometryRemesher::TRIANGLES), stages.Optimizer);
+  EXPECT_EQ(stages.last(vtkGeometryRemesher::QUADS), stages.QuadMesher);
+  EXPECT_EQ(stages.last(vtkGeometryRemesher::SEMIREGULAR), stages.Subdivider);
+}
+
+TEST(RemesherStages, ProgressGoesOnFromStageToStage)
+{
+  const auto expectWhole = [](const std::vector<int>& algorithms, bool subdivides) {
+    double reached = 0;
+    for (const int algorithm : algorithms)
+    {
+      const auto [begin, end] = RemesherStages::progressOf(algorithm, subdivides);
+      EXPECT_DOUBLE_EQ(begin, reached) << RemesherStages::nameOf(algorithm);
+      EXPECT_GT(end, begin) << RemesherStages::nameOf(algorithm);
+      reached = end;
+    }
+    EXPECT_DOUBLE_EQ(reached, 1.);
+  };
+  expectWhole({ 0, 1, 2, 3, 4, 5 }, false);
+  expectWhole({ 0, 1, 2, 3, RemesherStages::QuadMeshing, 5 }, false);
+  expectWhole({ 0, 1, 2, 3, 4, 5, RemesherStages::Subdivision }, true);
+}
+
+TEST(RemesherStages, MapsAreThoseOfTheImportance)
+{
+  RemesherStages stages;
+  stages.MapRenderer->GetMapSelection()->DisableAllArrays();
+  stages.MapRenderer->GetMapSelection()->EnableArray("Position"); // a caller's own
+  const std::set<std::string> always = { "AreaDistortion", "FaceIndex", "Position" };
+  const auto selected = [&](const std::set<std::string>& more) {
+    stages.selectMaps();
+    std::set<std::string> wanted = always;
+    wanted.insert(more.begin(), more.end());
+    EXPECT_EQ(enabledMaps(stages), wanted);
+  };
+  stages.ControlMap->SetImportanceToUniform();
+  selected({});
+  stages.ControlMap->SetImportanceToL2();
+  selected({ "MeanCurvature", "GaussianCurvature" });
+  stages.ControlMap->SetImportanceToMean();
+  selected({ "MeanCurvature" });
+  stages.ControlMap->SetImportanceToArray();
+  stages.ControlMap->SetImportanceArrayName("Heat");
+  stages.ControlMap->SetSizeArrayName("Length");
+  selected({ "Heat", "Length" });
+  // What a caller selected is not taken back with what was added.
+  stages.ControlMap->SetSizeArrayName(nullptr);
+  stages.ControlMap->SetImportanceToImage();
+  stages.ControlMap->SetImageProjection(vtkControlMap::Z_AXIS);
+  selected({});
+  stages.ControlMap->SetImportanceToUniform();
+  selected({});
+}
+}
