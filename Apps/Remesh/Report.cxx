@@ -90,6 +90,7 @@ std::string toJson(const Report& report)
   json.add("components", report.quality.components);
   json.add("boundary_loops", report.quality.boundaryLoops);
   json.add("euler_characteristic", report.quality.euler);
+  json.add("overlaps", report.overlaps);
   if (report.deviation)
   {
     json.add("deviation_pct", *report.deviation);

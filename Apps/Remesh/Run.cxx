@@ -294,6 +294,7 @@ Report makeReport(
   {
     report.deviation = remesher->GetDeviation();
   }
+  report.overlaps = remesher->GetNumberOfOverlaps();
   report.mapBackend = remesher->GetMapRenderer()->GetBackendName();
   report.seconds = { { "load", load },
     { "atlas", remesher->GetStageSeconds(vtkGeometryRemesher::ATLAS) },
@@ -520,6 +521,15 @@ Status run(const OptionValues& given)
   if (status.ok())
   {
     status = files.commit();
+  }
+  if (const int overlaps = remesher->GetNumberOfOverlaps();
+      status.ok() && overlaps > 0 && !given.flag("quiet"))
+  {
+    // Nobody can do without knowing, not at a terminal either.
+    std::fprintf(stderr,
+      "stipple: warning: pairs of triangles that pass through each other where the input does not: "
+      "%d; more points part them\n",
+      overlaps);
   }
   if (status.ok() && bar.isOn())
   {

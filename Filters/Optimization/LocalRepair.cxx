@@ -16,7 +16,7 @@
 
 namespace stipple
 {
-bool improveByMove(MeshEdit& edit, Vertex v)
+bool improveByMove(MeshEdit& edit, Vertex v, bool staysInRing)
 {
   const OptimizedMesh& mesh = edit.mesh();
   if (mesh.freedom(v) == Freedom::None)
@@ -26,18 +26,29 @@ bool improveByMove(MeshEdit& edit, Vertex v)
   const VertexStar star(mesh, v);
   double best = star.quality(mesh.state(v));
   const double start = best;
+  double farthest = 0; // that it may be from a neighbour
+  std::vector<Vertex> ring;
+  const auto isFar = [&](const SurfacePoint& there) {
+    return std::any_of(ring.begin(), ring.end(), [&](Vertex u) {
+      return (mesh.position(u) - there.position).squaredNorm() > farthest * farthest;
+    });
+  };
   const auto isBetter = [&](const SurfacePoint& there) {
     if (!star.exceeds(there, best + Tuning::LeastGainOfAngle))
     {
       return false;
     }
-    best = star.quality(there);
+    const double quality = star.quality(there);
+    if (staysInRing && quality < 0 && isFar(there))
+    {
+      return false;
+    }
+    best = quality;
     return true;
   };
   double reach = 0;
   int count = 0;
   Vec3 centre = Vec3::Zero(); // each neighbour weighs as much as it has triangles here
-  std::vector<Vertex> ring;
   mesh.forEachFace(v, [&](Face f) {
     for (const Vertex u : mesh.corners(f))
     {
@@ -55,6 +66,16 @@ bool improveByMove(MeshEdit& edit, Vertex v)
   });
   centre /= count;
   reach /= count;
+  // A place inside the ring is no farther from a neighbour than these are from each other. Folds
+  // seem to get better beyond it, too: around a tube, by the way that its surface turns.
+  for (auto u = ring.begin(); u != ring.end() && staysInRing && start < 0; ++u)
+  {
+    farthest = std::max(farthest, (mesh.position(*u) - mesh.position(v)).norm());
+    for (auto w = ring.begin(); w != u; ++w)
+    {
+      farthest = std::max(farthest, (mesh.position(*u) - mesh.position(*w)).norm());
+    }
+  }
   const auto attempt = [&](const Vec3& step) {
     const SurfacePoint there = mesh.walk(mesh.place(v), step);
     const bool moves = isBetter(there);
@@ -410,7 +431,7 @@ private:
     {
       return false;
     }
-    const bool moved = improveByMove(this->Edit, v);
+    const bool moved = improveByMove(this->Edit, v, true);
     this->IsStuck[v] = !moved;
     if (moved)
     {

@@ -12,8 +12,11 @@
 
 namespace stipple
 {
-/// Moves a vertex to where the worst triangle about it is better, if there is such a place.
-STIPPLEFILTERSOPTIMIZATION_EXPORT bool improveByMove(MeshEdit& edit, Vertex v);
+/// Moves a vertex to where the worst triangle about it is better, if there is such a place. If it
+/// stays in its ring, one that leaves triangles folded goes no farther from its neighbours than
+/// these are from each other.
+STIPPLEFILTERSOPTIMIZATION_EXPORT bool improveByMove(
+  MeshEdit& edit, Vertex v, bool staysInRing = false);
 
 /// Moves vertices beside triangles that are worse than `enough` (radians), round by round, until
 /// all of the faces are as good as `wanted`. Returns whether they are, and adds up how often a

@@ -223,8 +223,9 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     std::vector<char> isFree(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
     for (std::size_t p = 0; p < isFree.size(); ++p)
     {
-      isFree[p] = kind->GetComponent(static_cast<vtkIdType>(p), 0) ==
-          static_cast<double>(stipple::SampleKind::Interior)
+      isFree[p] = kind &&
+          kind->GetComponent(static_cast<vtkIdType>(p), 0) ==
+            static_cast<double>(stipple::SampleKind::Interior)
         ? 1
         : 0;
     }
@@ -588,10 +589,6 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return false;
   }
-  if (!s.ControlMap->GetGrowFromFeatures() || s.ControlMap->GetGrowth() <= 1.)
-  {
-    return true; // sizes do not grow from places either
-  }
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(4);
   constexpr std::array<int, 2> None = { { 0, 0 } };
@@ -600,9 +597,12 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return false;
   }
+  this->NumberOfOverlaps = fewest[0];
   auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
-  // Where they are all over, points for all of them would be missed everywhere.
-  if (fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
+  // Where sizes do not grow, they do not from places either; where these are all over, points for
+  // all of them would be missed everywhere.
+  if (!s.ControlMap->GetGrowFromFeatures() || s.ControlMap->GetGrowth() <= 1. ||
+    fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
     return true;
   }
@@ -640,6 +640,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
       break; // more of it is no better, either
     }
     fewest = last;
+    this->NumberOfOverlaps = fewest[0];
     best->DeepCopy(now);
   }
   if (isBest)
@@ -760,6 +761,7 @@ int vtkGeometryRemesher::RequestData(
   s.ProgressFrom = 0.;
   s.ProgressTo = 1.;
   this->Deviation = 0.;
+  this->NumberOfOverlaps = 0;
   this->NumberOfPointsTried = 0;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
@@ -951,6 +953,7 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
   os << indent << "MaximumDeviationLength: " << this->MaximumDeviationLength << "\n";
   os << indent << "Deviation: " << this->Deviation << "\n";
+  os << indent << "NumberOfOverlaps: " << this->NumberOfOverlaps << "\n";
   os << indent << "NumberOfPointsTried: " << this->NumberOfPointsTried << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
   os << indent

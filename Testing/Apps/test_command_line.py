@@ -174,6 +174,18 @@ class CommandLine(ProgramTest):
             self.assertEqual(told, [str(lost)] if lost else [])
             self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments, "--verbose")[2], lost > 0)
 
+    def test_a_mesh_that_passes_through_itself_is_told(self):
+        """Everywhere but with --quiet, and in the report: of edges as long in a tail as elsewhere."""
+        report = self.folder / "report.json"
+        for options, fewest, most in ((("--growth", "none"), 1, 1000), ((), 0, 0)):
+            arguments = MODELS / "camel.off", "-o", self.folder / "a.ply", "--points", "5000", "--report", report, *options
+            shown = self.run_program(*arguments)[2]
+            overlaps = json.loads(report.read_text())["overlaps"]
+            self.assertTrue(fewest <= overlaps <= most, overlaps)
+            told = re.findall(r"warning: pairs of triangles that pass through each other [^:]*: (\d+);", shown)
+            self.assertEqual(told, [str(overlaps)] if overlaps else [])
+            self.assertEqual(self.run_program(*arguments, "--quiet")[2], "")
+
     def test_what_a_format_or_the_surface_has_no_place_for_is_told(self):
         cube = self.file("groups.obj", "".join(
             f"v {i % 2} {i // 2 % 2} {i // 4}\n" for i in range(8)
