@@ -249,15 +249,18 @@ void warnOfFormat(const Session& o)
   }
 }
 
+/// Writes a sentence with a number (%lld), unless that is 0.
+void say(const char* sentence, vtkIdType number)
+{
+  if (number > 0)
+  {
+    std::fprintf(stderr, sentence, static_cast<long long>(number));
+  }
+}
+
 /// Of what somebody at a terminal may not expect.
 void warn(const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher)
 {
-  const auto say = [](const char* sentence, vtkIdType number) {
-    if (number > 0)
-    {
-      std::fprintf(stderr, sentence, static_cast<long long>(number));
-    }
-  };
   say("stipple: warning: edges of the input that have more than two triangles, where it was cut "
       "apart: %lld\n",
     remesher->GetAtlas()->GetNumberOfSplitEdges());
@@ -522,14 +525,11 @@ Status run(const OptionValues& given)
   {
     status = files.commit();
   }
-  if (const int overlaps = remesher->GetNumberOfOverlaps();
-      status.ok() && overlaps > 0 && !given.flag("quiet"))
+  if (status.ok() && !given.flag("quiet")) // scripts need to know as well
   {
-    // Nobody can do without knowing, not at a terminal either.
-    std::fprintf(stderr,
-      "stipple: warning: pairs of triangles that pass through each other where the input does not: "
-      "%d; more points part them\n",
-      overlaps);
+    say("stipple: warning: pairs of triangles that pass through each other where the input does "
+        "not: %lld; more points part them\n",
+      remesher->GetNumberOfOverlaps());
   }
   if (status.ok() && bar.isOn())
   {

@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 using stipple::RemesherStages;
 
