@@ -86,6 +86,19 @@ void BoxGrid::move(int i, const Box& box)
   }
 }
 
+void BoxGrid::add(const Box& box)
+{
+  const int i = this->size();
+  this->Boxes.push_back(box);
+  this->LevelOf.push_back(0);
+  this->PlaceOf.push_back(0);
+  this->enter(i);
+  if (this->IsFilled)
+  {
+    this->insert(i);
+  }
+}
+
 void BoxGrid::forEachChunk(std::size_t n, const std::function<void(std::size_t)>& visit)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(n), 1, [&](vtkIdType from, vtkIdType to) {

@@ -24,11 +24,14 @@ class STIPPLEFILTERSCORE_EXPORT BoxGrid
 public:
   explicit BoxGrid(std::vector<Box> boxes = {});
 
+  int size() const { return static_cast<int>(this->Boxes.size()); }
   const Box& box(int i) const { return this->Boxes[static_cast<std::size_t>(i)]; }
   /// The mean of the boxes' longest sides, as they were at first; 1 if they are points.
   double meanSize() const { return this->MeanSize; }
 
   void move(int i, const Box& box);
+  /// Adds one, whose number is the least that none has.
+  void add(const Box& box);
 
   /// Calls visit(i) once for every box that overlaps another one, in no order.
   template <typename Visit>

@@ -155,7 +155,7 @@ private:
       [&](Vertex w) { return w != u && this->position(w) == this->position(u); });
   }
   /// How far the surface moves if v goes to u, where triangles get better by that; else Never.
-  double distanceOfUsefulCollapse(Vertex v, Vertex u) const
+  double distanceOfUsefulCollapse(Vertex v, Vertex u)
   {
     const int creases = this->Now.numberOfCreases(v);
     // A vertex inside a line may also go to the line's end.
@@ -194,7 +194,7 @@ private:
     const double distance = this->distanceOfCollapse(v, u);
     return gain > Tuning::LeastGainOfCollapse &&
         worstAfter > worstBefore - Tuning::LeastGainOfCollapse &&
-        distance <= this->worthOf(v, worstBefore)
+        distance <= this->worthOf(v, worstBefore) && this->collapseStaysApart(v, u)
       ? distance
       : Never;
   }
@@ -223,7 +223,7 @@ private:
         this->Now.triangle(pair[1]) } };
       const Vertex p = apexOf(before[0], e, w);
       const Vertex q = apexOf(before[1], e, w);
-      if (p == q || !this->Now.beside(p, q).empty())
+      if (p == q || !this->Now.beside(p, q).empty() || !this->swapStaysApart(e, w))
       {
         continue;
       }
@@ -279,18 +279,19 @@ private:
     ++this->NumberOfFeatures;
     return true;
   }
-  bool mayBend(const std::vector<int>& pair, Vertex p, Vertex q, Vertex v, double distance) const
+  bool mayBend(const std::vector<int>& pair, Vertex p, Vertex q, Vertex v, double distance)
   {
     const bool isFirst = has(this->Now.triangle(pair[0]), v);
     const Triangle& own = this->Now.triangle(pair[isFirst ? 0 : 1]);
     const Triangle& other = this->Now.triangle(pair[isFirst ? 1 : 0]);
-    const Triangle after[] = { replaced(other, q, v), replaced(other, p, v) };
+    const std::vector<Triangle> after = { replaced(other, q, v), replaced(other, p, v) };
     const Vertex d = apexOf(other, p, q);
     const double worst = std::min(this->angle(own), this->angle(other));
     return d != v && this->Now.beside(v, d).empty() && distance <= this->worthOf(v, worst) &&
       std::min(this->angle(after[0]), this->angle(after[1])) >
       worst + Tuning::LeastGainOfCollapse &&
-      !this->isTurnedOver(other, after[0]) && !this->isTurnedOver(other, after[1]);
+      !this->isTurnedOver(other, after[0]) && !this->isTurnedOver(other, after[1]) &&
+      this->staysApart(pair, after, Pairs::Held);
   }
   /// Swaps the edge from p to q, which v is close to, for one from v, if triangles are better then;
   /// an edge that is there already is swapped for another one first.
@@ -347,7 +348,7 @@ private:
       this->Now.triangle(pair[1]) } };
     const Vertex c = apexOf(before[0], a, b);
     const Vertex d = apexOf(before[1], a, b);
-    if (c == d || !this->Now.beside(c, d).empty())
+    if (c == d || !this->Now.beside(c, d).empty() || !this->swapStaysApart(a, b))
     {
       return false;
     }

@@ -93,6 +93,126 @@ bool LooseMesh::staysOpen(Vertex v, Vertex u) const
   });
 }
 
+PlacedTriangle LooseMesh::placed(const Triangle& t) const
+{
+  return { t, { this->position(t[0]), this->position(t[1]), this->position(t[2]) } };
+}
+
+BoxGrid& LooseMesh::boxes()
+{
+  const auto boxOf = [this](int t) {
+    if (this->Now.isGone(t))
+    {
+      return Box{ Vec3::Zero(), Vec3::Zero() };
+    }
+    const auto [a, b, c] = this->placed(this->Now.triangle(t)).point;
+    return Box::around(a, b, c);
+  };
+  const std::vector<int> changed = this->Now.takeChanges();
+  const int n = static_cast<int>(this->Now.triangles().size());
+  if (!this->Boxes)
+  {
+    std::vector<Box> all;
+    for (int t = 0; t < n; ++t)
+    {
+      all.push_back(boxOf(t));
+    }
+    this->Boxes.emplace(std::move(all));
+    return *this->Boxes;
+  }
+  while (this->Boxes->size() < n)
+  {
+    this->Boxes->add(boxOf(this->Boxes->size()));
+  }
+  for (const int t : changed)
+  {
+    this->Boxes->move(t, boxOf(t));
+  }
+  return *this->Boxes;
+}
+
+bool LooseMesh::isHeld(const Triangle& t) const
+{
+  return std::all_of(t.begin(), t.end(), [this](int v) { return this->IsFree[Vertex(v)] == 0; });
+}
+
+int LooseMesh::crossings(
+  const std::vector<Triangle>& some, const std::vector<int>& leftOut, Pairs which)
+{
+  const auto counts = [&](const Triangle& t) { return which == Pairs::All || this->isHeld(t); };
+  BoxGrid& boxes = this->boxes();
+  std::vector<PlacedTriangle> own;
+  int pairs = 0;
+  for (const Triangle& t : some)
+  {
+    if (!counts(t))
+    {
+      continue;
+    }
+    const PlacedTriangle here = this->placed(t);
+    const auto& [a, b, c] = here.point;
+    boxes.forEachNear(Box::around(a, b, c), [&](int other) {
+      const bool isWanted = !this->Now.isGone(other) && counts(this->Now.triangle(other)) &&
+        std::find(leftOut.begin(), leftOut.end(), other) == leftOut.end();
+      pairs += isWanted && intersect(here, this->placed(this->Now.triangle(other))) ? 1 : 0;
+    });
+    pairs += static_cast<int>(std::count_if(
+      own.begin(), own.end(), [&](const PlacedTriangle& other) { return intersect(here, other); }));
+    own.push_back(here);
+  }
+  return pairs;
+}
+
+bool LooseMesh::staysApart(
+  const std::vector<int>& triangles, const std::vector<Triangle>& after, Pairs which)
+{
+  const int pairs = this->crossings(after, triangles, which);
+  if (pairs == 0)
+  {
+    return true;
+  }
+  std::vector<Triangle> before;
+  std::transform(triangles.begin(), triangles.end(), std::back_inserter(before),
+    [this](int t) { return this->Now.triangle(t); });
+  return pairs <= this->crossings(before, triangles, which);
+}
+
+bool LooseMesh::collapseStaysApart(Vertex v, Vertex u)
+{
+  const std::vector<int>& about = this->Now.about(v);
+  std::vector<Triangle> after;
+  for (const int t : about)
+  {
+    if (!has(this->Now.triangle(t), u))
+    {
+      after.push_back(replaced(this->Now.triangle(t), v, u));
+    }
+  }
+  return this->staysApart(about, after, Pairs::Held);
+}
+
+bool LooseMesh::swapStaysApart(Vertex p, Vertex q)
+{
+  const std::vector<int> pair = this->Now.beside(p, q);
+  const Triangle& first = this->Now.triangle(pair[0]);
+  const Triangle& second = this->Now.triangle(pair[1]);
+  return this->staysApart(pair,
+    { replaced(first, q, apexOf(second, p, q)), replaced(second, p, apexOf(first, p, q)) },
+    Pairs::Held);
+}
+
+bool LooseMesh::splitStaysApart(Vertex a, Vertex b, Vertex middle)
+{
+  const std::vector<int> beside = this->Now.beside(a, b);
+  std::vector<Triangle> after;
+  for (const int t : beside)
+  {
+    after.push_back(replaced(this->Now.triangle(t), a, middle));
+    after.push_back(replaced(this->Now.triangle(t), b, middle));
+  }
+  return this->staysApart(beside, after, Pairs::All);
+}
+
 std::optional<SurfacePoint> LooseMesh::placeNear(
   const Vec3& target, const std::array<Vertex, 4>& from, double farthest) const
 {
@@ -155,11 +275,15 @@ OptimizedMesh::Change LooseMesh::finish()
       const SurfacePoint middle = isWhole ? this->middle(a, b) : SurfacePoint();
       if (placed < this->Freed.size() && isWhole && this->isBetween(middle.position, a, b))
       {
-        std::for_each(beside.begin(), beside.end(), [&](int t) { used[t] = 1; });
-        const Vertex v = this->Freed[placed++];
+        const Vertex v = this->Freed[placed];
         this->Place[v] = middle;
-        this->IsFree[v] = 1;
-        this->Now.split(a, b, v);
+        if (this->splitStaysApart(a, b, v))
+        {
+          std::for_each(beside.begin(), beside.end(), [&](int t) { used[t] = 1; });
+          ++placed;
+          this->IsFree[v] = 1;
+          this->Now.split(a, b, v);
+        }
       }
     }
     if (placed == before && n >= untouched)

@@ -5,6 +5,7 @@
 #ifndef stipple_LooseMesh_h
 #define stipple_LooseMesh_h
 
+#include "BoxGrid.h"
 #include "LooseTriangles.h"
 #include "Relaxation.h"
 #include "StippleFiltersOptimizationModule.h"
@@ -36,6 +37,22 @@ protected:
   bool isTurnedOver(const Triangle& before, const Triangle& after) const;
   /// No triangle about v is folded onto a neighbour after v has gone to u, unless it was.
   bool staysOpen(Vertex v, Vertex u) const;
+  /// Pairs of triangles that count as passing through each other: those without a free corner, as
+  /// on thin walls, which no move will part again, or all.
+  enum class Pairs
+  {
+    Held,
+    All
+  };
+  /// No more pairs pass through each other after some triangles have been replaced than now.
+  bool staysApart(
+    const std::vector<int>& triangles, const std::vector<Triangle>& after, Pairs which);
+  /// The same of held pairs after v has gone to u, and after a swap of an edge between two
+  /// triangles.
+  bool collapseStaysApart(Vertex v, Vertex u);
+  bool swapStaysApart(Vertex p, Vertex q);
+  /// The same of all pairs after a vertex, which is in no triangle, has split an edge.
+  bool splitStaysApart(Vertex a, Vertex b, Vertex middle);
   /// From a place to the nearest triangle that is left about v when v has gone to u.
   double distanceToRest(const Vec3& p, Vertex v, Vertex u) const;
   /// The nearest place to one in space, less far from it than that, at which straight walks from
@@ -82,6 +99,15 @@ private:
   /// there.
   bool isBetween(const Vec3& place, Vertex a, Vertex b) const;
 
+  PlacedTriangle placed(const Triangle& t) const;
+  /// Those about triangles, as these are now.
+  BoxGrid& boxes();
+  bool isHeld(const Triangle& t) const;
+  /// Pairs that pass through each other, both of some triangles, or one of them and one of all but
+  /// those that are left out.
+  int crossings(const std::vector<Triangle>& some, const std::vector<int>& leftOut, Pairs which);
+
+  std::optional<BoxGrid> Boxes;                     // once asked
   std::vector<std::pair<double, VertexPair>> Spare; // collapses that cost little, the best last
   bool HasLookedForSpare = false;
 };

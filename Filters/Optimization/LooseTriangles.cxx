@@ -316,6 +316,7 @@ void LooseTriangles::put(int t, const Triangle& corners)
     }
   }
   this->Triangles[t] = corners;
+  this->Changed.push_back(t);
   for (const int v : corners)
   {
     if (v >= 0)

@@ -50,6 +50,8 @@ public:
   const std::vector<Triangle>& triangles() const { return this->Triangles; }
   const Triangle& triangle(int t) const { return this->Triangles[t]; }
   bool isGone(int t) const { return this->Triangles[t][0] < 0; }
+  /// The triangles whose corners have changed since this was called last.
+  std::vector<int> takeChanges() { return std::exchange(this->Changed, {}); }
   const std::vector<Chain>& chains() const { return this->Chains; }
   const std::vector<int>& about(Vertex v) const { return this->About[v]; }
   const std::vector<int>& chainsOf(Vertex v) const { return this->ChainsOf[v]; }
@@ -124,6 +126,7 @@ private:
 
   const OptimizedMesh& Mesh;
   std::vector<Triangle> Triangles;
+  std::vector<int> Changed; // since takeChanges()
   std::vector<Chain> Chains;
   ElementArray<Vertex, std::vector<int>> About;    // of its triangles
   ElementArray<Vertex, std::vector<int>> ChainsOf; // of a vertex; some of them more than once

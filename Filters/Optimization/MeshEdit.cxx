@@ -3,6 +3,7 @@
 #include "MeshEdit.h"
 
 #include "ParallelFor.h"
+#include "SelfIntersections.h"
 #include "Tuning.h"
 
 #include <algorithm>
@@ -30,6 +31,10 @@ bool MeshEdit::swap(Edge e)
     return mesh.isBoundary(mesh.from(corner)) && mesh.isFlat(triangle);
   };
   if (isFlatAtBoundary(a, { { d, c, a } }) || isFlatAtBoundary(b, { { c, d, b } }))
+  {
+    return false;
+  }
+  if (!swapStaysApart(mesh, e))
   {
     return false;
   }

@@ -156,6 +156,33 @@ inline std::unique_ptr<TestMesh> patch(
   return patchOf(m, [=](double x, double y) { return Vec3(x, y, height(x, y)); });
 }
 
+constexpr int FoldedRow = 9; ///< vertices in a row of foldedPatch()
+
+/// 8 x 8 squares, folded in the middle, so that vertex (i, j) is over (i, 8 - j), and the two
+/// sheets, as wide as 4 squares, hang together at (i, 4). The upper one is 0.1 over the other, but
+/// at (3, 5) 0.02; the lower one is 0.07 high at (4, 3). In the squares between these vertices and
+/// the fold there is room for the other diagonal in each sheet, but not in both. Vertices near
+/// these two are free, or constraints.
+inline std::unique_ptr<TestMesh> foldedPatch(bool isHeld)
+{
+  auto t = patchOf(8, [](double u, double v) {
+    const auto tent = [&](int i, int j) {
+      return std::max(0., 1. - 8. * std::max(std::abs(u - i / 8.), std::abs(v - j / 8.)));
+    };
+    return v > 0.5 ? Vec3(u, 1. - v, 0.1 * std::min(1., 8. * (v - 0.5)) - 0.08 * tent(3, 5))
+                   : Vec3(u, v, 0.07 * tent(4, 3));
+  });
+  for (int j = 2; isHeld && j <= 6; ++j)
+  {
+    for (int i = 2; i <= 5; ++i)
+    {
+      t->samples[FoldedRow * j + i].kind = SampleKind::Constraint;
+    }
+  }
+  t->build();
+  return t;
+}
+
 /// n points on the unit sphere, or the cube [-1, 1]^3, triangulated but not optimised.
 inline std::unique_ptr<TestMesh> cube(int n, bool sphere)
 {

@@ -241,6 +241,13 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
     grid.move(static_cast<int>(i), boxes[i]);
   }
   expectAll();
+  for (int i = 0; i < 50; ++i)
+  {
+    boxes.push_back(anyBox());
+    grid.add(boxes.back());
+  }
+  EXPECT_EQ(grid.size(), 650);
+  expectAll();
   EXPECT_TRUE(BoxGrid().pairs([](int, int) { return true; }).empty());
 }
 

@@ -34,12 +34,15 @@ double areaOf(const OptimizedMesh& mesh)
 /// What is protected of it.
 struct Opened : LooseMesh
 {
+  using LooseMesh::collapseStaysApart;
   using LooseMesh::Fixed;
   using LooseMesh::hasSpare;
   using LooseMesh::LooseMesh;
   using LooseMesh::Now;
   using LooseMesh::NumberOfSwaps;
   using LooseMesh::OnBackbones;
+  using LooseMesh::splitStaysApart;
+  using LooseMesh::swapStaysApart;
   using LooseMesh::takeSpare;
 };
 
@@ -135,6 +138,38 @@ TEST(LooseMesh, AVertexGoesFromAFaceToACrease)
   EXPECT_EQ(meshes::eulerOf(mesh), 1);
   EXPECT_NEAR(areaOf(mesh), area, 1e-12);
   EXPECT_TRUE(t->edit.trySlide(v, 0.02, []() { return true; })) << "it slides on";
+}
+
+TEST(LooseMesh, SheetsStayApart)
+{
+  const auto t = meshes::foldedPatch(true);
+  const auto at = [](int i, int j) { return Vertex(meshes::FoldedRow * j + i); };
+  Opened loose(t->mesh, 1.);
+  EXPECT_TRUE(loose.collapseStaysApart(at(2, 6), at(1, 6))) << "both sheets are flat there";
+  EXPECT_FALSE(loose.collapseStaysApart(at(4, 5), at(3, 5))) << "what is below is higher";
+  EXPECT_TRUE(loose.collapseStaysApart(at(4, 3), at(3, 3))) << "away from what is above";
+  // The square of either sheet at the fold.
+  ASSERT_EQ(loose.Now.beside(at(3, 4), at(4, 5)).size(), 2U);
+  ASSERT_EQ(loose.Now.beside(at(3, 3), at(4, 4)).size(), 2U);
+  EXPECT_TRUE(loose.swapStaysApart(at(3, 4), at(4, 5)));
+  EXPECT_TRUE(loose.swapStaysApart(at(3, 3), at(4, 4)));
+  loose.Now.swap(at(3, 3), at(4, 4));
+  EXPECT_FALSE(loose.swapStaysApart(at(3, 4), at(4, 5)));
+  loose.Now.swap(at(4, 3), at(3, 4));
+  EXPECT_TRUE(loose.swapStaysApart(at(3, 4), at(4, 5))) << "as it was";
+  // What is free moves apart again, but no vertex is put where it would be in the way: one on an
+  // edge of the upper sheet, on that sheet and on the other.
+  const auto f = meshes::foldedPatch(false);
+  Opened free(f->mesh, 1.);
+  EXPECT_TRUE(free.collapseStaysApart(at(4, 5), at(3, 5)));
+  for (const bool isAbove : { true, false })
+  {
+    ASSERT_TRUE(free.hasSpare());
+    const Vertex v = free.takeSpare(f->pointAt(4. / 8., isAbove ? 5.5 / 8. : 2.5 / 8.), true);
+    EXPECT_EQ(free.splitStaysApart(at(4, 5), at(4, 6), v), isAbove);
+  }
+  free.Now.swap(at(3, 3), at(4, 4));
+  EXPECT_TRUE(free.swapStaysApart(at(3, 4), at(4, 5)));
 }
 
 TEST(FarPlaces, AreFoundAndReached)

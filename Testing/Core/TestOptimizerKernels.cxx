@@ -546,6 +546,23 @@ TEST(SelfIntersections, CountsPairsAsVerticesMove)
   EXPECT_TRUE(intersections.faces().empty());
 }
 
+TEST(SelfIntersections, SwapsBetweenHeldCornersMakeNone)
+{
+  for (const bool isHeld : { false, true })
+  {
+    const auto t = meshes::foldedPatch(isHeld);
+    const auto at = [](int i, int j) { return meshes::FoldedRow * j + i; };
+    const Edge above = t->edgeBetween(at(3, 4), at(4, 5));
+    const Edge below = t->edgeBetween(at(3, 3), at(4, 4));
+    EXPECT_TRUE(swapStaysApart(t->mesh, above) && swapStaysApart(t->mesh, below));
+    EXPECT_TRUE(t->edit.swap(below));
+    EXPECT_EQ(swapStaysApart(t->mesh, above), !isHeld);
+    EXPECT_EQ(t->edit.swap(above), !isHeld);
+    EXPECT_EQ(SelfIntersections(t->mesh).faces().empty(), isHeld);
+    EXPECT_TRUE(swapStaysApart(t->mesh, below)) << "what does already may stay so, or part";
+  }
+}
+
 TEST(SelfIntersections, AreTheSurfacesWhereItHasThem)
 {
   const auto t = meshes::patch(8);
