@@ -19,9 +19,9 @@ namespace stipple
 /// triangle about it becomes better, and the surface moves by at most `tolerance` times the spacing
 /// for a triangle without an angle, in proportion less for a better one. Constraints and lines that
 /// users named and the topology stay, borders of regions are straightened only, no triangle is
-/// turned over, and none folded onto its neighbour. Vertices that this frees go where triangles are
-/// largest. Triangles are looked at that have a corner on a feature and an angle less than
-/// `poorAngle`, in radians.
+/// turned over, none folded onto its neighbour, and no more than before pass through each other of
+/// those without a free corner. Vertices that this frees go where triangles are largest. Triangles
+/// are looked at that have a corner on a feature and an angle less than `poorAngle`, in radians.
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status simplifyFeatures(
   OptimizedMesh& mesh, double tolerance, double poorAngle = Tuning::PoorFeatureAngle);
 }
