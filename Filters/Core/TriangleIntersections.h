@@ -45,6 +45,8 @@ struct PlacedTriangle
 {
   std::array<int, 3> id;
   std::array<Vec3, 3> point;
+
+  Box box() const { return Box::around(this->point[0], this->point[1], this->point[2]); }
 };
 
 /// Whether two triangles have more in common than a vertex or an edge that they share: exact, but

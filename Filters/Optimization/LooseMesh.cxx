@@ -105,28 +105,29 @@ BoxGrid& LooseMesh::boxes()
     {
       return Box{ Vec3::Zero(), Vec3::Zero() };
     }
-    const auto [a, b, c] = this->placed(this->Now.triangle(t)).point;
-    return Box::around(a, b, c);
+    return this->placed(this->Now.triangle(t)).box();
   };
   const std::vector<int> changed = this->Now.takeChanges();
-  const int n = static_cast<int>(this->Now.triangles().size());
   if (!this->Boxes)
   {
     std::vector<Box> all;
-    for (int t = 0; t < n; ++t)
+    for (std::size_t t = 0; t < this->Now.triangles().size(); ++t)
     {
-      all.push_back(boxOf(t));
+      all.push_back(boxOf(static_cast<int>(t)));
     }
     this->Boxes.emplace(std::move(all));
     return *this->Boxes;
   }
-  while (this->Boxes->size() < n)
-  {
-    this->Boxes->add(boxOf(this->Boxes->size()));
-  }
   for (const int t : changed)
   {
-    this->Boxes->move(t, boxOf(t));
+    if (t < this->Boxes->size())
+    {
+      this->Boxes->move(t, boxOf(t));
+    }
+    else // new ones get their first corners in their order
+    {
+      this->Boxes->add(boxOf(t));
+    }
   }
   return *this->Boxes;
 }
@@ -150,8 +151,7 @@ int LooseMesh::crossings(
       continue;
     }
     const PlacedTriangle here = this->placed(t);
-    const auto& [a, b, c] = here.point;
-    boxes.forEachNear(Box::around(a, b, c), [&](int other) {
+    boxes.forEachNear(here.box(), [&](int other) {
       const bool isWanted = !this->Now.isGone(other) && counts(this->Now.triangle(other)) &&
         std::find(leftOut.begin(), leftOut.end(), other) == leftOut.end();
       pairs += isWanted && intersect(here, this->placed(this->Now.triangle(other))) ? 1 : 0;

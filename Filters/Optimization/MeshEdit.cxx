@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshEdit.h"
 
+#include "MeshCrossings.h"
 #include "ParallelFor.h"
-#include "SelfIntersections.h"
 #include "Tuning.h"
 
 #include <algorithm>

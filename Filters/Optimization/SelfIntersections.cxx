@@ -3,9 +3,9 @@
 #include "SelfIntersections.h"
 
 #include "LocalEmbedding.h"
+#include "MeshCrossings.h"
 #include "MeshRegion.h"
 #include "Relaxation.h"
-#include "TriangleIntersections.h"
 #include "Tuning.h"
 #include "VertexStar.h"
 
@@ -13,42 +13,6 @@
 
 namespace stipple
 {
-namespace
-{
-using Corners = std::array<Vertex, 3>;
-
-bool intersect(const OptimizedMesh& mesh, const Corners& s, const Corners& t)
-{
-  const auto placed = [&](const Corners& corners) {
-    const auto [a, b, c] = corners;
-    return PlacedTriangle{ { a.index(), b.index(), c.index() },
-      { mesh.position(a), mesh.position(b), mesh.position(c) } };
-  };
-  return stipple::intersect(placed(s), placed(t));
-}
-}
-
-bool swapStaysApart(const OptimizedMesh& mesh, Edge e)
-{
-  const auto corners = mesh.wingVertices(e);
-  const auto [a, b, c, d] = corners;
-  if (std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return mesh.isFree(v); }))
-  {
-    return true;
-  }
-  const std::vector<Face> about = facesAbout(mesh, { a, b, c, d });
-  const Face first = mesh.face(mesh.halfedge(e, 0));
-  const Face second = mesh.face(mesh.halfedge(e, 1));
-  const auto crossings = [&](const Corners& s, const Corners& t) {
-    return std::count_if(about.begin(), about.end(), [&](Face f) {
-      return f != first && f != second &&
-        (intersect(mesh, s, mesh.corners(f)) || intersect(mesh, t, mesh.corners(f)));
-    });
-  };
-  const auto after = crossings({ { d, c, a } }, { { c, d, b } });
-  return after == 0 || after <= crossings({ { a, b, c } }, { { b, a, d } });
-}
-
 struct SelfIntersections::Internals
 {
   const OptimizedMesh& Mesh;
@@ -73,12 +37,7 @@ struct SelfIntersections::Internals
       this->join(Face(f), Face(g));
     }
   }
-  Box boxOf(Face f) const
-  {
-    const auto t = this->Mesh.corners(f);
-    return Box::around(
-      this->Mesh.position(t[0]), this->Mesh.position(t[1]), this->Mesh.position(t[2]));
-  }
+  Box boxOf(Face f) const { return placed(this->Mesh, this->Mesh.corners(f)).box(); }
   void join(Face f, Face g)
   {
     this->Partners[f].push_back(g);

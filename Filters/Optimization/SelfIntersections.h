@@ -40,11 +40,6 @@ private:
   std::unique_ptr<Internals> Now;
 };
 
-/// Whether after a swap of the edge no more triangles about its corners pass through each other
-/// than now. Asked where no corner is free, as on a strip between two creases, whose other side may
-/// be as near as its own: no move would part them again. True elsewhere.
-STIPPLEFILTERSOPTIMIZATION_EXPORT bool swapStaysApart(const OptimizedMesh& mesh, Edge e);
-
 /// What is known of a mesh's overlaps from what was done about them before.
 struct KnownOverlaps
 {

@@ -5,6 +5,7 @@
 Where they and the models are is in the environment: STIPPLE, STIPPLE_VIEW, MESHCHECK, MESHFOLDS, MODELS.
 """
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -76,6 +77,29 @@ def points_of(off):
     """Points of an OFF file, as text or as a file."""
     rows = [row for row in off.read_text().split("\n")[1:] if row.strip() and not row.startswith("#")]
     return [tuple(map(float, row.split()[:3])) for row in rows[1 : 1 + int(rows[0].split()[0])]]
+
+
+def sphere(n, sides):
+    """Points and triangles of the unit sphere of n x sides latitudes and longitudes, from pole to pole."""
+
+    def radius(i):
+        return math.sin(math.pi * i / n) if 0 < i < n else 0.0  # poles are one point each
+
+    points = [
+        (
+            radius(i) * math.cos(2 * math.pi * j / sides),
+            radius(i) * math.sin(2 * math.pi * j / sides),
+            math.cos(math.pi * i / n),
+        )
+        for i in range(n + 1)
+        for j in range(sides)
+    ]
+    faces = []
+    for i in range(n):
+        for j in range(sides):
+            a, b, c, d = (sides * k + m % sides for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            faces += [(a, b, c)] * (i + 1 < n) + [(a, c, d)] * (i > 0)
+    return points, faces
 
 
 class ProgramTest(unittest.TestCase):

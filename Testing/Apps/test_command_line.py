@@ -3,7 +3,6 @@
 """The command line's contract: options, help, version, wrong usage."""
 import contextlib
 import json
-import math
 import os
 import pty
 import re
@@ -11,7 +10,7 @@ import subprocess
 import time
 import unittest
 
-from stipple_program import MODELS, STIPPLE, ProgramTest
+from stipple_program import MODELS, STIPPLE, ProgramTest, sphere
 
 OPTIONS = """--points --importance --importance-image --image-projection --importance-array
 --band-pass --gamma --transfer --gradation --minimum-density --strokes --diffusion
@@ -175,22 +174,12 @@ class CommandLine(ProgramTest):
             self.assertEqual(told, [str(lost)] if lost else [])
             self.assertEqual(f"{lost} lost_feature_edges" in self.run_program(*arguments, "--verbose")[2], lost > 0)
 
-    def shells(self, *radii, n=24):
-        """Spheres of latitudes and longitudes about one centre, as .off."""
-        points, faces = [], []
-        for r in radii:
-            south = len(points)
-            ring = lambda i, j: south + (0 if i == 0 else 1 + 2 * n * (n - 1) if i == n else 1 + 2 * n * (i - 1) + j % (2 * n))
-            for k in range(2 * n * (n - 1) + 2):
-                i = 0 if k == 0 else min(n, 1 + (k - 1) // (2 * n))
-                up, around = math.pi * i / n, math.pi * ((k - 1) % (2 * n)) / n
-                points.append((r * math.sin(up) * math.cos(around), r * math.sin(up) * math.sin(around), -r * math.cos(up)))
-            for i in range(n):
-                for j in range(2 * n):
-                    a, b, c, d = ring(i, j), ring(i, j + 1), ring(i + 1, j + 1), ring(i + 1, j)
-                    faces += [t for t in ((a, b, c), (a, c, d)) if len(set(t)) == 3]
-        rows = ["OFF", f"{len(points)} {len(faces)} 0"]
-        rows += [" ".join(map(repr, p)) for p in points] + ["3 %d %d %d" % t for t in faces]
+    def shells(self, *radii):
+        """Spheres about one centre, as .off."""
+        points, faces = sphere(24, 48)
+        rows = ["OFF", f"{len(radii) * len(points)} {len(radii) * len(faces)} 0"]
+        rows += [" ".join(repr(r * x) for x in p) for r in radii for p in points]
+        rows += ["3 " + " ".join(str(k * len(points) + v) for v in f) for k in range(len(radii)) for f in faces]
         return self.file("shells.off", "\n".join(rows) + "\n")
 
     def test_a_mesh_that_passes_through_itself_is_told(self):

@@ -6,7 +6,7 @@ import json
 import math
 import unittest
 
-from stipple_program import MODELS, ProgramTest, mesh_check, mesh_folds, points_of
+from stipple_program import MODELS, ProgramTest, mesh_check, mesh_folds, points_of, sphere
 
 
 class MeshTest(ProgramTest):
@@ -115,24 +115,7 @@ class Sizes(MeshTest):
 
     def sphere(self, n=60, sides=120):
         """A sphere with the wanted lengths .01 to .2 from pole to pole, as .vtk."""
-
-        def radius(i):
-            return math.sin(math.pi * i / n) if 0 < i < n else 0.0  # poles are one point each
-
-        points = [
-            (
-                radius(i) * math.cos(2 * math.pi * j / sides),
-                radius(i) * math.sin(2 * math.pi * j / sides),
-                math.cos(math.pi * i / n),
-            )
-            for i in range(n + 1)
-            for j in range(sides)
-        ]
-        faces = []
-        for i in range(n):
-            for j in range(sides):
-                a, b, c, d = (sides * k + m % sides for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
-                faces += [(a, b, c)] * (i + 1 < n) + [(a, c, d)] * (i > 0)
+        points, faces = sphere(n, sides)
         rows = ["# vtk DataFile Version 3.0", "sphere", "ASCII", "DATASET POLYDATA", f"POINTS {len(points)} double"]
         rows += [" ".join(map(repr, p)) for p in points]
         rows += [f"POLYGONS {len(faces)} {4 * len(faces)}"] + ["3 " + " ".join(map(str, f)) for f in faces]

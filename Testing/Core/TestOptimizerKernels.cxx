@@ -6,6 +6,7 @@
 #include "EdgeSwaps.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
+#include "MeshCrossings.h"
 #include "OptimizerMeshes.h"
 #include "Relaxation.h"
 #include "SelfIntersections.h"
