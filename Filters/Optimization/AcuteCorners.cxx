@@ -131,9 +131,9 @@ double AcuteCorners::growthAt(const OptimizedMesh& mesh, const Corner& corner) c
   return 1. + Tuning::ShareOfOpening * (distance - 1.);
 }
 
-CoarseRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
+SpacingRegions AcuteCorners::regions(const OptimizedMesh& mesh) const
 {
-  CoarseRegions regions;
+  SpacingRegions regions;
   for (const Corner& corner : this->Corners)
   {
     if (const double growth = this->growthAt(mesh, corner); growth > 1.)

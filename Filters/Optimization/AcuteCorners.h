@@ -21,7 +21,7 @@ public:
   /// The regions about corners in which spacing must grow for their creases to be that far apart
   /// where the first points on them lie. Corners whose creases do not open so far within 3.4 edges
   /// stay as they are: larger triangles would not help them.
-  CoarseRegions regions(const OptimizedMesh& mesh) const;
+  SpacingRegions regions(const OptimizedMesh& mesh) const;
 
   /// Where a corner is sharper than asked for, regions() ask for what it lacks on top from now on:
   /// Lloyd's method does not put points just where spacing has them.

@@ -87,7 +87,7 @@ int swapWhile(MeshEdit& edit, int maximumNumberOfPasses, const Wish& wish)
   const OptimizedMesh& mesh = edit.mesh();
   ElementArray<Edge, Answer> answer(static_cast<std::size_t>(mesh.edges().size()));
   const auto ask = [&](Edge e) {
-    answer[e] = mesh.isSwappable(e) && wish(e) ? Answer::Yes : Answer::No;
+    answer[e] = mesh.isSwappable(e) && edit.maySwap(e) && wish(e) ? Answer::Yes : Answer::No;
   };
   parallelFor(mesh.edges(), ask);
   int total = 0;

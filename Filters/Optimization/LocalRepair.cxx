@@ -19,7 +19,7 @@ namespace stipple
 bool improveByMove(MeshEdit& edit, Vertex v, bool staysInRing)
 {
   const OptimizedMesh& mesh = edit.mesh();
-  if (mesh.freedom(v) == Freedom::None)
+  if (mesh.freedom(v) == Freedom::None || !edit.mayMove(v))
   {
     return false;
   }
@@ -326,7 +326,8 @@ private:
         {
           const Halfedge h = this->worstFoldedAt(v);
           const Edge e = h.valid() ? this->Mesh.edge(this->Mesh.next(h)) : Edge();
-          if (!e.valid() || !this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e))
+          if (!e.valid() || !this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e) ||
+            !this->Edit.maySwap(e))
           {
             return false;
           }
@@ -395,7 +396,7 @@ private:
     for (int k = 0; k < 3; ++k, h = this->Mesh.next(h))
     {
       const Edge e = this->Mesh.edge(h);
-      if (!this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e))
+      if (!this->Mesh.isSwappable(e) || !this->Mesh.keepsManifold(e) || !this->Edit.maySwap(e))
       {
         continue;
       }
@@ -513,7 +514,7 @@ int repairValences(MeshEdit& edit, double threshold, int maximumNumberOfPasses)
     swaps = 0;
     for (const Edge e : mesh.edges())
     {
-      if (!mesh.isSwappable(e))
+      if (!mesh.isSwappable(e) || !edit.maySwap(e))
       {
         continue;
       }

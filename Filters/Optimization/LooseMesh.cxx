@@ -23,6 +23,7 @@ LooseMesh::LooseMesh(const OptimizedMesh& mesh, double tolerance)
   {
     this->Absorbed.push_back(mesh.absorbed(v));
     this->Place.push_back(mesh.state(v));
+    this->Density.push_back(mesh.density(v));
     this->IsFree.push_back(mesh.isFree(v));
   }
 }
@@ -327,6 +328,7 @@ bool LooseMesh::freeOne()
       this->staysOpen(v, u))
     {
       this->collapse(v, u);
+      this->Joined.push_back(u);
       return true;
     }
   }
@@ -365,6 +367,7 @@ bool LooseMesh::isInside(Vertex v) const
 {
   const std::vector<Vertex> ring = this->Now.ring(v);
   return !ring.empty() && this->Mesh.isFree(v) && this->IsFree[v] != 0 &&
+    this->Mesh.fineness(v) == 1. &&
     std::all_of(ring.begin(), ring.end(), [&](Vertex u) { return this->IsFree[u] != 0; }) &&
     !this->Now.isOnBoundary(v);
 }
@@ -405,7 +408,7 @@ double LooseMesh::areaOf(const Triangle& t) const
   double density = 0;
   for (const int v : t)
   {
-    density += this->Mesh.density(Vertex(v));
+    density += this->Density[Vertex(v)];
   }
   return density * this->normal(t).norm();
 }

@@ -63,16 +63,29 @@ protected:
   bool hasSpare() { return !this->Freed.empty() || this->freeOne(); }
   /// A vertex from elsewhere, for another place.
   Vertex takeSpare(const SurfacePoint& place, bool isFree);
+  /// Under the wanted density, up to a factor: 3 sqrt(3) / 2 times the square of the spacing, where
+  /// that is 1, of a regular triangle.
+  double areaOf(const Triangle& t) const;
+  /// The edges between two triangles, no creases, with a free end, of so many largest triangles:
+  /// first those with the largest two.
+  std::vector<VertexPair> widestEdges(std::size_t numberOfTriangles) const;
+  /// Of an edge with a free end, on the surface.
+  SurfacePoint middle(Vertex a, Vertex b) const;
+  /// Not where one of them is: a walk from a crease may begin on the wrong side of it, and end
+  /// there.
+  bool isBetween(const Vec3& place, Vertex a, Vertex b) const;
 
   const OptimizedMesh& Mesh;
   const VertexSpacing Spacing;
   const double Tolerance; // over the spacing
   LooseTriangles Now;
   ElementArray<Vertex, SurfacePoint> Place;
+  ElementArray<Vertex, double> Density; // as wanted where they come from
   ElementArray<Vertex, char> IsFree;
   ElementArray<Vertex, std::vector<Vec3>> Absorbed; // places of what has gone there
   std::vector<Vertex> Freed;
   std::vector<Vertex> Placed; // of those that were
+  std::vector<Vertex> Joined; // where spare vertices went
   std::vector<Vertex> Fixed;
   std::vector<OptimizedMesh::Change::OnBackbone> OnBackbones;
   int NumberOfFeatures = 0; // that were simplified
@@ -84,21 +97,11 @@ private:
   /// Collapses that cost least, of vertices inside faces, some of which are looked at; the best
   /// last.
   std::vector<std::pair<double, VertexPair>> spareVertices() const;
+  /// A free vertex among free ones, where spacing has not shrunk.
   bool isInside(Vertex v) const;
   /// How good triangles about an inner vertex and its neighbours, all free, are if it goes to one
   /// of these: their smallest angle, less what the distance is worth by which the surface moves.
   double angleWithout(Vertex v, Vertex u) const;
-  /// Under the wanted density, up to a factor.
-  double areaOf(const Triangle& t) const;
-  /// The edges between two triangles, no creases, with a free end, of so many largest triangles:
-  /// first those with the largest two.
-  std::vector<VertexPair> widestEdges(std::size_t numberOfTriangles) const;
-  /// Of an edge with a free end, on the surface.
-  SurfacePoint middle(Vertex a, Vertex b) const;
-  /// Not where one of them is: a walk from a crease may begin on the wrong side of it, and end
-  /// there.
-  bool isBetween(const Vec3& place, Vertex a, Vertex b) const;
-
   PlacedTriangle placed(const Triangle& t) const;
   /// Those about triangles, as these are now.
   BoxGrid& boxes();

@@ -15,7 +15,7 @@ namespace stipple
 bool MeshEdit::swap(Edge e)
 {
   const OptimizedMesh& mesh = this->Edited;
-  if (!mesh.isSwappable(e) || !mesh.keepsManifold(e))
+  if (!mesh.isSwappable(e) || !mesh.keepsManifold(e) || !this->maySwap(e))
   {
     return false;
   }
@@ -95,7 +95,7 @@ void MeshEdit::undo(std::size_t begin)
 bool MeshEdit::hasRoom(Vertex v, double step) const
 {
   const OptimizedMesh& mesh = this->Edited;
-  if (mesh.freedom(v) != Freedom::Backbone)
+  if (mesh.freedom(v) != Freedom::Backbone || !this->mayMove(v))
   {
     return false;
   }
@@ -136,6 +136,10 @@ void MeshEdit::moveAll(
   std::vector<Vertex> drawnBack;
   const auto walk = [&](Vertex v) {
     const VertexState& before = this->Before[v];
+    if (!this->mayMove(v))
+    {
+      return;
+    }
     if (mesh.freedom(v) == Freedom::Backbone)
     {
       mesh.putOnBackbone(v, before.arcLength + share[v] * (arcLength[v] - before.arcLength));
@@ -147,7 +151,7 @@ void MeshEdit::moveAll(
     }
   };
   const auto arrive = [&](Vertex v) {
-    if (mesh.isFree(v))
+    if (mesh.isFree(v) && this->mayMove(v))
     {
       mesh.put(v, mesh.pointAt(mesh.place(v)));
     }

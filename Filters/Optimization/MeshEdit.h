@@ -19,6 +19,21 @@ public:
   }
   const OptimizedMesh& mesh() const { return this->Edited; }
 
+  /// From now on, only some vertices move, and edges are swapped only where one of their triangles
+  /// has one of these; all, if there is no such array. What flip() and put() are told is done all
+  /// the same.
+  void restrictTo(ElementArray<Vertex, char> isMoving) { this->IsMoving = std::move(isMoving); }
+  bool mayMove(Vertex v) const { return this->IsMoving.empty() || this->IsMoving[v] != 0; }
+  bool maySwap(Edge e) const
+  {
+    if (this->IsMoving.empty())
+    {
+      return true;
+    }
+    const auto wing = this->Edited.wingVertices(e);
+    return std::any_of(wing.begin(), wing.end(), [this](Vertex v) { return this->mayMove(v); });
+  }
+
   /// Makes changes, and takes all of them back unless change() returns true; so does this.
   /// Attempts may be made within others.
   template <typename Change>
@@ -42,7 +57,7 @@ public:
   template <typename IsBetter>
   bool tryPut(Vertex v, const SurfacePoint& there, const IsBetter& isBetter)
   {
-    return this->attempt([&]() {
+    return this->mayMove(v) && this->attempt([&]() {
       this->note(v);
       static_cast<SurfacePoint&>(this->Edited.State[v]) = there;
       if (!isBetter())
@@ -114,6 +129,7 @@ private:
   OptimizedMesh& Edited;
   std::vector<Change> Log;                  // of the attempts under way
   int Depth = 0;                            // of attempts
+  ElementArray<Vertex, char> IsMoving;      // none: all are
   ElementArray<Vertex, VertexState> Before; // the last moveAll(); kept for its memory only
 };
 }

@@ -8,7 +8,10 @@
 #include "FarPlaces.h"
 #include "FeatureSimplification.h"
 #include "LocalEmbedding.h"
+#include "LocalRefinement.h"
 #include "LocalRepair.h"
+#include "MeshFaults.h"
+#include "MeshRegion.h"
 #include "ParallelFor.h"
 #include "Relaxation.h"
 #include "Ribs.h"
@@ -163,6 +166,10 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
       measures.update(mesh);
       parallelFor(mesh.vertices(), [&](Vertex v) {
         arcLength[v] = mesh.arcLength(v);
+        if (!edit.mayMove(v))
+        {
+          return;
+        }
         if (mesh.freedom(v) == Freedom::Backbone && slides)
         {
           arcLength[v] += lloydSlide(mesh, measures, v);
@@ -253,12 +260,18 @@ Status finish(MeshEdit& edit, const OptimizerOptions& options, KnownOverlaps& ov
   return report(progress, 1.) ? Status::success() : Status::aborted();
 }
 
-/// A ball in which no vertex is to be put.
+/// A ball in which nothing is to be done.
 struct Avoided
 {
   Vec3 centre;
   double radius;
 };
+
+bool isAvoided(const std::vector<Avoided>& avoided, const Vec3& place)
+{
+  return std::any_of(avoided.begin(), avoided.end(),
+    [&](const Avoided& ball) { return (place - ball.centre).norm() < ball.radius; });
+}
 
 /// Vertices for what the mesh has lost all the same: tips, and pockets. As it was is noted before
 /// it changes; `left` are triangles that pass through each other afterwards.
@@ -273,11 +286,7 @@ Status reachPlacesOutside(const std::vector<Avoided>& avoided, OptimizedMesh& me
     std::vector<FarPlace> places;
     Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
     places.erase(std::remove_if(places.begin(), places.end(),
-                   [&](const FarPlace& place) {
-                     return std::any_of(avoided.begin(), avoided.end(), [&](const Avoided& ball) {
-                       return (place.position - ball.centre).norm() < ball.radius;
-                     });
-                   }),
+                   [&](const FarPlace& place) { return isAvoided(avoided, place.position); }),
       places.end());
     if (status.ok() && !places.empty())
     {
@@ -335,6 +344,124 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
         Tuning::EdgesAvoided * meanEdgeLength(mesh, a) });
     }
     mesh = *before;
+  }
+  return Status::success();
+}
+
+/// Shorter edges about some triangles, and what that needs: rounds of the mesh there, and all that
+/// makes it good in the end.
+Status refineAndFinish(OptimizedMesh& mesh, MeshEdit& edit, const std::vector<Face>& faces,
+  const OptimizerOptions& options, KnownOverlaps& overlaps, const Progress& progress)
+{
+  std::vector<Vertex> changed;
+  Status status = refineAbout(mesh, faces, changed);
+  if (status.ok())
+  {
+    status = simplifyFeatures(mesh, options.featureTolerance);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  ElementArray<Vertex, char> isMoving(static_cast<std::size_t>(mesh.vertices().size()), 0);
+  for (const Vertex v : withRings(mesh, changed, Tuning::RingsOfRefinement))
+  {
+    isMoving[v] = 1;
+  }
+  edit.restrictTo(std::move(isMoving));
+  status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::RoundsOfRefinement),
+    overlaps, progress);
+  if (status.ok())
+  {
+    status = finish(edit, options, overlaps, progress);
+  }
+  if (status.ok())
+  {
+    status = reachFarPlaces(mesh, edit, options, overlaps, progress);
+  }
+  edit.restrictTo({});
+  return status;
+}
+
+/// Of the surface's places that are far from the mesh, the farthest; 0 without any.
+Status farthestFrom(const OptimizedMesh& mesh, const Progress& progress, double& distance)
+{
+  std::vector<FarPlace> places;
+  const Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
+  distance = places.empty() ? 0. : places.front().distance;
+  return status;
+}
+
+/// Shorter edges where the mesh is wrong or poor for want of them. It is kept only if it is better
+/// for it, and no farther from the surface; where that is no help, it is not tried again.
+Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
+  KnownOverlaps& overlaps, const Progress& progress)
+{
+  std::vector<Avoided> avoided;
+  MeshFaults faults(mesh, overlaps);
+  double farthest = -1; // not yet known
+  int inVain = 0;
+  for (int i = 0; i < Tuning::Refinements && inVain < Tuning::RefinementsInVain; ++i)
+  {
+    std::vector<Face> faces;
+    std::vector<Avoided> reach;
+    for (const MeshFaults::Fault& fault : faults.all())
+    {
+      if (!isAvoided(avoided, fault.position))
+      {
+        faces.push_back(fault.face);
+        reach.push_back({ fault.position, meanEdgeLength(mesh, mesh.corners(fault.face)[0]) });
+      }
+    }
+    if (faces.empty() ||
+      static_cast<double>(faces.size()) > Tuning::RefinedShare * mesh.faces().size())
+    {
+      break;
+    }
+    Status status = Status::success();
+    if (farthest < 0)
+    {
+      status = farthestFrom(mesh, progress, farthest);
+    }
+    OptimizedMesh before = mesh;
+    if (status.ok())
+    {
+      status = refineAndFinish(mesh, edit, faces, options, overlaps, progress);
+    }
+    double farthestNow = 0;
+    if (status.ok())
+    {
+      status = farthestFrom(mesh, progress, farthestNow);
+    }
+    if (!status.ok())
+    {
+      return status;
+    }
+    MeshFaults after(mesh, overlaps);
+    const FaultSum sum = faults.sum();
+    const FaultSum sumAfter = after.sum();
+    const std::size_t known = avoided.size();
+    for (const Avoided& fault : reach)
+    {
+      const double radius = Tuning::ReachOfFault * fault.radius;
+      if (!(after.sumNear(fault.centre, radius) < faults.sumNear(fault.centre, radius)))
+      {
+        avoided.push_back({ fault.centre, Tuning::ReachOfFailure * fault.radius });
+      }
+    }
+    if (sumAfter < sum && farthestNow <= farthest)
+    {
+      inVain = sumAfter.isMuchLessThan(sum) ? 0 : inVain + 1;
+      farthest = farthestNow;
+      faults = std::move(after);
+      continue;
+    }
+    mesh = std::move(before);
+    ++inVain;
+    if (avoided.size() == known)
+    {
+      break; // it would be the same once more
+    }
   }
   return Status::success();
 }
@@ -442,6 +569,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   if (maySimplifyAtLast(options))
   {
     status = reachFarPlaces(mesh, edit, options, overlaps, goesOn);
+    if (status.ok() && options.refinesFaults)
+    {
+      status = refineFaults(mesh, edit, options, overlaps, goesOn);
+    }
     if (!status.ok())
     {
       return status;

@@ -41,6 +41,10 @@ struct OptimizerOptions
   /// (see simplifyFeatures()); 0: they are kept. For moves with swaps. With ribs, which want
   /// features as they are, only for slivers, and not when ribs are made.
   double featureTolerance = 1.;
+  /// Edges get shorter than the density has them where the mesh passes through itself and the
+  /// surface does not, or has poor triangles, and longer elsewhere (see LocalRefinement.h). For
+  /// moves with swaps and a tolerance of features; not with ribs.
+  bool refinesFaults = true;
 };
 
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status optimizeMesh(

@@ -457,17 +457,30 @@ double OptimizedMesh::densityAt(const SurfacePoint& point) const
 {
   const double density =
     this->Field->uniform() ? 1. : this->Field->at(this->Atlas->surface(), point.place);
-  if (this->Coarse.empty())
+  if (this->Coarse.empty() && this->Fine.empty())
   {
     return density;
   }
-  const double growth = this->Coarse.growthAt(Face(point.place.face), point.position);
+  const Face face(point.place.face);
+  const double growth =
+    this->Coarse.growthAt(face, point.position) * this->Fine.growthAt(face, point.position);
   return density / (growth * growth);
 }
 
-void OptimizedMesh::coarsen(CoarseRegions regions)
+void OptimizedMesh::coarsen(SpacingRegions regions)
 {
   this->Coarse = std::move(regions);
+  this->updateDensity();
+}
+
+void OptimizedMesh::refine(SpacingRegions regions)
+{
+  this->Fine = std::move(regions);
+  this->updateDensity();
+}
+
+void OptimizedMesh::updateDensity()
+{
   for (VertexState& state : this->State)
   {
     state.density = this->densityAt(state);

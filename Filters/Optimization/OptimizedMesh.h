@@ -6,10 +6,10 @@
 #define stipple_OptimizedMesh_h
 
 #include "Atlas.h"
-#include "CoarseRegions.h"
 #include "DensityField.h"
 #include "ElementIds.h"
 #include "SampleSet.h"
+#include "SpacingRegions.h"
 #include "StippleFiltersOptimizationModule.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -240,16 +240,27 @@ public:
   {
     return (this->OwnNormals ? *this->OwnNormals : this->Atlas->smoothNormals())[Face(face)];
   }
-  /// The density is the same everywhere, but for coarse regions.
+  /// The density is the same everywhere, but for coarse and fine regions.
   bool uniform() const { return this->Field->uniform(); }
   /// From now on, spacing grows in these regions: density() is less there.
-  void coarsen(CoarseRegions regions);
+  void coarsen(SpacingRegions regions);
   /// In one of these.
   bool isCoarse(Vertex v) const
   {
     return !this->Coarse.empty() &&
       this->Coarse.growthAt(Face(this->place(v).face), this->position(v)) > 1.;
   }
+  /// From now on, spacing shrinks in these regions: density() is more there.
+  void refine(SpacingRegions regions);
+  const SpacingRegions& fineRegions() const { return this->Fine; }
+  /// By how much spacing shrinks at a vertex: less than 1 in one of these.
+  double fineness(Vertex v) const
+  {
+    return this->Fine.empty() ? 1.
+                              : this->Fine.growthAt(Face(this->place(v).face), this->position(v));
+  }
+  /// Of vertices, as wanted at a place.
+  double densityAt(const SurfacePoint& point) const;
 
   /// The mean cosine of the angle between a vector, normal to a triangle, and the surface's normals
   /// at its vertices; 1 if they all lie on creases.
@@ -349,14 +360,15 @@ private:
   std::vector<char> fixedNodes() const;
   Status connect(const std::vector<Triangle>& triangles);
   Status markCreases(std::vector<Chain> chains);
-  double densityAt(const SurfacePoint& point) const;
+  void updateDensity();
   void put(Vertex v, const SurfacePoint& there);
   void putOnBackbone(Vertex v, double arcLength);
   void findOtherNormal(Vertex v);
 
   const stipple::Atlas* Atlas = nullptr;
   const DensityField* Field = nullptr;
-  CoarseRegions Coarse;
+  SpacingRegions Coarse;
+  SpacingRegions Fine;
   OpenMesh::TriConnectivity Graph; // halfedges without coordinates
   std::vector<Sample> Original;
   ElementArray<Vertex, VertexState> State;

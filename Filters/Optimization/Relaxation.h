@@ -65,10 +65,11 @@ public:
   explicit VertexSpacing(const OptimizedMesh& mesh);
   double atUnitDensity() const { return this->AtUnitDensity; }
   double at(Vertex v) const { return this->AtUnitDensity / std::sqrt(this->Mesh.density(v)); }
-  /// So many spacings, but no farther than what shows on the surface as a whole.
+  /// So many spacings, as they are without fine regions, but no farther than what shows on the
+  /// surface as a whole.
   double farthest(Vertex v, double share) const
   {
-    return std::min(share * this->at(v), this->Visible);
+    return std::min(share * this->at(v) / this->Mesh.fineness(v), this->Visible);
   }
   /// The smallest angle (radians) that triangles may have for coming so much nearer to the surface
   /// at v: as far as farthest(v, share) is worth any that are not hopeless.

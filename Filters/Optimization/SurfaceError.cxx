@@ -156,6 +156,10 @@ bool isTip(const OptimizedMesh& mesh, Vertex v, const SurfaceError::Measure& err
 bool moveNearer(MeshEdit& edit, const SurfaceError& error, Vertex v, double minimumAngle)
 {
   const OptimizedMesh& mesh = edit.mesh();
+  if (!edit.mayMove(v))
+  {
+    return false;
+  }
   SurfaceError::Measure best = error.about(v);
   const bool atTip = isTip(mesh, v, best);
   const double reach = meanEdgeLength(mesh, v);
@@ -215,7 +219,7 @@ bool moveNearer(MeshEdit& edit, const SurfaceError& error, Vertex v, double mini
 bool swapNearer(MeshEdit& edit, const SurfaceError& error, Edge e, double minimumAngle)
 {
   const OptimizedMesh& mesh = edit.mesh();
-  if (!mesh.isSwappable(e) || !mesh.keepsManifold(e))
+  if (!mesh.isSwappable(e) || !mesh.keepsManifold(e) || !edit.maySwap(e))
   {
     return false;
   }

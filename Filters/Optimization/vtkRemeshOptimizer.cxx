@@ -38,6 +38,7 @@ stipple::Status vtkRemeshOptimizer::MakeMesh(stipple::MeshRequest& request)
   options.errorReduction = 0.01 * this->ErrorReduction;
   options.acuteCornerAngle = vtkMath::RadiansFromDegrees(this->AcuteCornerAngle);
   options.featureTolerance = this->FeatureToleranceScale * this->FeatureTolerance;
+  options.refinesFaults = this->RefineFaults;
 
   auto* images = this->FollowDensity
     ? vtkPartitionedDataSetCollection::SafeDownCast(this->GetInputDataObject(3, 0))
@@ -102,5 +103,6 @@ void vtkRemeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AcuteCornerAngle: " << this->AcuteCornerAngle << "\n";
   os << indent << "FeatureTolerance: " << this->FeatureTolerance << "\n";
   os << indent << "FeatureToleranceScale: " << this->FeatureToleranceScale << "\n";
+  os << indent << "RefineFaults: " << this->RefineFaults << "\n";
   os << indent << "NumberOfSimplifiedFeatures: " << this->NumberOfSimplifiedFeatures << "\n";
 }

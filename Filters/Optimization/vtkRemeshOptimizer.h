@@ -199,6 +199,19 @@ public:
   vtkGetMacro(FeatureToleranceScale, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether edges get shorter than the control images have them, and others longer, where the mesh
+   * passes through itself and the surface does not, or has triangles with an angle of less than 15
+   * degrees that is not between two creases. The mesh stays as it is where that is no help. It
+   * takes effect where FeatureTolerance does, and not with Ribs. vtkGeometryRemesher sets it: on
+   * where sizes grow from features (vtkControlMap). The default is on.
+   */
+  vtkSetMacro(RefineFaults, bool);
+  vtkGetMacro(RefineFaults, bool);
+  vtkBooleanMacro(RefineFaults, bool);
+  ///@}
+
   /// After an update: corners and points of creases that went to others.
   vtkGetMacro(NumberOfSimplifiedFeatures, int);
 
@@ -225,6 +238,7 @@ private:
   int NumberOfSimplifiedFeatures = 0;
   bool FollowDensity = true;
   bool Ribs = false;
+  bool RefineFaults = true;
   int Placement = ON_SURFACE;
 };
 

@@ -88,6 +88,7 @@ private:
     options.errorReduction = 0.; // the patch ends where the surface goes on
     options.acuteCornerAngle = 0.;
     options.featureTolerance = 0.;
+    options.refinesFaults = false;
     return options;
   }
 

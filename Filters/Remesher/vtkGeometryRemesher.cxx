@@ -247,6 +247,11 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     return this->Self->GetAbortExecute() ? stipple::Status::aborted() : stipple::Status::success();
   }
 
+  bool sizesGrow()
+  {
+    return this->ControlMap->GetGrowFromFeatures() && this->ControlMap->GetGrowth() > 1.;
+  }
+
   /// Hands the input, or the part of it that is selected, to the atlas if it is not the one of
   /// before.
   stipple::Status takeInput(vtkPolyData* input, const std::string& selection)
@@ -455,6 +460,7 @@ bool vtkGeometryRemesher::RunStages()
     return this->RunStage(RemesherStages::QuadMeshing);
   }
   s.Optimizer->SetFeatureToleranceScale(s.ToleranceScale);
+  s.Optimizer->SetRefineFaults(s.sizesGrow());
   return this->RunStage(MESHING) && this->RunStage(OPTIMISATION);
 }
 
@@ -601,7 +607,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
   // Where sizes do not grow, they do not from places either; where these are all over, points for
   // all of them would be missed everywhere.
-  if (!s.ControlMap->GetGrowFromFeatures() || s.ControlMap->GetGrowth() <= 1. ||
+  if (!s.sizesGrow() ||
     fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
   {
     return true;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where creases leave a corner at a small angle and open later, spacing grows towards the corner
 // until the triangle between them is good; elsewhere it does not.
-#include "CoarseRegions.h"
 #include "PolyDataConversion.h"
+#include "SpacingRegions.h"
 #include "TestModels.h"
 
 #include "vtkGeometryRemesher.h"
@@ -132,7 +132,7 @@ TEST(AcuteCorners, OfTheFandiskAtManySizes)
   }
 }
 
-TEST(CoarseRegions, GrowAboutTheirCentreAndOnTheirSheet)
+TEST(SpacingRegions, GrowAboutTheirCentreAndOnTheirSheet)
 {
   // Two squares, one above the other, of two triangles each.
   TriangleSurface s;
@@ -144,9 +144,9 @@ TEST(CoarseRegions, GrowAboutTheirCentreAndOnTheirSheet)
     s.triangles.push_back({ { p, p + 2, p + 3 } });
   }
   s.connect();
-  CoarseRegions regions;
+  SpacingRegions regions;
   EXPECT_EQ(regions.growthAt(Face(0), Vec3(1, 1, 0)), 1.);
-  const CoarseRegion region = { Vec3(0, 0, 0), 0.5, 2. };
+  const SpacingRegion region = { Vec3(0, 0, 0), 0.5, 2. };
   regions.add(s, Face(0), region);
   EXPECT_EQ(regions.size(), 1u);
   EXPECT_EQ(regions.growthAt(Face(0), Vec3(0, 0, 0)), 2.);

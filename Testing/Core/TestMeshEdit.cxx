@@ -147,3 +147,40 @@ TEST(MeshEdit, MovesAreDrawnBackBeforeTheyFold)
     EXPECT_TRUE(t->mesh.isSound(f));
   }
 }
+
+TEST(MeshEdit, OnlySomeVerticesMove)
+{
+  const auto t = meshes::patch(6);
+  MeshEdit& edit = t->edit;
+  const auto n = static_cast<std::size_t>(t->mesh.vertices().size());
+  ElementArray<Vertex, char> isMoving(n, 0);
+  isMoving[Vertex(16)] = 1; // in the second row, third column
+  isMoving[Vertex(3)] = 1;  // on the lower side
+  edit.restrictTo(isMoving);
+  const auto yes = []() { return true; };
+  EXPECT_FALSE(edit.tryPut(Vertex(32), t->pointAt(0.68, 0.68), yes));
+  EXPECT_TRUE(edit.tryPut(Vertex(16), t->pointAt(0.34, 0.34), yes));
+  EXPECT_FALSE(edit.trySlide(Vertex(4), 0.02, yes));
+  EXPECT_TRUE(edit.trySlide(Vertex(3), 0.02, yes));
+  const Edge far = t->edgeBetween(32, 40);
+  EXPECT_FALSE(edit.maySwap(far));
+  EXPECT_FALSE(edit.swap(far));
+  EXPECT_TRUE(edit.swap(t->edgeBetween(16, 24)));
+  const meshes::Snapshot before(t->mesh);
+  ElementArray<Vertex, Vec3> step(n, Vec3(0.01, 0.005, 0));
+  ElementArray<Vertex, double> arcLength(n, 0.);
+  for (const Vertex v : t->mesh.vertices())
+  {
+    arcLength[v] = t->mesh.arcLength(v) + 0.01;
+  }
+  edit.moveAll(step, arcLength);
+  const meshes::Snapshot after(t->mesh);
+  for (const Vertex v : t->mesh.vertices())
+  {
+    EXPECT_EQ(before.vertices[v.index()] == after.vertices[v.index()], isMoving[v] == 0)
+      << v.index();
+  }
+  edit.restrictTo({});
+  EXPECT_TRUE(edit.tryPut(Vertex(32), t->pointAt(0.68, 0.68), yes));
+  EXPECT_TRUE(edit.maySwap(far));
+}

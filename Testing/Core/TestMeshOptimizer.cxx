@@ -157,7 +157,7 @@ TEST(MeshOptimizer, LaplacianMovesEvenOutAreasOrDensities)
     {
       highest = t->mesh.position(v).z() > t->mesh.position(highest).z() ? v : highest;
     }
-    CoarseRegions regions;
+    SpacingRegions regions;
     regions.add(t->atlas->surface(), Face(t->mesh.place(highest).face), { top, 0.2, 3. });
     t->mesh.coarsen(regions);
     optimize(*t, options(Swaps::Regularity, moves));
@@ -266,7 +266,7 @@ TEST(AcuteCorners, SpacingGrowsUntilTheSidesAreFarEnoughApart)
     const double distance = arc / spacing;
     ASSERT_GT(distance, 1.) << "or there were nothing to find";
     ASSERT_LT(distance, Tuning::FarthestOpening);
-    const CoarseRegions regions = AcuteCorners(mesh, angle).regions(mesh);
+    const SpacingRegions regions = AcuteCorners(mesh, angle).regions(mesh);
     ASSERT_EQ(regions.size(), 1U) << "no other corner is acute";
     const double growth = regions.growthAt(tip, Vec3::Zero());
     EXPECT_GT(growth, 1. + Tuning::ShareOfOpening * (distance - 1.) - 0.01) << angle;

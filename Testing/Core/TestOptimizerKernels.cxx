@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Swaps, steps, repairs and measures of the optimisation, each alone, where the answer is known.
 #include "BridgeSwaps.h"
-#include "CoarseRegions.h"
 #include "EdgeSwaps.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
@@ -10,6 +9,7 @@
 #include "OptimizerMeshes.h"
 #include "Relaxation.h"
 #include "SelfIntersections.h"
+#include "SpacingRegions.h"
 #include "SurfaceError.h"
 #include "SurfaceProximity.h"
 #include "Tuning.h"
@@ -654,16 +654,16 @@ TEST(LocalEmbedding, GroupsHangTogetherAtVertices)
   EXPECT_EQ(groups[1], facesAbout(t->mesh, { Vertex(24) }));
 }
 
-TEST(CoarseRegions, GrowthFallsWithTheDistance)
+TEST(SpacingRegions, GrowthFallsWithTheDistance)
 {
-  const CoarseRegion region = { Vec3(0.5, 0.5, 0), 0.1, 2. };
+  const SpacingRegion region = { Vec3(0.5, 0.5, 0), 0.1, 2. };
   EXPECT_DOUBLE_EQ(region.growthAt(0.), 2.);
   EXPECT_DOUBLE_EQ(region.growthAt(0.1), 2.) << "the plateau is half of the growth, in spacings";
   EXPECT_DOUBLE_EQ(region.growthAt(0.2), 1.5);
   EXPECT_DOUBLE_EQ(region.growthAt(region.reach()), 1.);
   const auto t = meshes::patch(4);
   const SurfacePlace at = t->placeAt(0.5, 0.5);
-  CoarseRegions regions;
+  SpacingRegions regions;
   regions.add(t->atlas->surface(), Face(at.face), region);
   EXPECT_DOUBLE_EQ(regions.growthAt(Face(at.face), Vec3(0.5, 0.5, 0)), 2.);
   EXPECT_DOUBLE_EQ(regions.growthAt(Face(t->placeAt(0.7, 0.5).face), Vec3(0.7, 0.5, 0)), 1.5);
@@ -671,4 +671,28 @@ TEST(CoarseRegions, GrowthFallsWithTheDistance)
   t->mesh.coarsen(regions);
   EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(12)), 0.25) << "twice the spacing";
   EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(0)), 1.);
+}
+
+TEST(SpacingRegions, SpacingShrinksTheSameWay)
+{
+  const SpacingRegion region = { Vec3(0.5, 0.5, 0), 0.2, 0.5 };
+  EXPECT_DOUBLE_EQ(region.growthAt(0.), 0.5);
+  EXPECT_DOUBLE_EQ(region.growthAt(0.05), 0.5);
+  EXPECT_DOUBLE_EQ(region.growthAt(0.15), 0.75);
+  EXPECT_DOUBLE_EQ(region.growthAt(region.reach()), 1.);
+  EXPECT_DOUBLE_EQ(region.reach(), 0.25);
+  const auto t = meshes::patch(4);
+  const Face middle(t->placeAt(0.5, 0.5).face);
+  SpacingRegions regions;
+  regions.add(t->atlas->surface(), middle, region);
+  regions.add(t->atlas->surface(), middle, { region.centre, region.spacing, 0.75 });
+  t->mesh.refine(regions);
+  EXPECT_DOUBLE_EQ(t->mesh.fineness(Vertex(12)), 0.5) << "the finest counts";
+  EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(12)), 4.) << "half the spacing";
+  EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(0)), 1.);
+  EXPECT_DOUBLE_EQ(t->mesh.fineness(Vertex(0)), 1.);
+  SpacingRegions coarse;
+  coarse.add(t->atlas->surface(), middle, { region.centre, region.spacing, 2. });
+  t->mesh.coarsen(coarse);
+  EXPECT_DOUBLE_EQ(t->mesh.density(Vertex(12)), 1.) << "of both, one makes up for the other";
 }

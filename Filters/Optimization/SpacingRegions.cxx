@@ -1,27 +1,29 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CoarseRegions.h"
+#include "SpacingRegions.h"
 
 #include "Tuning.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stipple
 {
-double CoarseRegion::growthAt(double distance) const
+double SpacingRegion::growthAt(double distance) const
 {
   const double beyond =
     std::max(0., distance / this->spacing - Tuning::GrowthPlateau * this->growth);
-  return std::max(1., this->growth - Tuning::GrowthSlope * beyond);
+  return this->growth > 1. ? std::max(1., this->growth - Tuning::GrowthSlope * beyond)
+                           : std::min(1., this->growth + Tuning::GrowthSlope * beyond);
 }
 
-double CoarseRegion::reach() const
+double SpacingRegion::reach() const
 {
   return this->spacing *
-    (Tuning::GrowthPlateau * this->growth + (this->growth - 1.) / Tuning::GrowthSlope);
+    (Tuning::GrowthPlateau * this->growth + std::abs(this->growth - 1.) / Tuning::GrowthSlope);
 }
 
-void CoarseRegions::add(const TriangleSurface& surface, Face face, const CoarseRegion& region)
+void SpacingRegions::add(const TriangleSurface& surface, Face face, const SpacingRegion& region)
 {
   const int id = static_cast<int>(this->Regions.size());
   this->Regions.push_back(region);
@@ -53,18 +55,21 @@ void CoarseRegions::add(const TriangleSurface& surface, Face face, const CoarseR
   }
 }
 
-double CoarseRegions::growthAt(Face face, const Vec3& position) const
+double SpacingRegions::growthAt(Face face, const Vec3& position) const
 {
   const auto found = this->OnFace.find(face);
-  double growth = 1;
+  double most = 1;
+  double least = 1;
   if (found != this->OnFace.end())
   {
     for (int id : found->second)
     {
-      const CoarseRegion& region = this->Regions[id];
-      growth = std::max(growth, region.growthAt((position - region.centre).norm()));
+      const SpacingRegion& region = this->Regions[id];
+      const double growth = region.growthAt((position - region.centre).norm());
+      most = std::max(most, growth);
+      least = std::min(least, growth);
     }
   }
-  return growth;
+  return most * least;
 }
 }

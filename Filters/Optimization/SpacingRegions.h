@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Places about which vertices shall lie farther apart than the density has it.
-#ifndef stipple_CoarseRegions_h
-#define stipple_CoarseRegions_h
+// Places about which vertices shall lie farther apart, or closer together, than the density has it.
+#ifndef stipple_SpacingRegions_h
+#define stipple_SpacingRegions_h
 
 #include "StippleFiltersOptimizationModule.h"
 #include "SurfaceWalk.h"
@@ -13,33 +13,33 @@
 namespace stipple
 {
 /// About its centre, vertices shall lie `growth` times as far apart as the spacing that the density
-/// asks for there; farther away, less and less so.
-struct CoarseRegion
+/// asks for there, which is more or less; farther away, less and less so.
+struct SpacingRegion
 {
   Vec3 centre = Vec3::Zero();
   double spacing = 0;
-  double growth = 1; ///< >= 1
+  double growth = 1; ///< > 0
 
   /// By how much spacing grows at a distance from the centre; 1 from reach() on.
   double growthAt(double distance) const;
   double reach() const;
 };
 
-class STIPPLEFILTERSOPTIMIZATION_EXPORT CoarseRegions
+class STIPPLEFILTERSOPTIMIZATION_EXPORT SpacingRegions
 {
 public:
   /// Adds a region, whose centre lies on a face: what is near it in space but not on the surface
   /// stays out.
-  void add(const TriangleSurface& surface, Face face, const CoarseRegion& region);
+  void add(const TriangleSurface& surface, Face face, const SpacingRegion& region);
 
   bool empty() const { return this->Regions.empty(); }
   std::size_t size() const { return this->Regions.size(); }
-  /// By how much spacing grows at a place, a position on a face. Where regions overlap, the largest
-  /// counts.
+  /// By how much spacing grows at a place, a position on a face. Where regions overlap, the one
+  /// where it grows most counts, and the one where it shrinks most.
   double growthAt(Face face, const Vec3& position) const;
 
 private:
-  std::vector<CoarseRegion> Regions;
+  std::vector<SpacingRegion> Regions;
   std::unordered_map<Face, std::vector<int>> OnFace; // regions that reach a face
 };
 }
