@@ -39,7 +39,8 @@ bool FaultSum::isMuchLessThan(const FaultSum& o) const
 
 MeshFaults::MeshFaults(const OptimizedMesh& mesh, KnownOverlaps& known)
 {
-  const std::vector<Face> overlaps = overlapsOf(mesh, SelfIntersections(mesh), known);
+  const std::vector<Face> overlaps =
+    known.left == 0 ? std::vector<Face>() : overlapsOf(mesh, SelfIntersections(mesh), known);
   for (const Face f : mesh.faces())
   {
     FaultSum share;

@@ -344,6 +344,7 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
         Tuning::EdgesAvoided * meanEdgeLength(mesh, a) });
     }
     mesh = *before;
+    overlaps.left.reset();
   }
   return Status::success();
 }
@@ -457,6 +458,7 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
       continue;
     }
     mesh = std::move(before);
+    overlaps.left.reset();
     ++inVain;
     if (avoided.size() == known)
     {
@@ -550,6 +552,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
   if (best && least < Lack(mesh))
   {
     mesh = std::move(*best);
+    overlaps.left.reset();
   }
   // What swaps have left without an angle, at last with no rounds that swap any more.
   for (int i = 0; i < Tuning::LastOpenings && maySimplifyAtLast(options); ++i)
@@ -561,6 +564,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       break;
     }
     repairTriangles(edit, Tuning::SmallAngle, true, true, Tuning::LastPassesOfRepair);
+    overlaps.left.reset();
   }
   if (!status.ok())
   {

@@ -258,7 +258,8 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
   std::vector<Face> bad = overlapsOf(mesh, intersections, known);
   if (static_cast<int>(bad.size()) > mostOverlaps(mesh))
   {
-    return static_cast<int>(bad.size());
+    known.left = static_cast<int>(bad.size());
+    return *known.left;
   }
   bool hasChanged = false;
   int& budget = known.budget ? *known.budget
@@ -308,6 +309,7 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
       return unfold(edit, true, known.folds) > 0 && SelfIntersections(mesh).faces().size() <= left;
     });
   }
-  return static_cast<int>(bad.size());
+  known.left = static_cast<int>(bad.size());
+  return *known.left;
 }
 }

@@ -48,6 +48,8 @@ struct KnownOverlaps
   FailedEmbeddings folds;    ///< that unfold() could not undo
   FailedEmbeddings layers;   ///< that could not be parted
   std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked
+  /// What resolveSelfIntersections() has left, unless the mesh has changed since.
+  std::optional<int> left;
 };
 
 /// Triangles that intersect others where the surface does not pass through itself; all that

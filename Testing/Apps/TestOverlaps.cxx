@@ -11,6 +11,7 @@
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRemeshOptimizer.h"
 
 #include <gtest/gtest.h>
 
@@ -61,4 +62,33 @@ TEST(Overlaps, ArePartedByShorterEdges)
   remesher->SetPresetToUniform();
   remesher->Update();
   EXPECT_EQ(remesher->GetControlMap()->GetSizePlaces()->GetNumberOfTuples(), 0);
+}
+
+TEST(Overlaps, ArePartedInPlace)
+{
+  const vtkSmartPointer<vtkPolyData> model = readModel("camel");
+  const TriangleSurface surface = fromPolyData(model);
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(model);
+  std::size_t before = 0;
+  for (const int points : { 1500, 5000 })
+  {
+    remesher->SetNumberOfPoints(points);
+    remesher->Update();
+    vtkRemeshOptimizer* optimizer = remesher->GetOptimizer();
+    EXPECT_TRUE(optimizer->GetRefineFaults()) << "as sizes grow";
+    const auto overlaps = [&](bool refines) {
+      optimizer->SetRefineFaults(refines);
+      optimizer->Update();
+      EXPECT_EQ(optimizer->GetOutput()->GetNumberOfPoints(), points);
+      return findOverlaps(fromPolyData(optimizer->GetOutput()), placesOf(surface)).size();
+    };
+    EXPECT_EQ(overlaps(true), 0U) << points << " points";
+    before += overlaps(false);
+  }
+  EXPECT_GT(before, 2U);
+  remesher->SetNumberOfPoints(1500);
+  remesher->GetControlMap()->SetGrowth(0.);
+  remesher->Update();
+  EXPECT_FALSE(remesher->GetOptimizer()->GetRefineFaults());
 }

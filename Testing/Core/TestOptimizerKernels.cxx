@@ -575,6 +575,7 @@ TEST(SelfIntersections, AreTheSurfacesWhereItHasThem)
   KnownOverlaps everywhere;
   everywhere.ofSurface.emplace(std::vector<Box>{ { Vec3::Constant(-2), Vec3::Constant(2) } });
   EXPECT_EQ(resolveSelfIntersections(t->edit, 8, everywhere), 0);
+  EXPECT_EQ(everywhere.left, 0) << "which is known then";
   EXPECT_TRUE(meshes::Snapshot(t->mesh) == folded) << "nothing is to be parted";
   KnownOverlaps nothing;
   EXPECT_EQ(resolveSelfIntersections(t->edit, 8, nothing), 0);
