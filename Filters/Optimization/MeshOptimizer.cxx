@@ -18,6 +18,7 @@
 #include "SelfIntersections.h"
 #include "SmallComponents.h"
 #include "SurfaceError.h"
+#include "SurfaceProximity.h"
 #include "Tuning.h"
 #include "VertexStar.h"
 
@@ -384,23 +385,40 @@ Status refineAndFinish(OptimizedMesh& mesh, MeshEdit& edit, const std::vector<Fa
   return status;
 }
 
-/// Of the surface's places that are far from the mesh, the farthest; 0 without any.
-Status farthestFrom(const OptimizedMesh& mesh, const Progress& progress, double& distance)
+/// How far the surface is from the mesh, and the mesh from the surface, at most; 0 for what is not
+/// far (Tuning::FarShare), and does not show (Tuning::VisibleDistance).
+struct Distances
+{
+  double ofSurface = -1; // not yet known
+  double ofMesh = 0;
+
+  bool isNoMoreThan(const Distances& o) const
+  {
+    return this->ofSurface <= o.ofSurface && this->ofMesh <= o.ofMesh;
+  }
+};
+
+Status measureDistances(const OptimizedMesh& mesh, const Progress& progress, Distances& distances)
 {
   std::vector<FarPlace> places;
   const Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
-  distance = places.empty() ? 0. : places.front().distance;
+  distances.ofSurface = places.empty() ? 0. : places.front().distance;
+  const double farthest = SurfaceProximity(mesh).largest().faces;
+  const bool shows =
+    farthest > Tuning::VisibleDistance * mesh.atlas().surface().boundingBoxDiagonal();
+  distances.ofMesh = shows ? farthest : 0.;
   return status;
 }
 
 /// Shorter edges where the mesh is wrong or poor for want of them. It is kept only if it is better
-/// for it, and no farther from the surface; where that is no help, it is not tried again.
+/// for it, and no farther from the surface, nor that from it; where that is no help, it is not
+/// tried again.
 Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& options,
   KnownOverlaps& overlaps, const Progress& progress)
 {
   std::vector<Avoided> avoided;
   MeshFaults faults(mesh, overlaps);
-  double farthest = -1; // not yet known
+  Distances distances;
   int inVain = 0;
   for (int i = 0; i < Tuning::Refinements && inVain < Tuning::RefinementsInVain; ++i)
   {
@@ -420,19 +438,19 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
       break;
     }
     Status status = Status::success();
-    if (farthest < 0)
+    if (distances.ofSurface < 0)
     {
-      status = farthestFrom(mesh, progress, farthest);
+      status = measureDistances(mesh, progress, distances);
     }
     OptimizedMesh before = mesh;
     if (status.ok())
     {
       status = refineAndFinish(mesh, edit, faces, options, overlaps, progress);
     }
-    double farthestNow = 0;
+    Distances distancesAfter;
     if (status.ok())
     {
-      status = farthestFrom(mesh, progress, farthestNow);
+      status = measureDistances(mesh, progress, distancesAfter);
     }
     if (!status.ok())
     {
@@ -450,10 +468,10 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
         avoided.push_back({ fault.centre, Tuning::ReachOfFailure * fault.radius });
       }
     }
-    if (sumAfter < sum && farthestNow <= farthest)
+    if (sumAfter < sum && distancesAfter.isNoMoreThan(distances))
     {
       inVain = sumAfter.isMuchLessThan(sum) ? 0 : inVain + 1;
-      farthest = farthestNow;
+      distances = distancesAfter;
       faults = std::move(after);
       continue;
     }

@@ -18,6 +18,7 @@
 #include "SelectedPart.h"
 #include "SizingFunction.h"
 #include "SurfaceDeviation.h"
+#include "Tuning.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -245,6 +246,28 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
       ++count[place.isOverlap ? 0 : 1];
     }
     return this->Self->GetAbortExecute() ? stipple::Status::aborted() : stipple::Status::success();
+  }
+
+  /// The distance between the mesh and the surface, over the diagonal; 0 if it does not show.
+  stipple::Status measureVisibleDistance(double& distance)
+  {
+    distance = 0.;
+    stipple::Atlas::Pointer atlas;
+    if (const stipple::Status status = this->readAtlas(atlas); !status.ok())
+    {
+      return status;
+    }
+    const stipple::TriangleSurface mesh = stipple::fromPolyData(
+      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0)));
+    const double diagonal = atlas->surface().boundingBoxDiagonal();
+    const double visible = stipple::Tuning::VisibleDistance * diagonal;
+    stipple::DeviationBounds bounds;
+    const stipple::Status status =
+      stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
+        return stipple::surfaceDeviation(mesh, atlas->surface(), 0.01 * visible, progress, bounds);
+      });
+    distance = status.ok() && bounds.upper > visible ? bounds.upper / diagonal : 0.;
+    return status;
   }
 
   bool sizesGrow()
@@ -586,7 +609,8 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
 }
 
 /// Asks for shorter edges where they are too long (coarsePlaces()); of the meshes the one that has
-/// the fewest such places is kept.
+/// the fewest such places is kept, unless it is farther from the surface than shows, and than one
+/// before it.
 bool vtkGeometryRemesher::RunStagesAndRefine()
 {
   Internals& s = *this->Stages;
@@ -614,11 +638,16 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   }
   vtkNew<vtkDoubleArray> best;
   best->SetNumberOfComponents(4);
-  bool isBest = true; // the last one
+  bool isBest = true;    // the last one
+  double distance = -1.; // not yet known
   for (int i = 0; i < RefiningTries && fewest != None; ++i)
   {
     vtkNew<vtkDoubleArray> now;
     now->DeepCopy(places);
+    if (distance < 0. && !noted(s.measureVisibleDistance(distance), this->ErrorCode, s.Sentence))
+    {
+      return false;
+    }
     s.ControlMap->SetSizePlaces(now);
     if (!this->RunStagesAndCheck())
     {
@@ -640,12 +669,18 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     {
       return true; // it is not their length
     }
-    isBest = last < fewest;
+    double lastDistance = 0.;
+    if (!noted(s.measureVisibleDistance(lastDistance), this->ErrorCode, s.Sentence))
+    {
+      return false;
+    }
+    isBest = last < fewest && lastDistance <= distance;
     if (!isBest)
     {
       break; // more of it is no better, either
     }
     fewest = last;
+    distance = lastDistance;
     this->NumberOfOverlaps = fewest[0];
     best->DeepCopy(now);
   }
