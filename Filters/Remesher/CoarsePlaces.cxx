@@ -4,6 +4,15 @@
 
 #include "MeshOverlaps.h"
 #include "MeshQuality.h"
+#include "PolyDataConversion.h"
+#include "SampleSet.h"
+#include "SurfaceDeviation.h"
+#include "Tuning.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 
@@ -41,5 +50,43 @@ std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::ve
     }
   }
   return places;
+}
+
+Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, double share, const Progress& progress,
+  vtkDoubleArray* rows, std::array<int, 2>& count)
+{
+  count = { { 0, 0 } };
+  vtkDataArray* kind = mesh->GetPointData()->GetArray("SampleKind");
+  std::vector<char> isFree(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t p = 0; p < isFree.size(); ++p)
+  {
+    isFree[p] = kind &&
+        kind->GetComponent(static_cast<vtkIdType>(p), 0) ==
+          static_cast<double>(SampleKind::Interior)
+      ? 1
+      : 0;
+  }
+  const auto isStopped = [&] { return !report(progress, 0.); };
+  const std::vector<CoarsePlace> places = coarsePlaces(
+    fromPolyData(mesh), isFree, [&] { return atlas.selfIntersections(); }, isStopped);
+  for (const CoarsePlace& place : places)
+  {
+    const Vec3& p = place.position;
+    rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
+    ++count[place.isOverlap ? 0 : 1];
+  }
+  return isStopped() ? Status::aborted() : Status::success();
+}
+
+Status visibleDistance(
+  vtkPolyData* mesh, const Atlas& atlas, const Progress& progress, double& distance)
+{
+  const double diagonal = atlas.surface().boundingBoxDiagonal();
+  const double visible = Tuning::VisibleDistance * diagonal;
+  DeviationBounds bounds;
+  const Status status =
+    surfaceDeviation(fromPolyData(mesh), atlas.surface(), 0.01 * visible, progress, bounds);
+  distance = status.ok() && bounds.upper > visible ? bounds.upper / diagonal : 0.;
+  return status;
 }
 }

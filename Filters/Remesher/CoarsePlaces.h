@@ -4,13 +4,18 @@
 #ifndef stipple_CoarsePlaces_h
 #define stipple_CoarsePlaces_h
 
+#include "Atlas.h"
 #include "Progress.h"
 #include "StippleFiltersRemesherModule.h"
 #include "TriangleIntersections.h"
 #include "TriangleSurface.h"
 
+#include <array>
 #include <functional>
 #include <vector>
+
+class vtkDoubleArray;
+class vtkPolyData;
 
 namespace stipple
 {
@@ -31,6 +36,17 @@ constexpr double SmallestGoodAngle = 15.;
 [[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT std::vector<CoarsePlace> coarsePlaces(
   const TriangleSurface& mesh, const std::vector<char>& isFree,
   const std::function<std::vector<Box>()>& known, const Stop& stop = {});
+
+/// These places of a mesh as rows for vtkControlMap::SetSizePlaces(), added to others: a share of
+/// the edges that are there. count: those where the mesh passes through itself, and the others.
+[[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT Status addSizePlaces(vtkPolyData* mesh,
+  const Atlas& atlas, double share, const Progress& progress, vtkDoubleArray* rows,
+  std::array<int, 2>& count);
+
+/// The distance between a mesh and its surface, over the surface's diagonal; 0 if it does not show
+/// (Tuning::VisibleDistance).
+[[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT Status visibleDistance(
+  vtkPolyData* mesh, const Atlas& atlas, const Progress& progress, double& distance);
 }
 
 #endif

@@ -18,7 +18,6 @@
 #include "SelectedPart.h"
 #include "SizingFunction.h"
 #include "SurfaceDeviation.h"
-#include "Tuning.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -220,54 +219,27 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     }
     const int pattern = this->Self->GetPattern();
     auto* mesh = vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0));
-    vtkDataArray* kind = mesh->GetPointData()->GetArray("SampleKind");
-    std::vector<char> isFree(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-    for (std::size_t p = 0; p < isFree.size(); ++p)
-    {
-      isFree[p] = kind &&
-          kind->GetComponent(static_cast<vtkIdType>(p), 0) ==
-            static_cast<double>(stipple::SampleKind::Interior)
-        ? 1
-        : 0;
-    }
     // Edges that are asked for are those of the base mesh.
     const double splits = pattern == SEMIREGULAR ? this->Subdivider->GetNumberOfSubdivisions() : 0;
     const double share = stipple::SamplingConstants::FinestSize * std::pow(2., splits);
-    const std::vector<stipple::CoarsePlace> places =
-      stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
-        return stipple::coarsePlaces(
-          stipple::fromPolyData(mesh), isFree, [&] { return atlas->selfIntersections(); },
-          [&] { return !stipple::report(progress, 0.); });
-      });
-    for (const stipple::CoarsePlace& place : places)
-    {
-      const stipple::Vec3& p = place.position;
-      rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
-      ++count[place.isOverlap ? 0 : 1];
-    }
-    return this->Self->GetAbortExecute() ? stipple::Status::aborted() : stipple::Status::success();
+    return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
+      return stipple::addSizePlaces(mesh, *atlas, share, progress, rows, count);
+    });
   }
 
-  /// The distance between the mesh and the surface, over the diagonal; 0 if it does not show.
+  /// See stipple::visibleDistance().
   stipple::Status measureVisibleDistance(double& distance)
   {
-    distance = 0.;
     stipple::Atlas::Pointer atlas;
     if (const stipple::Status status = this->readAtlas(atlas); !status.ok())
     {
       return status;
     }
-    const stipple::TriangleSurface mesh = stipple::fromPolyData(
-      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0)));
-    const double diagonal = atlas->surface().boundingBoxDiagonal();
-    const double visible = stipple::Tuning::VisibleDistance * diagonal;
-    stipple::DeviationBounds bounds;
-    const stipple::Status status =
-      stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
-        return stipple::surfaceDeviation(mesh, atlas->surface(), 0.01 * visible, progress, bounds);
-      });
-    distance = status.ok() && bounds.upper > visible ? bounds.upper / diagonal : 0.;
-    return status;
+    auto* mesh =
+      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0));
+    return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
+      return stipple::visibleDistance(mesh, *atlas, progress, distance);
+    });
   }
 
   bool sizesGrow()

@@ -2,7 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a mesh's edges are too long: a flat fan whose middle goes towards its rim.
 #include "CoarsePlaces.h"
+#include "OptimizerMeshes.h"
+#include "PolyDataConversion.h"
 #include "Shapes.h"
+#include "Tuning.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -85,4 +92,55 @@ TEST(CoarsePlaces, AreWhereTheMeshPassesThroughItself)
   }
   EXPECT_TRUE(coarsePlaces(through, none, shapes::intersectionsOf(through)).empty())
     << "the surface does so, too";
+}
+
+TEST(CoarsePlaces, AreRowsOfSizes)
+{
+  const auto t = meshes::patch(4);
+  const TriangleSurface mesh = fan(Vec3::Zero());
+  const vtkSmartPointer<vtkPolyData> data = toPolyData(mesh.points, mesh.triangles);
+  vtkNew<vtkDoubleArray> rows;
+  rows->SetNumberOfComponents(4);
+  std::array<int, 2> count;
+  ASSERT_TRUE(addSizePlaces(data, *t->atlas, 0.5, {}, rows, count).ok());
+  EXPECT_EQ(count, (std::array<int, 2>{ { 0, 0 } }));
+  TriangleSurface two = mesh; // a triangle through the middle of one
+  for (const Vec3& p : { Vec3(0.5, 0.2, -1), Vec3(0.5, 0.2, 1), Vec3(0.5, 0.4, 1) })
+  {
+    two.points.push_back(p);
+  }
+  two.triangles.push_back({ Rim + 1, Rim + 2, Rim + 3 });
+  two.connect();
+  ASSERT_TRUE(
+    addSizePlaces(toPolyData(two.points, two.triangles), *t->atlas, 0.5, {}, rows, count).ok());
+  EXPECT_GE(count[0], 1);
+  EXPECT_EQ(count[1], 0) << "no vertex is said to be free";
+  ASSERT_EQ(rows->GetNumberOfTuples(), count[0]);
+  const std::vector<CoarsePlace> places =
+    coarsePlaces(two, std::vector<char>(two.points.size(), 0), [] { return std::vector<Box>(); });
+  ASSERT_EQ(places.size(), static_cast<std::size_t>(count[0]));
+  EXPECT_DOUBLE_EQ(rows->GetComponent(0, 3), 0.5 * places[0].edgeLength);
+  EXPECT_FALSE(addSizePlaces(
+    data, *t->atlas, 0.5, [](double) { return false; }, rows, count)
+                 .ok());
+}
+
+TEST(CoarsePlaces, DistancesCountIfTheyShow)
+{
+  const auto t = meshes::patch(4);
+  const double visible = Tuning::VisibleDistance;
+  for (const double share : { 0.5, 0.9, 1.2, 3. })
+  {
+    TriangleSurface mesh;
+    for (const Vertex v : t->mesh.vertices())
+    {
+      mesh.points.push_back(t->mesh.position(v) + Vec3(0, 0, share * visible * std::sqrt(2.)));
+    }
+    mesh.triangles = t->mesh.triangles();
+    mesh.connect();
+    double distance = -1;
+    ASSERT_TRUE(
+      visibleDistance(toPolyData(mesh.points, mesh.triangles), *t->atlas, {}, distance).ok());
+    EXPECT_NEAR(distance, share < 1. ? 0. : share * visible, 0.03 * visible * share);
+  }
 }
