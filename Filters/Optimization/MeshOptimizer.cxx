@@ -447,11 +447,6 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
     {
       status = refineAndFinish(mesh, edit, faces, options, overlaps, progress);
     }
-    Distances distancesAfter;
-    if (status.ok())
-    {
-      status = measureDistances(mesh, progress, distancesAfter);
-    }
     if (!status.ok())
     {
       return status;
@@ -459,6 +454,16 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
     MeshFaults after(mesh, overlaps);
     const FaultSum sum = faults.sum();
     const FaultSum sumAfter = after.sum();
+    const bool isBetter = sumAfter < sum;
+    Distances distancesAfter;
+    if (isBetter)
+    {
+      status = measureDistances(mesh, progress, distancesAfter);
+      if (!status.ok())
+      {
+        return status;
+      }
+    }
     const std::size_t known = avoided.size();
     for (const Avoided& fault : reach)
     {
@@ -468,7 +473,7 @@ Status refineFaults(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions&
         avoided.push_back({ fault.centre, Tuning::ReachOfFailure * fault.radius });
       }
     }
-    if (sumAfter < sum && distancesAfter.isNoMoreThan(distances))
+    if (isBetter && distancesAfter.isNoMoreThan(distances))
     {
       inVain = sumAfter.isMuchLessThan(sum) ? 0 : inVain + 1;
       distances = distancesAfter;

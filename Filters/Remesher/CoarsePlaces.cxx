@@ -85,7 +85,7 @@ Status visibleDistance(
   const double visible = Tuning::VisibleDistance * diagonal;
   DeviationBounds bounds;
   const Status status =
-    surfaceDeviation(fromPolyData(mesh), atlas.surface(), 0.01 * visible, progress, bounds);
+    surfaceDeviation(fromPolyData(mesh), atlas.surface(), 0.1 * visible, progress, bounds);
   distance = status.ok() && bounds.upper > visible ? bounds.upper / diagonal : 0.;
   return status;
 }
