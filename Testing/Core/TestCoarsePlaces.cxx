@@ -141,6 +141,7 @@ TEST(CoarsePlaces, DistancesCountIfTheyShow)
     double distance = -1;
     ASSERT_TRUE(
       visibleDistance(toPolyData(mesh.points, mesh.triangles), *t->atlas, {}, distance).ok());
-    EXPECT_NEAR(distance, share < 1. ? 0. : share * visible, 0.01 * visible * share + 0.1 * visible);
+    EXPECT_NEAR(
+      distance, share < 1. ? 0. : share * visible, 0.01 * visible * share + 0.1 * visible);
   }
 }
