@@ -215,7 +215,7 @@ struct Tuning
 
   // Shorter edges where the mesh is wrong or poor for want of them (MeshFaults, LocalRefinement).
   // Of 36 runs of skull_iso, turned and renumbered, at 4,000 to 6,000 points, 13 have angles below
-  // 15 degrees without, 6 to 8 with these.
+  // 15 degrees without, 7 with these.
   static constexpr double NarrowAngle = 15. * Pi / 180.;
   static constexpr int Refinements = 6;       ///< in turn
   static constexpr int RefinementsInVain = 2; ///< one after the other, before there are no more

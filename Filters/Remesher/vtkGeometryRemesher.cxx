@@ -642,11 +642,12 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
       return true; // it is not their length
     }
     double lastDistance = 0.;
-    if (!noted(s.measureVisibleDistance(lastDistance), this->ErrorCode, s.Sentence))
+    isBest = last < fewest;
+    if (isBest && !noted(s.measureVisibleDistance(lastDistance), this->ErrorCode, s.Sentence))
     {
       return false;
     }
-    isBest = last < fewest && lastDistance <= distance;
+    isBest = isBest && lastDistance <= distance;
     if (!isBest)
     {
       break; // more of it is no better, either
