@@ -20,6 +20,7 @@
 #include "SurfaceError.h"
 #include "SurfaceProximity.h"
 #include "Tuning.h"
+#include "UnsteadyCreases.h"
 #include "VertexStar.h"
 
 #include <algorithm>
@@ -136,8 +137,9 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
     if (i > 0 && i % Tuning::AcuteInterval == 0 && firstRound == 0 && maySimplify(options))
     {
       const int changes = mesh.numberOfChanges();
-      const Status status = simplifyFeatures(mesh, options.featureTolerance,
-        options.ribs ? Tuning::SliverAngle : Tuning::PoorFeatureAngle);
+      const double poorAngle = options.ribs ? Tuning::SliverAngle : Tuning::PoorFeatureAngle;
+      giveUpUnsteadyCreases(mesh, options.featureTolerance, poorAngle);
+      const Status status = simplifyFeatures(mesh, options.featureTolerance, poorAngle);
       if (!status.ok())
       {
         return status;
@@ -544,6 +546,7 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       best = mesh;
     }
     const int changes = mesh.numberOfChanges();
+    giveUpUnsteadyCreases(mesh, options.featureTolerance);
     status = simplifyFeatures(mesh, options.featureTolerance);
     if (!status.ok())
     {

@@ -94,16 +94,22 @@ void OptimizedMesh::findCreaseBackbones(
   }
   if (!isLikeAtlas)
   {
-    std::vector<char> isWall = this->IsCreaseBackbone;
-    for (std::size_t b = 0; b < backbones.size(); ++b)
-    {
-      isWall[b] = isWall[b] != 0 && backbones[b].type == BackboneType::Sharp ? 1 : 0;
-    }
-    const std::vector<char> walls = this->Atlas->halfedgesOn(isWall);
-    this->OwnWalk = std::make_shared<const SurfaceWalk>(this->Atlas->surface(), walls);
-    this->OwnNormals =
-      std::make_shared<const ElementArray<Face, Vec3>>(this->Atlas->smoothNormalsWith(walls));
+    this->partByCreases();
   }
+}
+
+void OptimizedMesh::partByCreases()
+{
+  const std::vector<Backbone>& backbones = this->Atlas->graph().backbones;
+  std::vector<char> isWall = this->IsCreaseBackbone;
+  for (std::size_t b = 0; b < backbones.size(); ++b)
+  {
+    isWall[b] = isWall[b] != 0 && backbones[b].type == BackboneType::Sharp ? 1 : 0;
+  }
+  const std::vector<char> walls = this->Atlas->halfedgesOn(isWall);
+  this->OwnWalk = std::make_shared<const SurfaceWalk>(this->Atlas->surface(), walls);
+  this->OwnNormals =
+    std::make_shared<const ElementArray<Face, Vec3>>(this->Atlas->smoothNormalsWith(walls));
 }
 
 std::vector<char> OptimizedMesh::fixedNodes() const
@@ -343,6 +349,55 @@ Status OptimizedMesh::rebuild(Change change)
   }
   const Status status = this->connect(change.triangles);
   return status.ok() ? this->markCreases(std::move(change.chains)) : status;
+}
+
+void OptimizedMesh::giveUp(const std::vector<int>& backbones)
+{
+  std::vector<Vertex> touched;
+  for (const int b : backbones)
+  {
+    for (const BackboneVertex& v : this->Chains[b])
+    {
+      touched.push_back(v.vertex);
+    }
+    this->Chains[b].clear();
+    this->IsCreaseBackbone[b] = 0;
+    ++this->Changes;
+    ++this->SimplifiedFeatures;
+  }
+  for (int& crease : this->CreaseOf)
+  {
+    const bool isGone = crease >= 0 && this->Creases[crease].backbone >= 0 &&
+      this->IsCreaseBackbone[this->Creases[crease].backbone] == 0;
+    crease = isGone ? -1 : crease;
+  }
+  this->partByCreases();
+  for (const Vertex v : touched)
+  {
+    bool isHeld = this->isBoundary(v) || this->isConstraint(v);
+    this->forEachHalfedge(v, [&](Halfedge h) { isHeld = isHeld || this->isCrease(this->edge(h)); });
+    if (isHeld)
+    {
+      const int b = this->backbone(v);
+      this->Free[v] = b >= 0 && this->IsCreaseBackbone[b] == 0 ? Freedom::None : this->Free[v];
+    }
+    else
+    {
+      const SurfacePlace& place = this->place(v);
+      this->Free[v] = Freedom::Surface;
+      this->BackboneOf[v] = -1;
+      this->State[v].arcLength = 0;
+      this->Original[v.index()] = { SampleKind::Interior, place.face, place.bary, -1, 0., -1 };
+    }
+  }
+  for (const Vertex v : this->vertices()) // their normals are others
+  {
+    this->put(v, this->pointAt(this->place(v)));
+    if (this->backbone(v) >= 0)
+    {
+      this->findOtherNormal(v);
+    }
+  }
 }
 
 /// Fills OpenMesh's arrays directly: faster than add_face(), and independent of the order of the

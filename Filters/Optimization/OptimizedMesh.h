@@ -324,6 +324,10 @@ public:
     int swaps = 0;                                    ///< and what else was done
   };
   Status rebuild(Change change);
+  /// From now on, sharp backbones are none: no walls to walks, and their vertices are free but for
+  /// corners, constraints, and those of other creases. Each counts as a feature that was
+  /// simplified.
+  void giveUp(const std::vector<int>& backbones);
   /// All that was done.
   int numberOfChanges() const { return this->Changes; }
   int numberOfSimplifiedFeatures() const { return this->SimplifiedFeatures; }
@@ -356,6 +360,8 @@ private:
   /// Length of edges that the number of samples makes, before there are any, where the density
   /// is 1.
   double spacingAtUnitDensity() const;
+  /// Walks and normals of its own, which only creases of the mesh part.
+  void partByCreases();
   /// By point of the surface.
   std::vector<char> fixedNodes() const;
   Status connect(const std::vector<Triangle>& triangles);

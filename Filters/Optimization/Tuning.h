@@ -213,6 +213,18 @@ struct Tuning
   /// Between two triangles: less, and a sheet is as good as folded onto itself.
   static constexpr double LeastCosineOfRim = -0.9;
 
+  // Creases that are none to the mesh (UnsteadyCreases). Lengths are in spacings. At 5,000 points
+  // backbones of scans (lion, camel, man, femur, skull_iso, nefertiti, boot, helmet) are unsteady
+  // by .05 to .13 of their bend in the mean, those of parts by less than .01 (fandisk, blade,
+  // cycloidal), or .04 where some are as uneven as scans (example020, indheat). Results are alike
+  // with .03 to .05.
+  static constexpr double LargestUnsteadiness = 0.04; ///< of the bend
+  /// Between the normals: the edge across it is as long as those that it cuts off. What is steeper
+  /// is the rim of a sheet.
+  static constexpr double SteepestUnsteady = 120. * Pi / 180.;
+  static constexpr double StepAlongCrease = 1. / 3.;
+  static constexpr double ReachAcrossCrease = 0.5;
+
   // Shorter edges where the mesh is wrong or poor for want of them (MeshFaults, LocalRefinement).
   // Of 36 runs of skull_iso, turned and renumbered, at 4,000 to 6,000 points, 13 have angles below
   // 15 degrees without, 7 with these.
