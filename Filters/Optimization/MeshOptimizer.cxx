@@ -138,7 +138,10 @@ Status relax(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOptions& option
     {
       const int changes = mesh.numberOfChanges();
       const double poorAngle = options.ribs ? Tuning::SliverAngle : Tuning::PoorFeatureAngle;
-      giveUpUnsteadyCreases(mesh, options.featureTolerance, poorAngle);
+      if (options.givesUpCreases)
+      {
+        giveUpUnsteadyCreases(mesh, options.featureTolerance, poorAngle);
+      }
       const Status status = simplifyFeatures(mesh, options.featureTolerance, poorAngle);
       if (!status.ok())
       {
@@ -398,6 +401,7 @@ struct Distances
   {
     return this->ofSurface <= o.ofSurface && this->ofMesh <= o.ofMesh;
   }
+  double largest() const { return std::max(this->ofSurface, this->ofMesh); }
 };
 
 Status measureDistances(const OptimizedMesh& mesh, const Progress& progress, Distances& distances)
@@ -516,12 +520,10 @@ struct Lack
 };
 }
 
-Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
+namespace
 {
-  if (options.iterations <= 0)
-  {
-    return Status::success();
-  }
+Status optimizeOnce(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
+{
   MeshEdit edit(mesh);
   KnownOverlaps overlaps;
   Status status = relax(mesh, edit, options, 0, overlaps, progress);
@@ -546,7 +548,10 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       best = mesh;
     }
     const int changes = mesh.numberOfChanges();
-    giveUpUnsteadyCreases(mesh, options.featureTolerance);
+    if (options.givesUpCreases)
+    {
+      giveUpUnsteadyCreases(mesh, options.featureTolerance);
+    }
     status = simplifyFeatures(mesh, options.featureTolerance);
     if (!status.ok())
     {
@@ -609,5 +614,58 @@ Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     }
   }
   return report(progress, 1.) ? Status::success() : Status::aborted();
+}
+
+bool hasGivenUpCreases(const OptimizedMesh& before, const OptimizedMesh& after)
+{
+  for (std::size_t b = 0; b < after.chains().size(); ++b)
+  {
+    const int backbone = static_cast<int>(b);
+    if (before.isCreaseBackbone(backbone) && !after.isCreaseBackbone(backbone))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+Status optimizeMesh(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
+{
+  if (options.iterations <= 0)
+  {
+    return Status::success();
+  }
+  const OptimizedMesh before = mesh;
+  Status status = optimizeOnce(mesh, options, progress);
+  if (!status.ok() || !hasGivenUpCreases(before, mesh))
+  {
+    return status;
+  }
+  // What a crease is worth by itself is known, but not what goes with many.
+  const double farthest = Tuning::FartherWithoutCreases * Tuning::VisibleDistance *
+    mesh.atlas().surface().boundingBoxDiagonal();
+  const Progress goesOn = [&](double) { return report(progress, 1.); }; // it does not go back
+  Distances distances;
+  status = measureDistances(mesh, goesOn, distances);
+  if (!status.ok() || distances.largest() <= farthest)
+  {
+    return status;
+  }
+  OptimizedMesh other = before;
+  OptimizerOptions keeping = options;
+  keeping.givesUpCreases = false;
+  status = optimizeOnce(other, keeping, goesOn);
+  Distances distancesOfOther;
+  if (status.ok())
+  {
+    status = measureDistances(other, goesOn, distancesOfOther);
+  }
+  if (status.ok() &&
+    Tuning::FartherWithoutCreases * distancesOfOther.largest() < distances.largest())
+  {
+    mesh = std::move(other);
+  }
+  return status;
 }
 }

@@ -45,6 +45,9 @@ struct OptimizerOptions
   /// surface does not, or has poor triangles, and longer elsewhere (see LocalRefinement.h). For
   /// moves with swaps and a tolerance of features; not with ribs.
   bool refinesFaults = true;
+  /// Creases that are none to the mesh are given up (see UnsteadyCreases.h), unless that leaves it
+  /// visibly farther from the surface. For moves with swaps and a tolerance of features.
+  bool givesUpCreases = true;
 };
 
 STIPPLEFILTERSOPTIMIZATION_EXPORT Status optimizeMesh(

@@ -222,6 +222,9 @@ struct Tuning
   /// Between the normals: the edge across it is as long as those that it cuts off. What is steeper
   /// is the rim of a sheet.
   static constexpr double SteepestUnsteady = 120. * Pi / 180.;
+  /// Over what shows (VisibleDistance), and over the mesh's distance that keeps them: more, and
+  /// they are kept (boot at 1,500 points: 2.9 % of the diagonal, else 1.2).
+  static constexpr double FartherWithoutCreases = 1.1;
   static constexpr double StepAlongCrease = 1. / 3.;
   static constexpr double ReachAcrossCrease = 0.5;
 

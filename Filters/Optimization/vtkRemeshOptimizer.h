@@ -180,10 +180,11 @@ public:
    * How far features may move, from 0 to 1 in units of the spacing there, where corners and creases
    * are closer together than triangles are large and leave them small angles: a crease or a corner
    * then goes to another one. That far for a triangle without an angle, less for a better one, not
-   * at all for 30 degrees. Constraints and the topology stay, and what is on a boundary goes along
-   * it. The points that this frees go where triangles are largest. It takes effect with moves and
-   * swaps; with Ribs, which are about features as they are, only for slivers (below 14 degrees). At
-   * 0 all features are kept. The default is 1.
+   * at all for 30 degrees. At the same rate, creases that bend unevenly along themselves, as those
+   * of scans do, are given up. Constraints and the topology stay, and what is on a boundary goes
+   * along it. The points that this frees go where triangles are largest. It takes effect with moves
+   * and swaps; with Ribs, which are about features as they are, only for slivers (below 14
+   * degrees). At 0 all features are kept. The default is 1.
    */
   vtkSetClampMacro(FeatureTolerance, double, 0., 1.);
   vtkGetMacro(FeatureTolerance, double);
@@ -212,7 +213,7 @@ public:
   vtkBooleanMacro(RefineFaults, bool);
   ///@}
 
-  /// After an update: corners and points of creases that went to others.
+  /// After an update: corners and points of creases that went to others, and creases given up.
   vtkGetMacro(NumberOfSimplifiedFeatures, int);
 
 protected:

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <initializer_list>
 
 using namespace stipple;
 
@@ -66,26 +67,30 @@ TEST(Overlaps, ArePartedByShorterEdges)
 
 TEST(Overlaps, ArePartedInPlace)
 {
-  const vtkSmartPointer<vtkPolyData> model = readModel("camel");
-  const TriangleSurface surface = fromPolyData(model);
-  vtkNew<vtkGeometryRemesher> remesher;
-  remesher->SetInputData(model);
   std::size_t before = 0;
-  for (const int points : { 1500, 5000 })
-  {
-    remesher->SetNumberOfPoints(points);
-    remesher->Update();
-    vtkRemeshOptimizer* optimizer = remesher->GetOptimizer();
-    EXPECT_TRUE(optimizer->GetRefineFaults()) << "as sizes grow";
-    const auto overlaps = [&](bool refines) {
-      optimizer->SetRefineFaults(refines);
-      optimizer->Update();
-      EXPECT_EQ(optimizer->GetOutput()->GetNumberOfPoints(), points);
-      return findOverlaps(fromPolyData(optimizer->GetOutput()), placesOf(surface)).size();
-    };
-    EXPECT_EQ(overlaps(true), 0U) << points << " points";
-    before += overlaps(false);
-  }
+  vtkNew<vtkGeometryRemesher> remesher;
+  const auto compare = [&](const char* name, std::initializer_list<int> numbers) {
+    const vtkSmartPointer<vtkPolyData> model = readModel(name);
+    const TriangleSurface surface = fromPolyData(model);
+    remesher->SetInputData(model);
+    for (const int points : numbers)
+    {
+      remesher->SetNumberOfPoints(points);
+      remesher->Update();
+      vtkRemeshOptimizer* optimizer = remesher->GetOptimizer();
+      EXPECT_TRUE(optimizer->GetRefineFaults()) << "as sizes grow";
+      const auto overlaps = [&](bool refines) {
+        optimizer->SetRefineFaults(refines);
+        optimizer->Update();
+        EXPECT_EQ(optimizer->GetOutput()->GetNumberOfPoints(), points);
+        return findOverlaps(fromPolyData(optimizer->GetOutput()), placesOf(surface)).size();
+      };
+      EXPECT_EQ(overlaps(true), 0U) << name << ", " << points << " points";
+      before += overlaps(false);
+    }
+  };
+  compare("camel", { 1500, 5000 });
+  compare("femur", { 2500, 3000 });
   EXPECT_GT(before, 2U);
   remesher->SetNumberOfPoints(1500);
   remesher->GetControlMap()->SetGrowth(0.);

@@ -9,7 +9,7 @@
 set -eu
 folder=${1:-build/models}
 models="fandisk bunny00 armadillo elephant anchor_dense holes blade bones cube_quad
-  camel cheese couplingdown elephant-with-holes lion-head mannequin-devil turbine"
+  camel cheese couplingdown elephant-with-holes femur lion-head mannequin-devil turbine"
 
 missing=
 for model in $models; do
