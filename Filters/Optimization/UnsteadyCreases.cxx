@@ -98,9 +98,7 @@ std::vector<int> creasesAbout(const OptimizedMesh& mesh, Face f)
 int giveUpUnsteadyCreases(OptimizedMesh& mesh, double tolerance, double poorAngle)
 {
   const std::vector<Backbone>& backbones = mesh.atlas().graph().backbones;
-  const VertexSpacing spacing(mesh);
-  std::map<int, CreaseProfile> profiles;
-  std::vector<int> givenUp;
+  std::map<int, double> worth; // of the poor triangles of each, in spacings that edges may move
   for (const Face f : mesh.faces())
   {
     const double angle = faceQuality(mesh, f);
@@ -108,30 +106,30 @@ int giveUpUnsteadyCreases(OptimizedMesh& mesh, double tolerance, double poorAngl
     {
       continue;
     }
-    const double share = tolerance * (1. - std::max(0., angle) / poorAngle);
     for (const int b : creasesAbout(mesh, f))
     {
       // What is rounded off was found by how steady it is.
-      const bool mayGo = b >= 0 && backbones[b].type == BackboneType::Sharp &&
-        backbones[b].keep == Keep::Nothing && backbones[b].width == 0;
-      if (!mayGo)
+      if (b >= 0 && backbones[b].type == BackboneType::Sharp &&
+        backbones[b].keep == Keep::Nothing && backbones[b].width == 0)
       {
-        continue;
-      }
-      const Vertex v = mesh.chains()[b].front().vertex;
-      const auto [known, isNew] = profiles.try_emplace(b);
-      if (isNew)
-      {
-        known->second = { mesh.atlas(), mesh.surfaceWalk(), b, spacing.at(v) };
-      }
-      const CreaseProfile& profile = known->second;
-      if (!profile.isSteady() && profile.depth() * spacing.at(v) <= spacing.farthest(v, share))
-      {
-        givenUp.push_back(b);
+        worth[b] += tolerance * (1. - std::max(0., angle) / poorAngle);
       }
     }
   }
-  makeUnique(givenUp);
+  const VertexSpacing spacing(mesh);
+  std::vector<int> givenUp;
+  for (const auto& [b, sum] : worth)
+  {
+    const OptimizedMesh::Chain& chain = mesh.chains()[b];
+    const Vertex v = chain.front().vertex;
+    const double perEdge = sum / static_cast<double>(chain.size() - 1);
+    const CreaseProfile profile(mesh.atlas(), mesh.surfaceWalk(), b, spacing.at(v));
+    if (!profile.isSteady() &&
+      profile.depth() * spacing.at(v) <= spacing.farthest(v, std::min(tolerance, perEdge)))
+    {
+      givenUp.push_back(b);
+    }
+  }
   if (!givenUp.empty())
   {
     mesh.giveUp(givenUp);

@@ -33,9 +33,11 @@ struct CreaseProfile
   double depth() const;
 };
 
-/// Gives up creases that triangles with an angle less than `poorAngle`, in radians, have at a
-/// corner, if they were found, not named by users, are not steady, and their depth is at most what
-/// simplifyFeatures() may move the surface by for such an angle. Returns how many there were.
+/// Gives up creases that are not steady for the triangles with an angle less than `poorAngle`, in
+/// radians, that have a corner on them: where these are worth it that each edge on the crease comes
+/// to lie at its depth. A triangle is worth what simplifyFeatures() may move the surface by for it,
+/// all of them together so many times an edge; no edge more than that, or than shows. Creases that
+/// users named stay. Returns how many there were.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int giveUpUnsteadyCreases(
   OptimizedMesh& mesh, double tolerance, double poorAngle = Tuning::PoorFeatureAngle);
 }

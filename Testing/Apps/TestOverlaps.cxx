@@ -90,7 +90,7 @@ TEST(Overlaps, ArePartedInPlace)
     }
   };
   compare("camel", { 1500, 5000 });
-  compare("femur", { 2500, 3000 });
+  compare("femur", { 2000, 2700 });
   EXPECT_GT(before, 2U);
   remesher->SetNumberOfPoints(1500);
   remesher->GetControlMap()->SetGrowth(0.);
