@@ -216,14 +216,14 @@ struct Tuning
   // Creases that are none to the mesh (UnsteadyCreases). Lengths are in spacings. At 5,000 points
   // backbones of scans (lion, camel, man, femur, skull_iso, nefertiti, boot, helmet) are unsteady
   // by .05 to .13 of their bend in the mean, those of parts by less than .01 (fandisk, blade,
-  // cycloidal), or .04 where some are as uneven as scans (example020, indheat). Results are alike
-  // with .03 to .05.
+  // cycloidal), or .04 where some are as uneven as scans (example020, indheat). Results were
+  // alike with .03 to .05, when one poor triangle was enough.
   static constexpr double LargestUnsteadiness = 0.04; ///< of the bend
   /// Between the normals: the edge across it is as long as those that it cuts off. What is steeper
   /// is the rim of a sheet.
   static constexpr double SteepestUnsteady = 120. * Pi / 180.;
   /// Over what shows (VisibleDistance), and over the mesh's distance that keeps them: more, and
-  /// they are kept (boot at 1,500 points: 2.9 % of the diagonal, else 1.2).
+  /// they are kept (CGAL's femur at 500 points: 2.5 % of the diagonal, else less than shows).
   static constexpr double FartherWithoutCreases = 1.1;
   static constexpr double StepAlongCrease = 1. / 3.;
   static constexpr double ReachAcrossCrease = 0.5;
