@@ -518,10 +518,8 @@ struct Lack
     return this->flat != o.flat ? this->flat < o.flat : this->sum < o.sum;
   }
 };
-}
 
-namespace
-{
+/// All of it, but for the look at what came of the creases that were given up.
 Status optimizeOnce(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
 {
   MeshEdit edit(mesh);

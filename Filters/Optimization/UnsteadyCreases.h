@@ -9,8 +9,6 @@
 #include "StippleFiltersOptimizationModule.h"
 #include "Tuning.h"
 
-#include <vector>
-
 namespace stipple
 {
 /// How a surface bends across a backbone, to a mesh with edges of a length.
