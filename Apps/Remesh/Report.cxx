@@ -91,6 +91,10 @@ std::string toJson(const Report& report)
   json.add("boundary_loops", report.quality.boundaryLoops);
   json.add("euler_characteristic", report.quality.euler);
   json.add("overlaps", report.overlaps);
+  if (report.medianEdgeLength)
+  {
+    json.add("median_edge_length", *report.medianEdgeLength);
+  }
   if (report.deviation)
   {
     json.add("deviation_pct", *report.deviation);

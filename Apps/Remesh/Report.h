@@ -24,6 +24,7 @@ struct Report
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<std::pair<std::string, long long>> repairs;
   int overlaps = 0; ///< pairs of triangles that pass through each other where the input does not
+  std::optional<double> medianEdgeLength; ///< if one was asked for
   std::optional<double> deviation; ///< that was verified, % of the diagonal; if one was asked for
   MeshQuality quality;   ///< of the output; points, triangles and topology are told from it
   MeshDistance distance; ///< to the input, as repaired

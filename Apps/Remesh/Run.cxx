@@ -5,6 +5,7 @@
 #include "Backbones.h"
 #include "CommandLine.h"
 #include "DrawingLibrary.h"
+#include "EdgeLengthSearch.h"
 #include "LostFeatures.h"
 #include "MeshFile.h"
 #include "Messages.h"
@@ -34,6 +35,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -278,6 +280,14 @@ void warn(const Session& o, vtkPolyData* input, vtkGeometryRemesher* remesher)
       "few points as charts and features take\n",
       length, input->GetLength());
   }
+  else if (const double median = remesher->GetMedianEdgeLength();
+           std::abs(median - length) > EdgeLengthSearch::Tolerance * length && median > 0)
+  {
+    std::fprintf(stderr,
+      "stipple: warning: edges of %g were asked for, and their median is %g: the features, the "
+      "topology or thin parts of the model take so many points\n",
+      length, median);
+  }
   warnOfFormat(o);
 }
 
@@ -296,6 +306,10 @@ Report makeReport(
   if (o.number("max_deviation") > 0 || o.number("max_deviation_length") > 0)
   {
     report.deviation = remesher->GetDeviation();
+  }
+  if (remesher->GetMedianEdgeLength() > 0)
+  {
+    report.medianEdgeLength = remesher->GetMedianEdgeLength();
   }
   report.overlaps = remesher->GetNumberOfOverlaps();
   report.mapBackend = remesher->GetMapRenderer()->GetBackendName();

@@ -6,6 +6,7 @@
 #include "CoarsePlaces.h"
 #include "DensityArray.h"
 #include "DeviationSearch.h"
+#include "EdgeLengthSearch.h"
 #include "FilterExecution.h"
 #include "MeshCheck.h"
 #include "MessageText.h"
@@ -109,6 +110,7 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
   std::string ExecutiveError; ///< the first that its executive reported
   std::string Sentence;       ///< why there is no mesh
   int Points = 0;             ///< asked for now: NumberOfPoints, or one that is tried
+  bool IsTried = false;       ///< it is, whatever number lengths lead to
   double ProgressFrom = 0;    ///< of this trial in the whole
   double ProgressTo = 1;
   bool MayGrow = true;        ///< sizes may; a mesh that is wrong is tried again without
@@ -240,6 +242,31 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
       return stipple::visibleDistance(mesh, *atlas, progress, distance);
     });
+  }
+
+  /// Whether edges are to be EdgeLength long everywhere.
+  bool hasOneEdgeLength()
+  {
+    vtkControlMap* c = this->ControlMap;
+    return c->GetEdgeLength() > 0. && !c->GetSizeArrayName() && c->GetCurvaturePoints() == 0. &&
+      c->GetSizeMinimum() == 0. && c->GetSizeMaximum() == 0. &&
+      c->GetImportance() == vtkControlMap::UNIFORM && c->GetNumberOfStrokes() == 0;
+  }
+
+  stipple::TriangleSurface mesh(int pattern)
+  {
+    stipple::TriangleSurface mesh =
+      stipple::fromPolyData(vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0)));
+    mesh.connect();
+    return mesh;
+  }
+
+  /// Of the mesh, without those that are given.
+  int numberOfPoints()
+  {
+    return static_cast<int>(
+      vtkPolyData::SafeDownCast(this->Sampler->GetOutputDataObject(0))->GetNumberOfPoints() -
+      this->numberOfGivenVertices());
   }
 
   bool sizesGrow()
@@ -464,7 +491,7 @@ bool vtkGeometryRemesher::RunMapsAndControl()
 {
   Internals& s = *this->Stages;
   const int most = this->GetNumberOfPointsMaxValue();
-  const bool isByLength = s.ControlMap->GetEdgeLength() > 0. ||
+  const bool isByLength = (s.ControlMap->GetEdgeLength() > 0. && !s.IsTried) ||
     ((s.ControlMap->GetSizeArrayName() || s.ControlMap->GetCurvaturePoints() > 0.) &&
       s.Points == 0);
   // By lengths: about so many; the control says it exactly.
@@ -502,7 +529,7 @@ bool vtkGeometryRemesher::RunMapsAndControl()
     }
   }
   s.Sampler->SetNumberOfSamples(points);
-  s.Sampler->SetRaiseNumberOfSamples(this->NumberOfPoints == 0 || isByLength);
+  s.Sampler->SetRaiseNumberOfSamples(this->NumberOfPoints == 0 || isByLength || s.IsTried);
   return true;
 }
 
@@ -665,6 +692,65 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   return this->RunStagesAndCheck();
 }
 
+/// made: the points of the mesh, without those that are given; 0 if there is none.
+bool vtkGeometryRemesher::TryNumberOfPoints(int points, int& made)
+{
+  Internals& s = *this->Stages;
+  made = 0;
+  s.Points = points;
+  s.IsTried = true;
+  this->NumberOfPointsTried = points;
+  s.ProgressFrom = s.ProgressTo;
+  s.ProgressTo = 0.5 * (1. + s.ProgressTo);
+  if (!this->RunStagesAndRefine())
+  {
+    return false;
+  }
+  made = s.numberOfPoints();
+  return true;
+}
+
+/// Remeshes with the number of points that the area asks for, and with others until the edges are
+/// as long as asked for, or as near as they get.
+bool vtkGeometryRemesher::SearchEdgeLength()
+{
+  Internals& s = *this->Stages;
+  s.ProgressTo = 0.9; // mostly it is the only one
+  if (!this->RunStagesAndRefine())
+  {
+    return false;
+  }
+  const auto measure = [&] {
+    this->MedianEdgeLength = stipple::medianEdgeLength(s.mesh(this->Pattern));
+    return this->MedianEdgeLength;
+  };
+  const int first = s.numberOfPoints();
+  int mesh = first; // of so many points is the last one
+  stipple::EdgeLengthSearch search(s.ControlMap->GetEdgeLength());
+  search.add(first, mesh, measure());
+  while (const int points = search.next())
+  {
+    if (!this->TryNumberOfPoints(points, mesh))
+    {
+      if (this->ErrorCode == ABORTED)
+      {
+        return false;
+      }
+      this->ErrorCode = 0; // so many make no mesh
+      s.Sentence.clear();
+      break;
+    }
+    search.add(points, mesh, measure());
+  }
+  if (mesh == search.found())
+  {
+    return true;
+  }
+  s.IsTried = search.found() != first;
+  s.Points = s.IsTried ? search.found() : this->NumberOfPoints;
+  return this->RunStagesAndRefine() && measure() > 0.;
+}
+
 /// Remeshes with numbers of points until one holds the largest deviation.
 bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
 {
@@ -703,26 +789,12 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   stipple::DeviationSearch search(
     wanted, first, pointsOf(s.ControlMap->GetSizeMaximum(), 1., 1.01), most);
   int mesh = 0; // of so many points is the last one
-  const auto run = [&](int points) {
-    s.Points = points;
-    this->NumberOfPointsTried = points;
-    s.ProgressFrom = s.ProgressTo;
-    s.ProgressTo = 0.5 * (1. + s.ProgressTo);
-    if (!this->RunStagesAndRefine())
-    {
-      return false;
-    }
-    mesh = static_cast<int>(
-      vtkPolyData::SafeDownCast(s.Sampler->GetOutputDataObject(0))->GetNumberOfPoints() -
-      s.numberOfGivenVertices());
-    return true;
-  };
   s.ProgressTo = 0.;
   const auto report = [this](double) { return this->AbortExecute == 0; };
   double reached = 0;
   while (const int points = search.next())
   {
-    if (!run(points))
+    if (!this->TryNumberOfPoints(points, mesh))
     {
       if (this->ErrorCode != TOO_FEW_POINTS)
       {
@@ -730,12 +802,10 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
       }
       this->ErrorCode = 0;
       s.Sentence.clear();
-      mesh = 0;
       search.add(points, points, std::numeric_limits<double>::infinity());
       continue;
     }
-    const stipple::TriangleSurface result = stipple::fromPolyData(
-      vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0)));
+    const stipple::TriangleSurface result = s.mesh(this->Pattern);
     stipple::DeviationBounds bounds;
     if (!stipple::surfaceDeviation(result, reference, 1e-3 * wanted, report, bounds).ok())
     {
@@ -760,7 +830,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     return fail(sentence.str());
   }
   this->Deviation = 100. * reached / diagonal;
-  return mesh == search.found() || run(search.found());
+  return mesh == search.found() || this->TryNumberOfPoints(search.found(), mesh);
 }
 
 int vtkGeometryRemesher::RequestData(
@@ -772,9 +842,11 @@ int vtkGeometryRemesher::RequestData(
   s.Seconds.fill(0.);
   s.Sentence.clear();
   s.Points = this->NumberOfPoints;
+  s.IsTried = false;
   s.ProgressFrom = 0.;
   s.ProgressTo = 1.;
   this->Deviation = 0.;
+  this->MedianEdgeLength = 0.;
   this->NumberOfOverlaps = 0;
   this->NumberOfPointsTried = 0;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -785,7 +857,8 @@ int vtkGeometryRemesher::RequestData(
   const bool done = this->TakeInput(input) &&
     (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
         ? this->SearchNumberOfPoints(input)
-        : this->RunStagesAndRefine());
+        : s.hasOneEdgeLength() && this->Pattern == TRIANGLES ? this->SearchEdgeLength()
+                                                             : this->RunStagesAndRefine());
   this->NumberOfPointsTried = 0;
   if (done)
   {
@@ -967,6 +1040,7 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
   os << indent << "MaximumDeviationLength: " << this->MaximumDeviationLength << "\n";
   os << indent << "Deviation: " << this->Deviation << "\n";
+  os << indent << "MedianEdgeLength: " << this->MedianEdgeLength << "\n";
   os << indent << "NumberOfOverlaps: " << this->NumberOfOverlaps << "\n";
   os << indent << "NumberOfPointsTried: " << this->NumberOfPointsTried << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";

@@ -97,6 +97,11 @@ public:
   /// After an update with either of them: what no place deviates by more than, in percent as above;
   /// else 0.
   vtkGetMacro(Deviation, double);
+  /// After an update with EdgeLength and nothing else that sizes follow (see
+  /// vtkControlMap::SetEdgeLength()), of triangles: the median length of the mesh's edges, which is
+  /// within 5 % of it unless features, topology or thin parts take more points. Where the number
+  /// that the area asks for leads to other lengths, others are tried. Else 0.
+  vtkGetMacro(MedianEdgeLength, double);
   /// After an update: pairs of the mesh's triangles that pass through each other where the input
   /// does not pass through itself. Sheets of it are closer to each other than edges are long there:
   /// more points part them. Of a part that was selected, only its own.
@@ -290,12 +295,15 @@ private:
   bool RunStages();
   bool RunStagesAndCheck();
   bool RunStagesAndRefine();
+  bool TryNumberOfPoints(int points, int& made);
+  bool SearchEdgeLength();
   bool SearchNumberOfPoints(vtkPolyData* input);
 
   int NumberOfPoints = 0;
   double MaximumDeviation = 0.;
   double MaximumDeviationLength = 0.;
   double Deviation = 0.;
+  double MedianEdgeLength = 0.;
   int NumberOfOverlaps = 0;
   int NumberOfPointsTried = 0;
   int Pattern = TRIANGLES;

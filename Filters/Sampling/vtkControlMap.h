@@ -253,7 +253,8 @@ public:
   /**
    * The length of edges, in the surface's unit, where NumberOfSamples is 0: as many samples are
    * wanted as a uniform mesh with such edges has, and more where SizeMaximum, Growth or
-   * CurvaturePoints ask for shorter ones. 0: none. At least 0; the default is 0.
+   * CurvaturePoints ask for shorter ones. vtkGeometryRemesher corrects that number by its meshes,
+   * where nothing but this says how long edges are. 0: none. At least 0; the default is 0.
    */
   vtkSetClampMacro(EdgeLength, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);

@@ -208,6 +208,10 @@ class CommandLine(ProgramTest):
             self.assertNotIn("longer than the model", shown)
         shown = self.shown_on_a_terminal(cube, "-o", self.folder / "b.ply", "--edge-length", "2")
         self.assertIn("warning: edges of 2 are longer than the model, whose diagonal is 1.73", shown)
+        shown = self.shown_on_a_terminal(cube, "-o", self.folder / "b.ply", "--edge-length", "1.5")
+        self.assertIn("warning: edges of 1.5 were asked for, and their median is 1", shown)
+        shown = self.shown_on_a_terminal(cube, "-o", self.folder / "b.ply", "--edge-length", ".1")
+        self.assertNotIn("were asked for", shown)
 
     def test_a_report_on_stdout(self):
         status, out, _ = self.run_program(self.cube(), "-o", self.folder / "a.ply", "--points", "100", "--report", "-")

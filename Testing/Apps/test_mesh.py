@@ -113,6 +113,16 @@ class Sizes(MeshTest):
                 lengths = [length for _, length in self.edges(MODELS / f"{name}.off", "--edge-length", length)]
                 self.assertAlmostEqual(self.median(lengths) / length, 1, delta=0.05)
 
+    def test_a_length_that_the_area_alone_would_miss(self):
+        """Edges of as many points as the area asks for are too short on what is thin, and too long on thick handles."""
+        report = self.folder / "report.json"
+        for name, length in (("elephant", 0.055), ("holes", 0.26), ("armadillo", 9.15)):
+            with self.subTest(model=name):
+                edges = self.edges(MODELS / f"{name}.off", "--edge-length", length, "--report", report)
+                median = self.median([d for _, d in edges])
+                self.assertAlmostEqual(median / length, 1, delta=0.05)
+                self.assertAlmostEqual(json.loads(report.read_text())["median_edge_length"] / median, 1, delta=0.01)
+
     def sphere(self, n=60, sides=120):
         """A sphere with the wanted lengths .01 to .2 from pole to pole, as .vtk."""
         points, faces = sphere(n, sides)
