@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace stipple
@@ -33,17 +32,10 @@ std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
   }
   return first;
 }
-
-template <typename T>
-bool haveSameBytes(const std::vector<T>& a, const T* b)
-{
-  return std::memcmp(a.data(), b, a.size() * sizeof(T)) == 0;
-}
 }
 
 struct BandMask::Control
 {
-  const ControlImage& image;
   const std::vector<BackboneDensity>& densities;
   double scale;
   float farthest;             ///< scale over the squared width of the widest band
@@ -81,55 +73,50 @@ struct BandMask::Surroundings
   Vec2 away(const Vec2& uv) const { return uv - this->line.a - this->nearest(uv) * this->line.e; }
 };
 
-bool BandMask::fits(const ControlImage& image) const
+FirstFundamentalForm BandMask::form(int pixel) const
 {
-  return image.width == this->Image.width && image.height == this->Image.height &&
-    haveSameBytes(this->Areas, image.areaDistortion) &&
-    (image.faceIndex ? haveSameBytes(this->Faces, image.faceIndex) : this->Faces.empty());
+  const int face = this->Image.faceIndex ? this->Image.faceIndex[pixel] : -1;
+  const float area = this->Image.areaDistortion[pixel];
+  return face >= 0 && face < this->NumberOfFaces ? this->Domain->metric(this->FirstFace + face)
+                                                 : FirstFundamentalForm{ area, 0, area };
 }
 
-void BandMask::build(
-  const SamplingDomain& domain, int chart, const ControlImage& image, const Stop& stop)
+double BandMask::toCorner(int pixel) const
+{
+  const Vec2 half(0.5 * this->Image.extent.x() / this->Image.width,
+    0.5 * this->Image.extent.y() / this->Image.height);
+  const FirstFundamentalForm form = this->form(pixel);
+  return std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) /
+    this->Lines[this->Nearest[pixel]].limit);
+}
+
+void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage& image,
+  double scale, const Stop& stop)
 {
   const std::size_t n = static_cast<std::size_t>(image.numberOfPixels());
+  this->Domain = &domain;
   this->Image = image;
-  this->Areas.assign(image.areaDistortion, image.areaDistortion + n);
-  this->Faces.clear();
-  if (image.faceIndex)
-  {
-    this->Faces.assign(image.faceIndex, image.faceIndex + n);
-  }
-  const int first = domain.surface().chartBegin[chart];
-  const int faces = domain.surface().chartBegin[chart + 1] - first;
-  this->Forms.resize(n);
-  const int pixelsAtOnce = Constants::RowsAtOnce * image.width;
-  vtkSMPTools::For(0, image.numberOfPixels(), pixelsAtOnce, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const int face = image.faceIndex ? image.faceIndex[i] : -1;
-      const float area = image.areaDistortion[i];
-      this->Forms[i] = face >= 0 && face < faces ? domain.metric(first + face)
-                                                 : FirstFundamentalForm{ area, 0, area };
-    }
-  });
+  this->FirstFace = domain.surface().chartBegin[chart];
+  this->NumberOfFaces = domain.surface().chartBegin[chart + 1] - this->FirstFace;
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
-  this->addLines(domain, chart);
-  this->spread(stop);
+  this->addLines(chart);
+  this->spread(scale, stop);
   if (isAsked(stop))
   {
     return;
   }
-  const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
-  this->Low.resize(n);
-  this->High.resize(n);
+  this->Low.assign(n, std::numeric_limits<float>::infinity());
+  this->High.assign(n, std::numeric_limits<float>::infinity());
+  const int pixelsAtOnce = Constants::RowsAtOnce * image.width;
   vtkSMPTools::For(0, image.numberOfPixels(), pixelsAtOnce, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const FirstFundamentalForm& form = this->Forms[i];
-      const double limit = this->Nearest[i] >= 0 ? this->Lines[this->Nearest[i]].limit : BandLimit;
-      const double toCorner =
-        std::sqrt(std::max(form.squared(half), form.squared({ half.x(), -half.y() })) / limit);
+      if (this->Nearest[i] < 0)
+      {
+        continue;
+      }
+      const double toCorner = this->toCorner(static_cast<int>(i));
       const double toMiddle = std::sqrt(static_cast<double>(this->Apart[i]));
       this->Low[i] = static_cast<float>(std::pow(std::max(0., toMiddle - toCorner), 2));
       this->High[i] = static_cast<float>(std::pow(toMiddle + toCorner, 2));
@@ -139,8 +126,9 @@ void BandMask::build(
   std::vector<int>().swap(this->Queue);
 }
 
-void BandMask::addLines(const SamplingDomain& domain, int chart)
+void BandMask::addLines(int chart)
 {
+  const SamplingDomain& domain = *this->Domain;
   this->Lines.clear();
   this->Queue.clear();
   for (const auto& [backbone, side] : domain.chartSides[chart])
@@ -176,7 +164,7 @@ void BandMask::addLines(const SamplingDomain& domain, int chart)
 void BandMask::offer(int pixel, int line)
 {
   const Line& l = this->Lines[line];
-  const FirstFundamentalForm& form = this->Forms[pixel];
+  const FirstFundamentalForm form = this->form(pixel);
   const Vec2 away = Surroundings(l, form).away(this->Image.centre(pixel));
   const auto apart = static_cast<float>(form.squared(away) / l.limit);
   if (apart < this->Apart[pixel])
@@ -187,9 +175,11 @@ void BandMask::offer(int pixel, int line)
   }
 }
 
-void BandMask::spread(const Stop& stop)
+void BandMask::spread(double scale, const Stop& stop)
 {
   const int width = this->Image.width;
+  // Behind what is this far from a line no place is in a band, unless it wants far fewer samples.
+  const double farthest = Constants::WidestBand * Constants::FarthestPixel;
   // A pixel is offered lines often: only those that wait are kept, not all that ever did.
   std::vector<int> front;
   while (!this->Queue.empty() && !isAsked(stop))
@@ -198,6 +188,12 @@ void BandMask::spread(const Stop& stop)
     this->Queue.clear();
     for (const int pixel : front)
     {
+      const double density = scale * this->Image.density(pixel);
+      if (density * this->Apart[pixel] > farthest * farthest &&
+        std::sqrt(this->Apart[pixel]) - this->toCorner(pixel) > farthest / std::sqrt(density))
+      {
+        continue;
+      }
       const int line = this->Nearest[pixel];
       const int x = pixel % width;
       const auto handTo = [&](bool exists, int neighbour) {
@@ -215,9 +211,9 @@ void BandMask::spread(const Stop& stop)
 }
 
 BandMask::Control BandMask::controlOf(
-  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
+  const std::vector<BackboneDensity>& densities, double scale) const
 {
-  Control control = { image, densities, scale,
+  Control control = { densities, scale,
     static_cast<float>(scale / (Constants::WidestBand * Constants::WidestBand)), {} };
   control.widest.reserve(this->Lines.size());
   for (const Line& line : this->Lines)
@@ -232,8 +228,8 @@ BandMask::Control BandMask::controlOf(
 bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
 {
   // Most pixels are far from lines: that is told without a division.
-  const float wanted = control.image.control[pixel];
-  const float area = control.image.areaDistortion[pixel];
+  const float wanted = this->Image.control[pixel];
+  const float area = this->Image.areaDistortion[pixel];
   if (!(wanted > 0 && area > 0 && control.farthest * wanted * this->Low[pixel] < area))
   {
     return false;
@@ -245,7 +241,7 @@ bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
   double width = 1;
   if (high >= 1. && control.widest[nearest] > 1.)
   {
-    const double t = Surroundings(line, this->Forms[pixel]).nearest(control.image.centre(pixel));
+    const double t = Surroundings(line, this->form(pixel)).nearest(this->Image.centre(pixel));
     width = control.densities[line.backbone].widthAt(line.arcLength + t * line.rise);
   }
   band.whole = high < width * width;
@@ -253,10 +249,10 @@ bool BandMask::isInBand(const Control& control, int pixel, Band& band) const
   return density * this->Low[pixel] < width * width;
 }
 
-double BandMask::share(
-  const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const
+double BandMask::share(const std::vector<BackboneDensity>& densities, double scale) const
 {
-  const Control control = this->controlOf(image, densities, scale);
+  const ControlImage& image = this->Image;
+  const Control control = this->controlOf(densities, scale);
   const Vec2 half(0.5 * image.extent.x() / image.width, 0.5 * image.extent.y() / image.height);
   double inBands = 0;
   double sum = 0;
@@ -281,7 +277,7 @@ double BandMask::share(
 
 double BandMask::partWithin(int pixel, double reach, const Vec2& middle, const Vec2& half) const
 {
-  const FirstFundamentalForm& form = this->Forms[pixel];
+  const FirstFundamentalForm form = this->form(pixel);
   const Vec2 away = Surroundings(this->Lines[this->Nearest[pixel]], form).away(middle);
   const double apart = std::sqrt(form.squared(away));
   const Vec2 slope = apart > 0 ? Vec2(form.times(away).cwiseAbs() / apart)
@@ -293,10 +289,11 @@ double BandMask::partWithin(int pixel, double reach, const Vec2& middle, const V
   return change > 0 ? std::clamp(inside / (2. * change), 0., 1.) : 0.;
 }
 
-void BandMask::close(const ControlImage& image, const std::vector<BackboneDensity>& densities,
-  double scale, InteriorRaster& raster, const Stop& stop) const
+void BandMask::close(const std::vector<BackboneDensity>& densities, double scale,
+  InteriorRaster& raster, const Stop& stop) const
 {
-  const Control control = this->controlOf(image, densities, scale);
+  const ControlImage& image = this->Image;
+  const Control control = this->controlOf(densities, scale);
   const std::vector<int> firstColumn = firstOf(raster.column, image.width);
   const std::vector<int> firstRow = firstOf(raster.row, image.height);
   vtkSMPTools::For(0, image.height, Constants::RowsAtOnce, [&](vtkIdType begin, vtkIdType end) {

@@ -37,27 +37,25 @@ struct InteriorRaster
   }
 };
 
-/// How far a chart's pixels are from its backbones and constraints, on the surface: known once for
-/// all controls. A pixel has the line that is nearest to its middle from one beside it, as in
+/// How far a chart's pixels are from its backbones and constraints, on the surface, where bands may
+/// be. A pixel has the line that is nearest to its middle from one beside it, as in
 /// P.-E. Danielsson, "Euclidean distance mapping", 1980.
 class STIPPLEFILTERSSAMPLING_EXPORT BandMask
 {
 public:
-  /// Of the image, the size and what is not the control are read. Once `stop` is true, this ends
-  /// early and leaves nothing of use, and so does close().
-  void build(
-    const SamplingDomain& domain, int chart, const ControlImage& image, const Stop& stop = {});
-  /// Whether it was built from an image like this one.
-  bool fits(const ControlImage& image) const;
+  /// For samples of `scale` times the image's control, or more. `domain` and what the image shows
+  /// are used as long as this is. Once `stop` is true, this ends early and leaves nothing of use,
+  /// and so does close().
+  void build(const SamplingDomain& domain, int chart, const ControlImage& image, double scale,
+    const Stop& stop = {});
 
   /// Takes from the pixels of a raster what lies in the bands of backbones with these densities,
   /// for samples of scale times the control, and blocks those whose middle does; those that want
   /// nothing are left as they are.
-  void close(const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale,
-    InteriorRaster& raster, const Stop& stop = {}) const;
+  void close(const std::vector<BackboneDensity>& densities, double scale, InteriorRaster& raster,
+    const Stop& stop = {}) const;
   /// The part of the control that it would close, of an image without a raster.
-  double share(
-    const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const;
+  double share(const std::vector<BackboneDensity>& densities, double scale) const;
 
 private:
   /// A straight piece of a backbone, or a constraint.
@@ -72,13 +70,15 @@ private:
   };
   /// What is near to a line where the chart's map has a first fundamental form.
   struct Surroundings;
-  void addLines(const SamplingDomain& domain, int chart);
+  FirstFundamentalForm form(int pixel) const;
+  /// From the middle of a pixel to a corner, over the root of the limit of the pixel's line.
+  double toCorner(int pixel) const;
+  void addLines(int chart);
   void offer(int pixel, int line);
-  void spread(const Stop& stop);
-  /// A control and what is wanted along backbones.
+  void spread(double scale, const Stop& stop);
+  /// A scale of the control and what is wanted along backbones.
   struct Control;
-  Control controlOf(
-    const ControlImage& image, const std::vector<BackboneDensity>& densities, double scale) const;
+  Control controlOf(const std::vector<BackboneDensity>& densities, double scale) const;
   /// The band of a backbone where a pixel is.
   struct Band;
   /// Whether a band touches a pixel, and which.
@@ -89,17 +89,17 @@ private:
   /// The same in a box of the raster, that of a pixel, as far as a band reaches.
   void closePixel(int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const;
 
-  ControlImage Image; ///< its size only
-  // What it was built from.
-  std::vector<int> Faces;
-  std::vector<float> Areas;
+  const SamplingDomain* Domain = nullptr;
+  ControlImage Image;
+  int FirstFace = 0; ///< of the chart
+  int NumberOfFaces = 0;
 
-  std::vector<FirstFundamentalForm> Forms; ///< by pixel
   std::vector<Line> Lines;
-  std::vector<int> Nearest; ///< line, by pixel
+  std::vector<int> Nearest; ///< line, by pixel; -1 far from all
   std::vector<float> Apart; ///< squared distance over the line's limit, of the pixel's middle
   std::vector<int> Queue;   ///< of pixels that were offered a nearer line
-  std::vector<float> Low;   ///< as Apart, less than it is anywhere in the pixel
+  std::vector<float> Low;   ///< as Apart, less than it is anywhere in the pixel; far from all,
+                            ///< infinite
   std::vector<float> High;  ///< as Apart, more than it is anywhere in the pixel
 };
 }

@@ -191,7 +191,7 @@ void InteriorSampler::prepare(double factor, const BandMask& bands,
   r.toWanted = static_cast<float>(
     this->Scale * this->Image.extent.x() / r.width * this->Image.extent.y() / r.height);
   this->maskOutside();
-  bands.close(this->Image, densities, this->Scale, r, stop);
+  bands.close(densities, this->Scale, r, stop);
   for (const ChartGraph::Segment& s : this->Graph.segments)
   {
     this->maskSegment(this->Graph.vertices[s.first].uv, this->Graph.vertices[s.second].uv);

@@ -17,6 +17,12 @@ struct SamplingConstants
   /// place nearly keep their spacing. What is not there even so, is not sampled. Wider ones leave
   /// gaps where seams meet at small angles.
   static constexpr double WidestBand = 2.;
+  /// A band is looked for up to so many times the width of the widest one, as pixels on the way
+  /// want samples: where spacings change by no more than that from a band's edge to its backbone,
+  /// it is found.
+  static constexpr double FarthestPixel = 8.;
+  /// Where bands may be is found anew for so many times fewer samples.
+  static constexpr double FarScale = 2.;
   /// Distance between two readings across a band, in halves of a row; twice that beyond width 1.
   static constexpr double StepInRows = 0.3;
   /// Readings on a side, and faces that a walk crosses on a side: bounds on the work where a band

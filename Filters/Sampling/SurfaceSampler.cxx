@@ -75,6 +75,7 @@ public:
     , How(halftoning)
     , Report(progress)
     , Mass(images.size())
+    , Bands(images.size())
     , Left(images.size(), 0.)
     , Factor(images.size(), 1.)
     , Inside(images.size())
@@ -85,11 +86,11 @@ public:
   }
 
   /// Finds what the control wants, along backbones and in all.
-  Status measure(std::vector<BandMask>& bands, const ValidPlaces& least);
+  Status measure(const ValidPlaces& least);
   /// Places the samples on backbones, and masks their bands out of the charts.
-  Status place(const std::vector<BandMask>& bands, const ValidPlaces& least);
+  Status place(const ValidPlaces& least);
   /// Halftones what is left, and hands all samples over.
-  Status collect(const std::vector<BandMask>& bands, SurfaceSamples& result);
+  Status collect(SurfaceSamples& result);
   /// Has more samples inside charts from here on, so that the fault goes. False if it has no chart.
   bool mend(const MeshFault& fault);
 
@@ -98,11 +99,13 @@ private:
   Status readMasses();
   /// By what is known, that at which there are as many samples as asked for; 0 if there is none.
   double likelyScale() const;
-  Status measureBackbones(double scale, const std::vector<BandMask>& bands);
-  Status measureBands(double scale, const std::vector<BandMask>& bands);
+  /// Unless they are known for a scale nearby.
+  Status buildBands(double scale);
+  Status measureBackbones(double scale);
+  Status measureBands(double scale);
   Status placeOnLines(const ValidPlaces& least, bool& fits);
   Status makeSamplers();
-  Status maskBands(int round, const std::vector<BandMask>& bands);
+  Status maskBands(int round);
   double densityAt(std::size_t chart, const Vec2& uv) const
   {
     return this->Scale * this->Images[chart].density(this->Images[chart].pixelAt(uv));
@@ -119,12 +122,14 @@ private:
   std::vector<BackboneDensity> Densities;
   double DensityScale = 0; // the one they were measured for
   double BandScale = 0;    // and what lies in bands
+  double BuiltScale = 0;   // and where bands may be
   Prediction Predicted = { this->Domain, this->Densities, 0, 0, 0, 0 };
 
   double Scale = 0; // samples for the control's unit
   ValidPlaces Valid;
   int Interior = 0; // samples inside charts
   // By chart.
+  std::vector<BandMask> Bands;
   std::vector<InteriorSampler> Samplers;
   std::vector<double> Left; // of what is wanted, outside of bands
   std::vector<double> Factor;
@@ -159,59 +164,63 @@ Status Sampling::readMasses()
         "wanted, for instance by MinimumDensity.");
 }
 
-Status Sampling::measureBands(double scale, const std::vector<BandMask>& bands)
+Status Sampling::buildBands(double scale)
+{
+  if (this->BuiltScale > 0 && scale >= this->BuiltScale / Constants::FarScale)
+  {
+    return Status::success();
+  }
+  this->BuiltScale = scale;
+  return reportingFor(
+    this->numberOfCharts(), this->Report, 0.01, 0.06, [&](int c, const Stop& stop) {
+      this->Bands[c].build(this->Domain, c, this->Images[c], scale, stop);
+    });
+}
+
+Status Sampling::measureBands(double scale)
 {
   this->BandScale = scale;
+  if (Status status = this->buildBands(scale); !status.ok())
+  {
+    return status;
+  }
   std::vector<double> inBands(this->Images.size());
   Status status =
     reportingFor(this->numberOfCharts(), this->Report, 0.08, 0.1, [&](int c, const Stop&) {
-      inBands[c] = this->Mass[c].total * bands[c].share(this->Images[c], this->Densities, scale);
+      inBands[c] = this->Mass[c].total * this->Bands[c].share(this->Densities, scale);
     });
   this->Predicted.bandMass = std::sqrt(scale) * sum(inBands);
   return status;
 }
 
-Status Sampling::measureBackbones(double scale, const std::vector<BandMask>& bands)
+Status Sampling::measureBackbones(double scale)
 {
   this->DensityScale = scale;
   const double area = this->Domain.surface().area();
   this->Densities = backboneDensities(this->Domain, this->Images, scale,
     area > 0 ? this->Total / area : 0., [this] { return !report(this->Report, 0.06); });
   const Status status = report(this->Report, 0.08) ? Status::success() : Status::aborted();
-  return status.ok() ? this->measureBands(scale, bands) : status;
+  return status.ok() ? this->measureBands(scale) : status;
 }
 
-Status Sampling::measure(std::vector<BandMask>& bands, const ValidPlaces& least)
+Status Sampling::measure(const ValidPlaces& least)
 {
   if (Status status = this->readMasses(); !status.ok())
   {
-    return status;
-  }
-  bands.resize(this->Images.size());
-  if (Status status = reportingFor(this->numberOfCharts(), this->Report, 0.01, 0.06,
-        [&](int c, const Stop& stop) {
-          if (!bands[c].fits(this->Images[c]))
-          {
-            bands[c].build(this->Domain, c, this->Images[c], stop);
-          }
-        });
-      !status.ok())
-  {
-    bands.clear();
     return status;
   }
   // What a backbone wants is not quite in proportion to the scale's root, as its band reaches
   // farther at a smaller one, and nor is what lies in bands. Both are found for a scale nearby.
   this->Predicted.mass = this->Total;
   this->Predicted.leastInterior = sum(least.leastInterior);
-  Status status = this->measureBackbones(std::max(1, this->Number) / this->Total, bands);
+  Status status = this->measureBackbones(std::max(1, this->Number) / this->Total);
   if (status.ok() && areFar(this->likelyScale(), this->DensityScale, 0.1))
   {
-    status = this->measureBackbones(this->likelyScale(), bands);
+    status = this->measureBackbones(this->likelyScale());
   }
   if (status.ok() && areFar(this->likelyScale(), this->BandScale, 0.01))
   {
-    status = this->measureBands(this->likelyScale(), bands);
+    status = this->measureBands(this->likelyScale());
   }
   return status;
 }
@@ -279,12 +288,16 @@ Status Sampling::makeSamplers()
   return Status::success();
 }
 
-Status Sampling::maskBands(int round, const std::vector<BandMask>& bands)
+Status Sampling::maskBands(int round)
 {
+  if (Status status = this->buildBands(this->Scale); !status.ok())
+  {
+    return status;
+  }
   const double from = 0.1 + 0.2 * round;
   return reportingFor(
     this->numberOfCharts(), this->Report, from, from + 0.2, [&](int c, const Stop& stop) {
-      this->Samplers[c].prepare(this->Factor[c], bands[c], this->Densities, stop);
+      this->Samplers[c].prepare(this->Factor[c], this->Bands[c], this->Densities, stop);
       this->Left[c] = this->Samplers[c].left();
       if (!this->Keep)
       {
@@ -293,7 +306,7 @@ Status Sampling::maskBands(int round, const std::vector<BandMask>& bands)
     });
 }
 
-Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& least)
+Status Sampling::place(const ValidPlaces& least)
 {
   // The scale is such that backbones and interiors, each at the same density, hold N samples
   // together. What the bands really leave is known once they are drawn; where it is another number,
@@ -310,7 +323,7 @@ Status Sampling::place(const std::vector<BandMask>& bands, const ValidPlaces& le
     {
       return status;
     }
-    if (Status status = this->maskBands(round, bands); !status.ok())
+    if (Status status = this->maskBands(round); !status.ok())
     {
       return status;
     }
@@ -339,7 +352,7 @@ bool Sampling::mend(const MeshFault& fault)
   return fault.chart.valid();
 }
 
-Status Sampling::collect(const std::vector<BandMask>& bands, SurfaceSamples& result)
+Status Sampling::collect(SurfaceSamples& result)
 {
   const AtlasSurface& surface = this->Domain.surface();
   std::vector<int> least = this->Valid.leastInterior;
@@ -364,7 +377,7 @@ Status Sampling::collect(const std::vector<BandMask>& bands, SurfaceSamples& res
       InteriorSampler& sampler = this->Samplers[c];
       if (!this->Keep)
       {
-        sampler.prepare(this->Factor[c], bands[c], this->Densities, stop);
+        sampler.prepare(this->Factor[c], this->Bands[c], this->Densities, stop);
       }
       std::vector<Vec2>& inside = result.interior[static_cast<std::size_t>(c)];
       inside = sampler.sample(share[c] - static_cast<int>(mending.size()), this->How.method, stop);
@@ -437,7 +450,6 @@ Status SurfaceSampler::setDomain(vtkPartitionedDataSetCollection* charts, vtkPol
   }
   this->Minimum = 0;
   this->Least = {};
-  this->Bands.clear();
   if (status.ok())
   {
     status = readSamplingDomain(atlas, this->Domain);
@@ -480,17 +492,17 @@ Status SurfaceSampler::sampleToMesh(const std::vector<ControlImage>& images, int
   }
   result = {};
   Sampling sampling(this->Domain, images, numberOfSamples, halftoning, progress);
-  if (Status status = sampling.measure(this->Bands, this->Least); !status.ok())
+  if (Status status = sampling.measure(this->Least); !status.ok())
   {
     return status;
   }
-  if (Status status = sampling.place(this->Bands, this->Least); !status.ok())
+  if (Status status = sampling.place(this->Least); !status.ok())
   {
     return status;
   }
   for (int attempt = 0;; ++attempt)
   {
-    if (Status status = sampling.collect(this->Bands, result); !status.ok())
+    if (Status status = sampling.collect(result); !status.ok())
     {
       return status;
     }

@@ -4,7 +4,6 @@
 #ifndef stipple_SurfaceSampler_h
 #define stipple_SurfaceSampler_h
 
-#include "BandMask.h"
 #include "ControlImage.h"
 #include "DiffusionCoefficients.h"
 #include "PlanarValidity.h"
@@ -43,7 +42,6 @@ public:
   /// meshed: where charts of few samples have no triangulation together, some move inside the chart
   /// at fault. Where these cannot be spared, or there are fewer samples than the minimum, they are
   /// too few points, and the status has a number that can be had of these images, near the next.
-  /// Sooner for images that differ from the last ones in their control only.
   Status sample(const std::vector<ControlImage>& images, int numberOfSamples,
     const Progress& progress, SurfaceSamples& result, const Halftoning& halftoning = {});
 
@@ -54,7 +52,6 @@ private:
 
   SamplingDomain Domain;
   ValidPlaces Least;
-  std::vector<BandMask> Bands; ///< by chart
   int Minimum = 0;
 };
 

@@ -83,10 +83,9 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
   {
     const ControlImage& image = maps.images[c];
     BandMask bands;
-    bands.build(domain, c, image);
-    EXPECT_TRUE(bands.fits(image));
+    bands.build(domain, c, image, scale);
     InteriorRaster raster = enlarged(image, 3);
-    bands.close(image, densities, scale, raster);
+    bands.close(densities, scale, raster);
     ControlImage fine = image;
     fine.width = raster.width;
     fine.height = raster.height;
@@ -109,19 +108,43 @@ TEST_F(BandMaskOfCube, ClosesWhatIsNearerThanHalfARow)
   EXPECT_LT(wrong, pixels / 5000);
 }
 
-TEST_F(BandMaskOfCube, FitsNothingElse)
+// What is far from all lines is not looked at, and makes no difference.
+TEST_F(BandMaskOfCube, ReachesAsFarAsItsBands)
 {
-  const ControlMaps maps(domain.surface(), 20);
-  const ControlMaps finer(domain.surface(), 30);
-  const ControlMaps denser(domain.surface(), 20, [](const Vec3& p) { return 2. + p.x(); });
+  const auto importance = [](const Vec3& p) { return std::exp(std::sin(5. * p.x()) + p.y()); };
+  const ControlMaps maps(domain.surface(), 100, importance);
+  const auto densities = uniformBackboneDensities(domain);
+  for (const double scale : { 3., 30., 300. })
+  {
+    for (int c = 0; c < domain.numberOfCharts(); ++c)
+    {
+      BandMask near;
+      BandMask everywhere;
+      near.build(domain, c, maps.images[c], scale);
+      everywhere.build(domain, c, maps.images[c], 1e-6);
+      for (const double fewer : { 1., 0.5 })
+      {
+        InteriorRaster a = enlarged(maps.images[c], 2);
+        InteriorRaster b = a;
+        near.close(densities, fewer * scale, a);
+        everywhere.close(densities, fewer * scale, b);
+        EXPECT_TRUE(a.part == b.part) << scale << " " << c << " " << fewer;
+        EXPECT_EQ(near.share(densities, fewer * scale), everywhere.share(densities, fewer * scale));
+      }
+    }
+  }
+}
+
+// Pixels of a chart that wants nothing are in no band, however many samples there are.
+TEST_F(BandMaskOfCube, ClosesNothingWhereNothingIsWanted)
+{
+  const ControlMaps maps(domain.surface(), 20, [](const Vec3&) { return 0.; });
+  const auto densities = uniformBackboneDensities(domain);
   BandMask bands;
-  EXPECT_FALSE(bands.fits(maps.images[0]));
-  bands.build(domain, 0, maps.images[0]);
-  EXPECT_TRUE(bands.fits(denser.images[0])) << "another control";
-  EXPECT_FALSE(bands.fits(finer.images[0])) << "another size";
-  ControlImage other = maps.images[0];
-  std::vector<int> faces(other.faceIndex, other.faceIndex + other.numberOfPixels());
-  faces.back() += 1;
-  other.faceIndex = faces.data();
-  EXPECT_FALSE(bands.fits(other)) << "other triangles";
+  bands.build(domain, 0, maps.images[0], 100.);
+  InteriorRaster raster = enlarged(maps.images[0], 1);
+  const InteriorRaster before = raster;
+  bands.close(densities, 100., raster);
+  EXPECT_TRUE(raster.part == before.part);
+  EXPECT_EQ(bands.share(densities, 100.), 0.);
 }

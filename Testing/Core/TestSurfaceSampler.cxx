@@ -548,11 +548,10 @@ namespace
 void leavesTheSame(const Fixture& f, const ControlImage& image, double scale)
 {
   BandMask bands;
-  bands.build(f.sampler.domain(), 0, image);
+  bands.build(f.sampler.domain(), 0, image, scale);
   const auto densities = uniformBackboneDensities(f.sampler.domain());
   const ChartGraph graph; // no segments
-  const double inside =
-    controlMass(image).total * scale * (1. - bands.share(image, densities, scale));
+  const double inside = controlMass(image).total * scale * (1. - bands.share(densities, scale));
   for (const double factor : { 1., 1.25, 1.5, 1.75, 2., 3. })
   {
     InteriorSampler sampler(f.sampler.domain(), 0, image, graph, {}, scale);
@@ -571,7 +570,7 @@ TEST(SurfaceSampler, SliversHaveRoom)
   const ControlMaps maps(f.surface(), 32, [](const Vec3&) { return 1.; });
   const ControlImage& image = maps.images[0];
   BandMask bands;
-  bands.build(f.sampler.domain(), 0, image);
+  bands.build(f.sampler.domain(), 0, image, 1.);
   const auto densities = uniformBackboneDensities(f.sampler.domain());
   for (const double thickness : { 1e-2, 4.7e-4, 1e-5 })
   {
