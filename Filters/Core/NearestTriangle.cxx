@@ -103,7 +103,7 @@ bool NearestTriangle::isBelow(const Vec3& p, int face, int other) const
   return a != b ? a > b : face < other;
 }
 
-NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint) const
+NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint, double enough) const
 {
   const std::vector<Node>& nodes = this->Boxes->Nodes;
   Hit hit = { hint,
@@ -116,7 +116,7 @@ NearestTriangle::Hit NearestTriangle::find(const Vec3& p, int hint) const
   std::array<Open, 64> stack; // the halves of 2^31 triangles
   int open = 0;
   stack[open++] = { 0, 0. };
-  while (open > 0)
+  while (open > 0 && hit.squaredDistance > enough)
   {
     const Open next = stack[--open];
     const Node& node = nodes[next.node];

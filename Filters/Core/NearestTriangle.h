@@ -27,8 +27,9 @@ public:
   };
   /// The nearest triangle, found sooner if `hint` is near; -1: none known. Of those that are as
   /// near, beside an edge or about a vertex, the one that the place is highest above, whatever
-  /// their order.
-  Hit find(const Vec3& p, int hint = -1) const;
+  /// their order. With `enough`, 0 or more, any triangle may be the answer whose squared distance
+  /// is no larger, which is found sooner.
+  Hit find(const Vec3& p, int hint = -1, double enough = -1.) const;
   /// Squared distance of a place from one triangle.
   double squaredDistance(const Vec3& p, int face) const;
   const TriangleSurface& surface() const { return this->Surface; }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stipple
@@ -362,9 +363,9 @@ private:
 };
 
 /// Tells places the triangles next to them, and how far these are: those of the mesh of their own
-/// component, however near another one comes.
+/// component, however near another one comes. Within `enough`, any of them.
 Status findNearest(
-  const OptimizedMesh& mesh, const Progress& progress, std::vector<FarPlace>& places)
+  const OptimizedMesh& mesh, double enough, const Progress& progress, std::vector<FarPlace>& places)
 {
   if (places.empty())
   {
@@ -405,7 +406,7 @@ Status findNearest(
       positions.push_back(places[i].position);
     }
     std::vector<NearestTriangle::Hit> nearest;
-    if (Status status = nearestPlaces(positions, own, progress, nearest); !status.ok())
+    if (Status status = nearestPlaces(positions, own, progress, nearest, enough); !status.ok())
     {
       return status;
     }
@@ -434,7 +435,12 @@ Status farPlaces(
     return Status::aborted();
   }
   places = lookout.places();
-  if (Status status = findNearest(mesh, progress, places); !status.ok())
+  double least = std::numeric_limits<double>::infinity(); // of what is far
+  for (const Face f : mesh.faces())
+  {
+    least = std::min(least, lookout.bound(f));
+  }
+  if (Status status = findNearest(mesh, least, progress, places); !status.ok())
   {
     return status;
   }

@@ -98,10 +98,11 @@ struct QualityFigure
 [[nodiscard]] STIPPLEFILTERSQUALITY_EXPORT std::vector<Vec3> sampleSurface(
   const TriangleSurface& mesh, int numberOfSamples);
 
-/// The triangle of the target next to each sample.
+/// The triangle of the target next to each sample, or any that is within `enough` of it, if that is
+/// not negative.
 STIPPLEFILTERSQUALITY_EXPORT Status nearestPlaces(const std::vector<Vec3>& samples,
   const TriangleSurface& target, const Progress& progress,
-  std::vector<NearestTriangle::Hit>& nearest);
+  std::vector<NearestTriangle::Hit>& nearest, double enough = -1.);
 
 /// Pairs of triangles that have more in common than a corner or an edge that they share (folds
 /// about an edge do not count); NaN if there is no telling, as of millions of slivers that lie

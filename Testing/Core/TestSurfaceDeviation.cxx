@@ -81,6 +81,13 @@ TEST(NearestTriangle, IsTheNearestOfAll)
     }
     EXPECT_EQ(nearest.find(p).squaredDistance, least);
     EXPECT_EQ(nearest.find(p, i).squaredDistance, least) << "with a hint";
+    for (const double enough : { 0., 2. })
+    {
+      const NearestTriangle::Hit hit = nearest.find(p, -1, enough);
+      EXPECT_NEAR(hit.squaredDistance, nearest.squaredDistance(p, hit.face), 1e-10);
+      EXPECT_TRUE(least <= enough ? hit.squaredDistance <= enough : hit.squaredDistance == least)
+        << enough;
+    }
   }
 }
 
