@@ -77,7 +77,7 @@ FirstFundamentalForm BandMask::form(int pixel) const
 {
   const int face = this->Image.faceIndex ? this->Image.faceIndex[pixel] : -1;
   const float area = this->Image.areaDistortion[pixel];
-  return face >= 0 && face < this->NumberOfFaces ? this->Domain->metric(this->FirstFace + face)
+  return face >= 0 && face < this->NumberOfFaces ? this->Metric[face]
                                                  : FirstFundamentalForm{ area, 0, area };
 }
 
@@ -96,8 +96,9 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
   const std::size_t n = static_cast<std::size_t>(image.numberOfPixels());
   this->Domain = &domain;
   this->Image = image;
-  this->FirstFace = domain.surface().chartBegin[chart];
-  this->NumberOfFaces = domain.surface().chartBegin[chart + 1] - this->FirstFace;
+  const int firstFace = domain.surface().chartBegin[chart];
+  this->Metric = &domain.metric(firstFace);
+  this->NumberOfFaces = domain.surface().chartBegin[chart + 1] - firstFace;
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
   this->addLines(chart);

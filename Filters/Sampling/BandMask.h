@@ -91,7 +91,7 @@ private:
 
   const SamplingDomain* Domain = nullptr;
   ControlImage Image;
-  int FirstFace = 0; ///< of the chart
+  const FirstFundamentalForm* Metric = nullptr; ///< of the chart's first triangle
   int NumberOfFaces = 0;
 
   std::vector<Line> Lines;
