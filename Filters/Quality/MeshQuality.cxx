@@ -347,6 +347,7 @@ Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& ta
   nearest.resize(samples.size());
   // Samples come in rows: the one before tells where to begin. Rows do not depend on threads.
   constexpr std::size_t Row = 64;
+  const double squaredEnough = enough < 0 ? enough : enough * enough;
   const auto rows = static_cast<vtkIdType>((samples.size() + Row - 1) / Row);
   constexpr vtkIdType Portion = 80; // a few hundredths of a second
   for (vtkIdType first = 0; first < rows; first += Portion)
@@ -357,7 +358,7 @@ Status nearestPlaces(const std::vector<Vec3>& samples, const TriangleSurface& ta
         int face = -1;
         for (std::size_t i = row * Row; i < std::min((row + 1) * Row, samples.size()); ++i)
         {
-          nearest[i] = tree.find(samples[i], face, enough < 0 ? enough : enough * enough);
+          nearest[i] = tree.find(samples[i], face, squaredEnough);
           face = nearest[i].face;
         }
       }

@@ -21,7 +21,7 @@ double medianEdgeLength(const TriangleSurface& mesh)
   std::vector<double> lengths;
   for (const Halfedge h : mesh.halfedges())
   {
-    if (mesh.isBoundary(h) || h < mesh.twin[h])
+    if (mesh.twin[h] < h) // or has none
     {
       lengths.push_back(mesh.edgeLength(h));
     }

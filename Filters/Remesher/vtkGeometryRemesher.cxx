@@ -220,12 +220,11 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
       return status;
     }
     const int pattern = this->Self->GetPattern();
-    auto* mesh = vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0));
     // Edges that are asked for are those of the base mesh.
     const double splits = pattern == SEMIREGULAR ? this->Subdivider->GetNumberOfSubdivisions() : 0;
     const double share = stipple::SamplingConstants::FinestSize * std::pow(2., splits);
     return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
-      return stipple::addSizePlaces(mesh, *atlas, share, progress, rows, count);
+      return stipple::addSizePlaces(this->mesh(), *atlas, share, progress, rows, count);
     });
   }
 
@@ -237,28 +236,25 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     {
       return status;
     }
-    auto* mesh =
-      vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0));
     return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
-      return stipple::visibleDistance(mesh, *atlas, progress, distance);
+      return stipple::visibleDistance(this->mesh(), *atlas, progress, distance);
     });
   }
 
-  /// Whether edges are to be EdgeLength long everywhere.
+  /// Whether triangles' edges are to be EdgeLength long everywhere.
   bool hasOneEdgeLength()
   {
     vtkControlMap* c = this->ControlMap;
-    return c->GetEdgeLength() > 0. && !c->GetSizeArrayName() && c->GetCurvaturePoints() == 0. &&
-      c->GetSizeMinimum() == 0. && c->GetSizeMaximum() == 0. &&
-      c->GetImportance() == vtkControlMap::UNIFORM && c->GetNumberOfStrokes() == 0;
+    return this->Self->GetPattern() == TRIANGLES && c->GetEdgeLength() > 0. &&
+      !c->GetSizeArrayName() && c->GetCurvaturePoints() == 0. && c->GetSizeMinimum() == 0. &&
+      c->GetSizeMaximum() == 0. && c->GetImportance() == vtkControlMap::UNIFORM &&
+      c->GetNumberOfStrokes() == 0;
   }
 
-  stipple::TriangleSurface mesh(int pattern)
+  /// What the last stage has made.
+  vtkPolyData* mesh()
   {
-    stipple::TriangleSurface mesh =
-      stipple::fromPolyData(vtkPolyData::SafeDownCast(this->last(pattern)->GetOutputDataObject(0)));
-    mesh.connect();
-    return mesh;
+    return vtkPolyData::SafeDownCast(this->last(this->Self->GetPattern())->GetOutputDataObject(0));
   }
 
   /// Of the mesh, without those that are given.
@@ -627,11 +623,10 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     return false;
   }
   this->NumberOfOverlaps = fewest[0];
-  auto* mesh = vtkPolyData::SafeDownCast(s.last(this->Pattern)->GetOutputDataObject(0));
   // Where sizes do not grow, they do not from places either; where these are all over, points for
   // all of them would be missed everywhere.
   if (!s.sizesGrow() ||
-    fewest[0] + fewest[1] > RefinedShare * static_cast<double>(mesh->GetNumberOfCells()))
+    fewest[0] + fewest[1] > RefinedShare * static_cast<double>(s.mesh()->GetNumberOfCells()))
   {
     return true;
   }
@@ -721,7 +716,9 @@ bool vtkGeometryRemesher::SearchEdgeLength()
     return false;
   }
   const auto measure = [&] {
-    this->MedianEdgeLength = stipple::medianEdgeLength(s.mesh(this->Pattern));
+    stipple::TriangleSurface result = stipple::fromPolyData(s.mesh());
+    result.connect();
+    this->MedianEdgeLength = stipple::medianEdgeLength(result);
     return this->MedianEdgeLength;
   };
   const int first = s.numberOfPoints();
@@ -748,7 +745,12 @@ bool vtkGeometryRemesher::SearchEdgeLength()
   }
   s.IsTried = search.found() != first;
   s.Points = s.IsTried ? search.found() : this->NumberOfPoints;
-  return this->RunStagesAndRefine() && measure() > 0.;
+  if (!this->RunStagesAndRefine())
+  {
+    return false;
+  }
+  measure();
+  return true;
 }
 
 /// Remeshes with numbers of points until one holds the largest deviation.
@@ -805,7 +807,7 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
       search.add(points, points, std::numeric_limits<double>::infinity());
       continue;
     }
-    const stipple::TriangleSurface result = s.mesh(this->Pattern);
+    const stipple::TriangleSurface result = stipple::fromPolyData(s.mesh());
     stipple::DeviationBounds bounds;
     if (!stipple::surfaceDeviation(result, reference, 1e-3 * wanted, report, bounds).ok())
     {
@@ -857,8 +859,8 @@ int vtkGeometryRemesher::RequestData(
   const bool done = this->TakeInput(input) &&
     (this->MaximumDeviation > 0. || this->MaximumDeviationLength > 0.
         ? this->SearchNumberOfPoints(input)
-        : s.hasOneEdgeLength() && this->Pattern == TRIANGLES ? this->SearchEdgeLength()
-                                                             : this->RunStagesAndRefine());
+        : s.hasOneEdgeLength() ? this->SearchEdgeLength()
+                               : this->RunStagesAndRefine());
   this->NumberOfPointsTried = 0;
   if (done)
   {

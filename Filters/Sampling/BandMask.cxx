@@ -94,14 +94,13 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
   double scale, const Stop& stop)
 {
   const std::size_t n = static_cast<std::size_t>(image.numberOfPixels());
-  this->Domain = &domain;
   this->Image = image;
   const int firstFace = domain.surface().chartBegin[chart];
   this->Metric = &domain.metric(firstFace);
   this->NumberOfFaces = domain.surface().chartBegin[chart + 1] - firstFace;
   this->Nearest.assign(n, -1);
   this->Apart.assign(n, std::numeric_limits<float>::max());
-  this->addLines(chart);
+  this->addLines(domain, chart);
   this->spread(scale, stop);
   if (isAsked(stop))
   {
@@ -127,9 +126,8 @@ void BandMask::build(const SamplingDomain& domain, int chart, const ControlImage
   std::vector<int>().swap(this->Queue);
 }
 
-void BandMask::addLines(int chart)
+void BandMask::addLines(const SamplingDomain& domain, int chart)
 {
-  const SamplingDomain& domain = *this->Domain;
   this->Lines.clear();
   this->Queue.clear();
   for (const auto& [backbone, side] : domain.chartSides[chart])

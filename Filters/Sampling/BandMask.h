@@ -43,9 +43,9 @@ struct InteriorRaster
 class STIPPLEFILTERSSAMPLING_EXPORT BandMask
 {
 public:
-  /// For samples of `scale` times the image's control, or more. `domain` and what the image shows
-  /// are used as long as this is. Once `stop` is true, this ends early and leaves nothing of use,
-  /// and so does close().
+  /// For samples of `scale` times the image's control, for half as many, or for more. `domain` and
+  /// what the image shows are used as long as this is. Once `stop` is true, this ends early and
+  /// leaves nothing of use, and so does close().
   void build(const SamplingDomain& domain, int chart, const ControlImage& image, double scale,
     const Stop& stop = {});
 
@@ -73,7 +73,7 @@ private:
   FirstFundamentalForm form(int pixel) const;
   /// From the middle of a pixel to a corner, over the root of the limit of the pixel's line.
   double toCorner(int pixel) const;
-  void addLines(int chart);
+  void addLines(const SamplingDomain& domain, int chart);
   void offer(int pixel, int line);
   void spread(double scale, const Stop& stop);
   /// A scale of the control and what is wanted along backbones.
@@ -89,7 +89,6 @@ private:
   /// The same in a box of the raster, that of a pixel, as far as a band reaches.
   void closePixel(int pixel, const Band& band, const PixelBox& box, InteriorRaster& raster) const;
 
-  const SamplingDomain* Domain = nullptr;
   ControlImage Image;
   const FirstFundamentalForm* Metric = nullptr; ///< of the chart's first triangle
   int NumberOfFaces = 0;

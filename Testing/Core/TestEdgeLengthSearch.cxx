@@ -87,7 +87,13 @@ TEST(EdgeLengthSearch, TakesTheNearestWhereNoneIsRight)
 TEST(MedianEdgeLength, IsThatOfEachEdgeOnce)
 {
   EXPECT_EQ(medianEdgeLength(TriangleSurface()), 0.);
-  // Its long edge would be the middle one if edges inside counted twice.
+  // Sides of 1, 2.5, 2.8 and 3.0, and a diagonal of 3.6: were it counted twice, the longest side
+  // would be the middle one.
+  TriangleSurface kite;
+  kite.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 3, 2, 0 }, { 0, 2.5, 0 } };
+  kite.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  kite.connect();
+  EXPECT_DOUBLE_EQ(medianEdgeLength(kite), std::sqrt(8.));
   TriangleSurface square;
   square.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
   square.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
