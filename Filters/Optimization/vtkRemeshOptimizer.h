@@ -42,6 +42,11 @@
 #include "StippleFiltersOptimizationModule.h" // for export macro
 #include "vtkAtlasMeshAlgorithm.h"
 
+namespace stipple
+{
+class RemesherStages;
+}
+
 class STIPPLEFILTERSOPTIMIZATION_EXPORT vtkRemeshOptimizer : public vtkAtlasMeshAlgorithm
 {
 public:
@@ -224,6 +229,8 @@ protected:
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
+  friend class stipple::RemesherStages; // which puts back what it kept
+
   vtkRemeshOptimizer(const vtkRemeshOptimizer&) = delete;
   void operator=(const vtkRemeshOptimizer&) = delete;
 

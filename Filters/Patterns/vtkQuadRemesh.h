@@ -41,6 +41,11 @@
 #include "StippleFiltersPatternsModule.h" // for export macro
 #include "vtkAtlasMeshAlgorithm.h"
 
+namespace stipple
+{
+class RemesherStages;
+}
+
 class STIPPLEFILTERSPATTERNS_EXPORT vtkQuadRemesh : public vtkAtlasMeshAlgorithm
 {
 public:
@@ -67,6 +72,8 @@ protected:
   stipple::Status MakeMesh(stipple::MeshRequest& request) override;
 
 private:
+  friend class stipple::RemesherStages; // which puts back what it kept
+
   vtkQuadRemesh(const vtkQuadRemesh&) = delete;
   void operator=(const vtkQuadRemesh&) = delete;
 

@@ -137,4 +137,55 @@ void RemesherStages::selectMaps()
   }
   this->EnabledMaps = std::move(added);
 }
+
+vtkMTimeType RemesherStages::timeOfAtlas()
+{
+  return std::max(this->Atlas->GetOutputDataObject(0)->GetMTime(),
+    this->Atlas->GetOutputDataObject(1)->GetMTime());
+}
+
+RemesherStages::Made RemesherStages::made()
+{
+  Made made;
+  made.atlas = this->timeOfAtlas();
+  this->forEachOutput([&made](vtkDataObject* output) {
+    made.outputs.push_back(vtkSmartPointer<vtkDataObject>::Take(output->NewInstance()));
+    made.outputs.back()->ShallowCopy(output);
+  });
+  made.simplifiedFeatures = this->Optimizer->NumberOfSimplifiedFeatures;
+  made.simplifiedFeaturesOfQuads = this->QuadMesher->NumberOfSimplifiedFeatures;
+  made.leastNumberOfSamples = this->Sampler->MinimumNumberOfSamples;
+  made.samplesOfMaps = this->MapRenderer->GetNumberOfSamples();
+  made.samplesOfControl = this->ControlMap->GetNumberOfSamples();
+  made.samples = this->Sampler->GetNumberOfSamples();
+  made.raises = this->Sampler->GetRaiseNumberOfSamples();
+  made.grows = this->ControlMap->GetGrowFromFeatures();
+  made.toleranceScale = this->Optimizer->GetFeatureToleranceScale();
+  made.sizePlaces = vtkSmartPointer<vtkDoubleArray>::New();
+  made.sizePlaces->DeepCopy(this->ControlMap->GetSizePlaces());
+  return made;
+}
+
+bool RemesherStages::putBack(const Made& made)
+{
+  if (made.outputs.empty() || made.atlas != this->timeOfAtlas())
+  {
+    return false;
+  }
+  // Parameters that differ make their algorithms look out of date: who asks these for more gets
+  // the same again.
+  this->MapRenderer->SetNumberOfSamples(made.samplesOfMaps);
+  this->ControlMap->SetNumberOfSamples(made.samplesOfControl);
+  this->ControlMap->SetGrowFromFeatures(made.grows);
+  this->ControlMap->SetSizePlaces(made.sizePlaces);
+  this->Sampler->SetNumberOfSamples(made.samples);
+  this->Sampler->SetRaiseNumberOfSamples(made.raises);
+  this->Optimizer->SetFeatureToleranceScale(made.toleranceScale);
+  this->Optimizer->NumberOfSimplifiedFeatures = made.simplifiedFeatures;
+  this->QuadMesher->NumberOfSimplifiedFeatures = made.simplifiedFeaturesOfQuads;
+  this->Sampler->MinimumNumberOfSamples = made.leastNumberOfSamples;
+  auto kept = made.outputs.begin();
+  this->forEachOutput([&kept](vtkDataObject* output) { output->ShallowCopy(*kept++); });
+  return true;
+}
 }

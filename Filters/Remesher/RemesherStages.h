@@ -9,12 +9,15 @@
 #include "vtkCDTRemesh.h"
 #include "vtkConformalAtlas.h"
 #include "vtkControlMap.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorDiffusionSampler.h"
 #include "vtkGeometryMapRenderer.h"
 #include "vtkNew.h"
 #include "vtkQuadRemesh.h"
 #include "vtkRemeshOptimizer.h"
 #include "vtkSemiRegularSubdivision.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
@@ -47,6 +50,27 @@ public:
   /// Adds them to what the caller selected, and takes back what was added for another importance.
   void selectMaps();
 
+  /// What the algorithms behind the atlas have made, with what they made it from.
+  struct Made
+  {
+    vtkMTimeType atlas = 0;
+    std::vector<vtkSmartPointer<vtkDataObject>> outputs; ///< of all ports, in order
+    int simplifiedFeatures = 0;
+    int simplifiedFeaturesOfQuads = 0;
+    int leastNumberOfSamples = 0;
+    vtkIdType samplesOfMaps = 0;
+    int samplesOfControl = 0;
+    int samples = 0;
+    bool raises = false;
+    bool grows = false;
+    double toleranceScale = 1.;
+    vtkSmartPointer<vtkDoubleArray> sizePlaces;
+  };
+  /// Keeps that, while others are made.
+  Made made();
+  /// Puts it back, outputs and parameters, in no time; false if the atlas is another one by now.
+  bool putBack(const Made& made);
+
   vtkNew<vtkConformalAtlas> Atlas;
   vtkNew<vtkGeometryMapRenderer> MapRenderer;
   vtkNew<vtkControlMap> ControlMap;
@@ -58,6 +82,20 @@ public:
   std::array<vtkAlgorithm*, NumberOfAlgorithms> InOrder;
 
 private:
+  /// Calls visit(data object) for all ports of the algorithms behind the atlas.
+  template <typename Visit>
+  void forEachOutput(const Visit& visit)
+  {
+    for (std::size_t a = 1; a < this->InOrder.size(); ++a)
+    {
+      for (int port = 0; port < this->InOrder[a]->GetNumberOfOutputPorts(); ++port)
+      {
+        visit(this->InOrder[a]->GetOutputDataObject(port));
+      }
+    }
+  }
+  vtkMTimeType timeOfAtlas();
+
   std::vector<std::string> EnabledMaps; ///< those that this added to the selection
 };
 }

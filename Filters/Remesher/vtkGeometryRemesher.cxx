@@ -630,9 +630,8 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return true;
   }
-  vtkNew<vtkDoubleArray> best;
-  best->SetNumberOfComponents(4);
-  bool isBest = true;    // the last one
+  Internals::Made best;  // unless it is the last one
+  bool isBest = true;    // it is
   double distance = -1.; // not yet known
   for (int i = 0; i < RefiningTries && fewest != None; ++i)
   {
@@ -642,6 +641,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     {
       return false;
     }
+    best = s.made();
     s.ControlMap->SetSizePlaces(now);
     if (!this->RunStagesAndCheck())
     {
@@ -677,13 +677,12 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     fewest = last;
     distance = lastDistance;
     this->NumberOfOverlaps = fewest[0];
-    best->DeepCopy(now);
   }
-  if (isBest)
+  if (isBest || s.putBack(best))
   {
     return true;
   }
-  s.ControlMap->SetSizePlaces(best);
+  s.ControlMap->SetSizePlaces(best.sizePlaces);
   return this->RunStagesAndCheck();
 }
 
@@ -725,6 +724,8 @@ bool vtkGeometryRemesher::SearchEdgeLength()
   int mesh = first; // of so many points is the last one
   stipple::EdgeLengthSearch search(s.ControlMap->GetEdgeLength());
   search.add(first, mesh, measure());
+  Internals::Made best = s.made();
+  int overlaps = this->NumberOfOverlaps; // of it
   while (const int points = search.next())
   {
     if (!this->TryNumberOfPoints(points, mesh))
@@ -738,9 +739,20 @@ bool vtkGeometryRemesher::SearchEdgeLength()
       break;
     }
     search.add(points, mesh, measure());
+    if (mesh == search.found())
+    {
+      best = s.made();
+      overlaps = this->NumberOfOverlaps;
+    }
   }
   if (mesh == search.found())
   {
+    return true;
+  }
+  if (s.putBack(best))
+  {
+    this->NumberOfOverlaps = overlaps;
+    measure();
     return true;
   }
   s.IsTried = search.found() != first;
@@ -794,6 +806,8 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   s.ProgressTo = 0.;
   const auto report = [this](double) { return this->AbortExecute == 0; };
   double reached = 0;
+  Internals::Made best;
+  int overlaps = 0; // of it
   while (const int points = search.next())
   {
     if (!this->TryNumberOfPoints(points, mesh))
@@ -816,6 +830,11 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     }
     reached = bounds.upper <= wanted ? bounds.upper : reached;
     search.add(points, mesh, bounds.upper);
+    if (mesh == search.found())
+    {
+      best = s.made();
+      overlaps = this->NumberOfOverlaps;
+    }
   }
   if (search.found() == 0)
   {
@@ -832,6 +851,11 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     return fail(sentence.str());
   }
   this->Deviation = 100. * reached / diagonal;
+  if (mesh != search.found() && s.putBack(best))
+  {
+    this->NumberOfOverlaps = overlaps;
+    return true;
+  }
   return mesh == search.found() || this->TryNumberOfPoints(search.found(), mesh);
 }
 

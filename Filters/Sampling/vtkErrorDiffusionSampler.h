@@ -40,6 +40,11 @@
 
 class vtkPartitionedDataSetCollection;
 
+namespace stipple
+{
+class RemesherStages;
+}
+
 class STIPPLEFILTERSSAMPLING_EXPORT vtkErrorDiffusionSampler : public vtkPolyDataAlgorithm
 {
 public:
@@ -120,6 +125,8 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
+  friend class stipple::RemesherStages; // which puts back what it kept
+
   vtkErrorDiffusionSampler(const vtkErrorDiffusionSampler&) = delete;
   void operator=(const vtkErrorDiffusionSampler&) = delete;
 
