@@ -11,6 +11,7 @@
 #include "LocalRefinement.h"
 #include "LocalRepair.h"
 #include "MeshFaults.h"
+#include "MeshQuality.h"
 #include "MeshRegion.h"
 #include "ParallelFor.h"
 #include "Relaxation.h"
@@ -18,12 +19,12 @@
 #include "SelfIntersections.h"
 #include "SmallComponents.h"
 #include "SurfaceError.h"
-#include "SurfaceProximity.h"
 #include "Tuning.h"
 #include "UnsteadyCreases.h"
 #include "VertexStar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace stipple
@@ -404,16 +405,39 @@ struct Distances
   double largest() const { return std::max(this->ofSurface, this->ofMesh); }
 };
 
+/// Of the triangles' centroids and the edges' middles.
+Status measureDistanceOfMesh(const OptimizedMesh& mesh, const Progress& progress, double& distance)
+{
+  std::vector<Vec3> places;
+  for (const Face f : mesh.faces())
+  {
+    const auto [a, b, c] = mesh.corners(f);
+    places.push_back((mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.);
+  }
+  for (const Edge e : mesh.edges())
+  {
+    const Halfedge h = mesh.halfedge(e);
+    places.push_back(0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))));
+  }
+  const AtlasSurface& surface = mesh.atlas().surface();
+  const double visible = Tuning::VisibleDistance * surface.boundingBoxDiagonal();
+  std::vector<NearestTriangle::Hit> nearest;
+  const Status status = nearestPlaces(places, surface, progress, nearest, visible);
+  double farthest = 0;
+  for (const NearestTriangle::Hit& hit : nearest)
+  {
+    farthest = std::max(farthest, std::sqrt(hit.squaredDistance));
+  }
+  distance = farthest > visible ? farthest : 0.;
+  return status;
+}
+
 Status measureDistances(const OptimizedMesh& mesh, const Progress& progress, Distances& distances)
 {
   std::vector<FarPlace> places;
   const Status status = farPlaces(mesh, Tuning::FarShare, progress, places);
   distances.ofSurface = places.empty() ? 0. : places.front().distance;
-  const double farthest = SurfaceProximity(mesh).largest().faces;
-  const bool shows =
-    farthest > Tuning::VisibleDistance * mesh.atlas().surface().boundingBoxDiagonal();
-  distances.ofMesh = shows ? farthest : 0.;
-  return status;
+  return status.ok() ? measureDistanceOfMesh(mesh, progress, distances.ofMesh) : status;
 }
 
 /// Shorter edges where the mesh is wrong or poor for want of them. It is kept only if it is better
