@@ -16,13 +16,11 @@
 
 namespace stipple
 {
-bool improveByMove(MeshEdit& edit, Vertex v, bool staysInRing)
+namespace
+{
+bool tryToImprove(MeshEdit& edit, Vertex v, bool staysInRing)
 {
   const OptimizedMesh& mesh = edit.mesh();
-  if (mesh.freedom(v) == Freedom::None || !edit.mayMove(v))
-  {
-    return false;
-  }
   const VertexStar star(mesh, v);
   double best = star.quality(mesh.state(v));
   const double start = best;
@@ -133,6 +131,28 @@ bool improveByMove(MeshEdit& edit, Vertex v, bool staysInRing)
     edit.tryAround(v, size * reach, attemptNear, isBetterHere);
   }
   return best > start;
+}
+
+}
+
+bool improveByMove(MeshEdit& edit, Vertex v, bool staysInRing)
+{
+  const OptimizedMesh& mesh = edit.mesh();
+  if (mesh.freedom(v) == Freedom::None || !edit.mayMove(v))
+  {
+    return false;
+  }
+  const std::uint64_t now = fingerprintOf(mesh, v);
+  if (edit.failedMoves().contains(v, staysInRing, now))
+  {
+    return false;
+  }
+  const bool isBetter = tryToImprove(edit, v, staysInRing);
+  if (!isBetter)
+  {
+    edit.failedMoves().add(mesh, v, staysInRing, now);
+  }
+  return isBetter;
 }
 
 bool settle(MeshEdit& edit, const std::vector<Vertex>& vertices, const std::vector<Face>& faces,

@@ -4,6 +4,7 @@
 #ifndef stipple_MeshEdit_h
 #define stipple_MeshEdit_h
 
+#include "FailedMoves.h"
 #include "OptimizedMesh.h"
 #include "StippleFiltersOptimizationModule.h"
 
@@ -113,6 +114,9 @@ public:
   /// vertices are halved, at last refused, and set to zero.
   void moveAll(ElementArray<Vertex, Vec3>& step, const ElementArray<Vertex, double>& arcLength);
 
+  /// Of improveByMove(): within the ring only, or not.
+  FailedMoves<2>& failedMoves() { return this->Failed; }
+
 private:
   struct Change
   {
@@ -127,8 +131,9 @@ private:
   void slide(Vertex v, double step);
 
   OptimizedMesh& Edited;
-  std::vector<Change> Log;                  // of the attempts under way
-  int Depth = 0;                            // of attempts
+  std::vector<Change> Log; // of the attempts under way
+  int Depth = 0;           // of attempts
+  FailedMoves<2> Failed;
   ElementArray<Vertex, char> IsMoving;      // none: all are
   ElementArray<Vertex, VertexState> Before; // the last moveAll(); kept for its memory only
 };
