@@ -241,6 +241,13 @@ void FailedEmbeddings::add(const OptimizedMesh& mesh, const std::vector<Face>& f
   this->Groups.push_back(groupOf(mesh, faces));
 }
 
+int& FailedEmbeddings::budget(const OptimizedMesh& mesh)
+{
+  return this->Budget ? *this->Budget
+                      : this->Budget.emplace(Tuning::EmbeddingBudget *
+                          std::max(mesh.faces().size(), Tuning::FewTriangles));
+}
+
 int unfold(MeshEdit& edit, bool maySwap, FailedEmbeddings& failed)
 {
   const OptimizedMesh& mesh = edit.mesh();
@@ -256,11 +263,20 @@ int unfold(MeshEdit& edit, bool maySwap, FailedEmbeddings& failed)
     }
   }
   int unfolded = 0;
+  int& budget = failed.budget(mesh);
+  const int kept = budget / 2; // for later, when the mesh is in better order
   for (const std::vector<Face>& group : groupsOf(mesh, folded))
   {
+    if (budget <= kept)
+    {
+      break;
+    }
     const std::vector<Face> changed = embedAbout(
       edit, group, Tuning::RingsOfUnfolding, maySwap, failed,
-      [&](const std::vector<Face>& faces) { return sumOfFolds(mesh, faces); },
+      [&](const std::vector<Face>& faces) {
+        budget -= static_cast<int>(faces.size());
+        return sumOfFolds(mesh, faces);
+      },
       [](double after, double before) { return after < before - Tuning::LeastGainOfFolds; });
     unfolded += changed.empty() ? 0 : 1;
   }

@@ -10,6 +10,9 @@
 #include "MeshRegion.h"
 #include "StippleFiltersOptimizationModule.h"
 
+#include <optional>
+#include <vector>
+
 namespace stipple
 {
 /// Puts every vertex to the middle of its neighbours (Tutte's embedding, on the surface: without
@@ -32,6 +35,8 @@ class STIPPLEFILTERSOPTIMIZATION_EXPORT FailedEmbeddings
 public:
   bool contains(const OptimizedMesh& mesh, const std::vector<Face>& faces) const;
   void add(const OptimizedMesh& mesh, const std::vector<Face>& faces);
+  /// Triangles that may still be embedded, counted each time.
+  int& budget(const OptimizedMesh& mesh);
 
 private:
   struct Group
@@ -42,6 +47,7 @@ private:
   };
   static Group groupOf(const OptimizedMesh& mesh, const std::vector<Face>& faces);
   std::vector<Group> Groups;
+  std::optional<int> Budget;
 };
 
 /// Embeds the free vertices about triangles, of as few rings as make isBetter(after, before) true
@@ -77,7 +83,8 @@ std::vector<Face> embedAbout(MeshEdit& edit, const std::vector<Face>& faces, int
   return {};
 }
 
-/// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it.
+/// Embeds the vertices about triangles that are folded over, of as few rings as undo most of it,
+/// for half of what is left of the budget at most: there is always some for another time.
 /// Returns the number of groups of triangles where that helped.
 STIPPLEFILTERSOPTIMIZATION_EXPORT int unfold(
   MeshEdit& edit, bool maySwap, FailedEmbeddings& failed);

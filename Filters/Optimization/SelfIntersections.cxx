@@ -262,8 +262,7 @@ int resolveSelfIntersections(MeshEdit& edit, int maximumNumberOfPasses, KnownOve
     return *known.left;
   }
   bool hasChanged = false;
-  int& budget = known.budget ? *known.budget
-                             : known.budget.emplace(Tuning::PartingBudget * mesh.faces().size());
+  int& budget = known.layers.budget(mesh);
   for (int pass = 0; pass < maximumNumberOfPasses && !bad.empty(); ++pass)
   {
     bool changed = false;

@@ -45,9 +45,8 @@ struct KnownOverlaps
 {
   /// Where the surface passes through itself, once asked.
   std::optional<BoxGrid> ofSurface;
-  FailedEmbeddings folds;    ///< that unfold() could not undo
-  FailedEmbeddings layers;   ///< that could not be parted
-  std::optional<int> budget; ///< triangles that may still be embedded to part them, once asked
+  FailedEmbeddings folds;  ///< that unfold() could not undo
+  FailedEmbeddings layers; ///< that could not be parted
   /// What resolveSelfIntersections() has left, unless the mesh has changed since.
   std::optional<int> left;
 };

@@ -134,6 +134,13 @@ struct Tuning
   /// four as many as four; five are for layers that were made for a test.
   static constexpr int RingsOfUnfolding = 4;
   static constexpr int RingsOfParting = 5;
+  /// Triangles that are embedded in all of an optimisation, over all that there are, to part layers
+  /// and as many to undo folds. To part: at 5,000 points skull_iso takes .02, boot .6, camel 1.8;
+  /// adis took 12, one each time, and ten seconds. For folds: .1 in skull_iso, boot and camel; in
+  /// print beds with slots a fifth of an edge wide 20 and more, of which those that help take .1.
+  static constexpr int EmbeddingBudget = 2;
+  /// Over which it is at least: a fifth of a second.
+  static constexpr int FewTriangles = 10000;
   static constexpr double FarthestOffEdge = 0.25; ///< of its length; more, and it is in the air
   static constexpr int SwapsOfFan = 8;            ///< that join one vertex to others
   static constexpr double LeastGainOfFolds = 0.5; ///< of a triangle that is folded by 90 degrees
@@ -158,9 +165,6 @@ struct Tuning
   /// Times as many, before it is asked which of them are the surface's own: wuson has 20.7 degrees
   /// at 5,000 points, else 5.1.
   static constexpr int MostOfSurface = 4;
-  /// Triangles that are embedded anew in all of an optimisation, over all that there are: at 5,000
-  /// points skull_iso takes .02, boot .6, camel 1.8; adis took 12, one each time, and ten seconds.
-  static constexpr int PartingBudget = 2;
   /// Between rounds: with 2, 13 pairs stay in skull_iso at 5,000 points; with 3, 4; with 8, 4.
   static constexpr int PassesOfEarlyParting = 3;
 

@@ -145,24 +145,36 @@ double VertexStar::normalAgreementOnCreases(const Triangle& t, const SurfacePoin
   return this->Mesh.normalAgreementOnCreases(t.corners, normal);
 }
 
-double VertexStar::quality(const SurfacePoint& there) const
+template <typename Visit>
+void VertexStar::forEachQuality(const SurfacePoint& there, const Visit& visit) const
 {
   const Vec3 normal = this->HasNormal ? there.normal : Vec3(Vec3::Zero());
-  WorstQuality worst;
   for (const Triangle& t : this->Triangles)
   {
-    worst.add(qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
-      t.normals + this->HasNormal, this->normalAgreementOnCreases(t, there))
-                .value());
+    visit(qualityOf(there.position, t.q, t.r, { { &normal, &t.normalQ, &t.normalR } },
+      t.normals + this->HasNormal, this->normalAgreementOnCreases(t, there)));
   }
+}
+
+double VertexStar::quality(const SurfacePoint& there) const
+{
+  WorstQuality worst;
+  this->forEachQuality(there, [&](const Quality& q) { worst.add(q.value()); });
   return worst.value();
+}
+
+double VertexStar::folds(const SurfacePoint& there) const
+{
+  double sum = 0;
+  this->forEachQuality(there, [&](const Quality& q) { sum += std::min(0., q.folded); });
+  return sum;
 }
 
 bool VertexStar::exceeds(const SurfacePoint& there, double bound) const
 {
   if (bound < 0)
   {
-    return this->quality(there) > bound &&
+    return this->folds(there) > bound &&
       std::none_of(this->Triangles.begin(), this->Triangles.end(),
         [&](const Triangle& t) { return t.q == there.position || t.r == there.position; });
   }

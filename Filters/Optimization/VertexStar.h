@@ -37,6 +37,10 @@ public:
   bool exceeds(const SurfacePoint& there, double bound) const;
 
 private:
+  template <typename Visit>
+  void forEachQuality(const SurfacePoint& there, const Visit& visit) const;
+  /// What of quality() is below zero.
+  double folds(const SurfacePoint& there) const;
   struct Triangle
   {
     Vec3 q;
