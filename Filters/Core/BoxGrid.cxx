@@ -23,15 +23,16 @@ std::size_t bucketsFor(std::size_t boxes)
 }
 }
 
-BoxGrid::BoxGrid(std::vector<Box> boxes)
+BoxGrid::BoxGrid(std::vector<Box> boxes, double leastSize)
   : Boxes(std::move(boxes))
   , LevelOf(this->Boxes.size())
   , PlaceOf(this->Boxes.size())
+  , LeastSize(leastSize)
 {
   double sum = 0;
   for (const Box& box : this->Boxes)
   {
-    sum += (box.high - box.low).maxCoeff();
+    sum += this->sizeOf(box);
   }
   this->MeanSize = sum > 0 ? sum / static_cast<double>(this->Boxes.size()) : 1.;
   for (std::size_t i = 0; i < this->Boxes.size(); ++i)
@@ -47,7 +48,7 @@ BoxGrid::BoxGrid(std::vector<Box> boxes)
 /// Boxes of the middle level are up to twice as large as the mean.
 int BoxGrid::levelOf(const Box& box) const
 {
-  const double size = (box.high - box.low).maxCoeff() / (2 * this->MeanSize);
+  const double size = this->sizeOf(box) / (2 * this->MeanSize);
   int exponent = 0;
   std::frexp(size, &exponent); // size <= 2^exponent
   const int level = static_cast<int>(std::ceil(exponent / 4.)) + NumberOfLevels / 2;

@@ -22,11 +22,14 @@ namespace stipple
 class STIPPLEFILTERSCORE_EXPORT BoxGrid
 {
 public:
-  explicit BoxGrid(std::vector<Box> boxes = {});
+  /// Boxes that are smaller than `leastSize` have cells as if they were so large: where nothing
+  /// smaller is looked for, there is no need to look into more cells than that.
+  explicit BoxGrid(std::vector<Box> boxes = {}, double leastSize = 0);
 
   int size() const { return static_cast<int>(this->Boxes.size()); }
   const Box& box(int i) const { return this->Boxes[static_cast<std::size_t>(i)]; }
-  /// The mean of the boxes' longest sides, as they were at first; 1 if they are points.
+  /// The mean of the boxes' longest sides, as they were at first, or of leastSize where that is
+  /// more; 1 if they are points.
   double meanSize() const { return this->MeanSize; }
 
   void move(int i, const Box& box);
@@ -103,6 +106,10 @@ private:
   using Pairs = std::vector<std::array<int, 2>>;
 
   static void forEachChunk(std::size_t n, const std::function<void(std::size_t)>& visit);
+  double sizeOf(const Box& box) const
+  {
+    return std::max(this->LeastSize, (box.high - box.low).maxCoeff());
+  }
   int levelOf(const Box& box) const;
   void enter(int i);
   void leave(int i);
@@ -273,6 +280,7 @@ private:
   std::vector<signed char> LevelOf; ///< by box
   std::vector<int> PlaceOf;         ///< by box, among those of its level
   std::array<Level, NumberOfLevels> Levels;
+  double LeastSize;
   double MeanSize = 1;
   bool IsFilled = false;
 };

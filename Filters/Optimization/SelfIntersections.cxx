@@ -126,6 +126,11 @@ std::vector<Face> SelfIntersections::faces() const
   return result;
 }
 
+double SelfIntersections::meanSize() const
+{
+  return this->Now->Grid.meanSize();
+}
+
 bool SelfIntersections::isNear(Face face, BoxGrid& boxes) const
 {
   const BoxGrid& grid = this->Now->Grid;
@@ -246,7 +251,7 @@ std::vector<Face> overlapsOf(
   }
   if (!known.ofSurface)
   {
-    known.ofSurface.emplace(mesh.atlas().selfIntersections());
+    known.ofSurface.emplace(mesh.atlas().selfIntersections(), intersections.meanSize());
   }
   return filtered(faces, [&](Face f) { return !intersections.isNear(f, *known.ofSurface); });
 }

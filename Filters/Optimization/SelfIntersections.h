@@ -31,6 +31,8 @@ public:
   /// Triangles that intersect others, as last updated, ascending; the same for any number of
   /// threads.
   std::vector<Face> faces() const;
+  /// Of triangles, as they were at first.
+  double meanSize() const;
   /// Whether a triangle, as last updated, is nearer to one of the boxes than the mean size of
   /// triangles.
   bool isNear(Face face, BoxGrid& boxes) const;

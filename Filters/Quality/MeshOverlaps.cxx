@@ -28,7 +28,7 @@ std::vector<MeshOverlap> findOverlaps(
   {
     return overlaps;
   }
-  BoxGrid ofSurface(known());
+  BoxGrid ofSurface(known(), grid.meanSize());
   for (const auto& [i, j] : pairs)
   {
     const Box place = grid.box(i).common(grid.box(j));

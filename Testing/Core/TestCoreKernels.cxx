@@ -182,7 +182,9 @@ TEST(FeatureGraph, SaysWhichArraysItNeeds)
     readFeatureGraph(data, someSurface(), read).message().find("ChartCellId"), std::string::npos);
 }
 
-TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
+namespace
+{
+void expectBoxesOfAllSizesToBeFound(double leastSize)
 {
   std::mt19937 random(7);
   const auto uniform = [&](double low, double high) {
@@ -196,7 +198,8 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
   };
   std::vector<Box> boxes(600);
   std::generate(boxes.begin(), boxes.end(), anyBox);
-  BoxGrid grid(boxes);
+  BoxGrid grid(boxes, leastSize);
+  EXPECT_GE(grid.meanSize(), leastSize);
   const auto expectAll = [&]() {
     std::set<std::array<int, 2>> expected;
     for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
@@ -248,6 +251,15 @@ TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
   }
   EXPECT_EQ(grid.size(), 650);
   expectAll();
+}
+
+}
+
+TEST(BoxGrid, FindsBoxesOfAllSizesThatOverlapWhileTheyMove)
+{
+  expectBoxesOfAllSizesToBeFound(0.);
+  expectBoxesOfAllSizesToBeFound(0.1);
+  expectBoxesOfAllSizesToBeFound(100.); // larger than all of them
   EXPECT_TRUE(BoxGrid().pairs([](int, int) { return true; }).empty());
 }
 
