@@ -3,6 +3,7 @@
 // Swaps, steps, repairs and measures of the optimisation, each alone, where the answer is known.
 #include "BridgeSwaps.h"
 #include "EdgeSwaps.h"
+#include "FailedMoves.h"
 #include "LocalEmbedding.h"
 #include "LocalRepair.h"
 #include "MeshCrossings.h"
@@ -619,6 +620,76 @@ TEST(LocalEmbedding, UndoesFoldsAndTakesBackWhatDoesNotHelp)
   t->edit.put(Vertex(41), t->pointAt(0.4, 0.5));
   EXPECT_EQ(unfold(t->edit, true, failed), 1);
   EXPECT_GT(worstOf(t->mesh), 0.3);
+}
+
+TEST(LocalEmbedding, UnfoldsForHalfOfWhatIsLeftAtMost)
+{
+  const auto t = meshes::patch(8);
+  t->edit.put(Vertex(40), t->pointAt(0.8, 0.5)); // far out of its ring
+  FailedEmbeddings failed;
+  int& budget = failed.budget(t->mesh);
+  EXPECT_EQ(budget, Tuning::EmbeddingBudget * Tuning::FewTriangles) << "more than the mesh has";
+  budget = 0;
+  const meshes::Snapshot folded(t->mesh);
+  EXPECT_EQ(unfold(t->edit, true, failed), 0);
+  EXPECT_TRUE(meshes::Snapshot(t->mesh) == folded);
+  budget = 1000;
+  EXPECT_EQ(unfold(t->edit, true, failed), 1);
+  EXPECT_EQ(failed.budget(t->mesh), budget) << "it is asked for once";
+  EXPECT_LT(budget, 1000);
+  EXPECT_GT(budget, 0);
+}
+
+TEST(FailedMoves, AreKnownUntilSomethingAboutTheVertexChanges)
+{
+  const auto t = meshes::patch(8);
+  const Vertex v(40);
+  const std::uint64_t before = fingerprintOf(t->mesh, v);
+  FailedMoves<2> failed;
+  EXPECT_FALSE(failed.contains(v, 0, before));
+  failed.add(t->mesh, v, 0, before);
+  EXPECT_TRUE(failed.contains(v, 0, before));
+  EXPECT_FALSE(failed.contains(v, 1, before)) << "in another way";
+  EXPECT_FALSE(failed.contains(Vertex(41), 0, before)) << "another vertex";
+
+  Vertex neighbour;
+  t->mesh.forEachNeighbour(v, [&](Vertex u) { neighbour = u; });
+  const auto changes = [&](const auto& change) {
+    std::uint64_t now = before;
+    t->edit.attempt([&] {
+      change();
+      now = fingerprintOf(t->mesh, v);
+      return false;
+    });
+    EXPECT_EQ(fingerprintOf(t->mesh, v), before) << "taken back";
+    return now != before;
+  };
+  const auto nudged = [&](Vertex u) {
+    const Vec3& p = t->mesh.position(u);
+    return t->pointAt(p.x() + 1e-9, p.y());
+  };
+  EXPECT_TRUE(changes([&] { t->edit.put(v, nudged(v)); }));
+  EXPECT_TRUE(changes([&] { t->edit.put(neighbour, nudged(neighbour)); }));
+  EXPECT_TRUE(changes([&] {
+    Halfedge h;
+    t->mesh.forEachCorner(v, [&](Halfedge g) { h = g; });
+    t->edit.flip(t->mesh.edge(h));
+  }));
+  EXPECT_FALSE(changes([&] { t->edit.put(Vertex(0), nudged(Vertex(0))); })) << "far away";
+}
+
+TEST(FailedMoves, SpareTheSameAttemptAgain)
+{
+  const auto t = meshes::patch(8);
+  const Vertex v(40);
+  while (improveByMove(t->edit, v))
+  {
+  }
+  const std::uint64_t best = fingerprintOf(t->mesh, v);
+  EXPECT_TRUE(t->edit.failedMoves().contains(v, 0, best));
+  EXPECT_FALSE(t->edit.failedMoves().contains(v, 1, best)) << "that way was not tried";
+  t->edit.put(v, t->pointAt(0.52, 0.51));
+  EXPECT_TRUE(improveByMove(t->edit, v)) << "from here it is not known";
 }
 
 // Placed in the middle of their neighbours, vertices leave what is deeper than wide: a shallow

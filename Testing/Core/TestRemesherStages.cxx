@@ -5,7 +5,11 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
 #include "vtkGeometryRemesher.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -116,5 +120,59 @@ TEST(RemesherStages, MapsAreThoseOfTheImportance)
   selected({});
   stages.ControlMap->SetImportanceToUniform();
   selected({});
+}
+
+TEST(RemesherStages, WhatWasMadeIsPutBackAsItWas)
+{
+  RemesherStages stages;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(20);
+  sphere->SetPhiResolution(20);
+  sphere->Update();
+  stages.Atlas->SetInputDataObject(0, sphere->GetOutput());
+  stages.selectMaps();
+  const auto make = [&](int points) {
+    stages.MapRenderer->SetNumberOfSamples(points);
+    stages.ControlMap->SetNumberOfSamples(points);
+    stages.Sampler->SetNumberOfSamples(points);
+    stages.Optimizer->Update();
+  };
+  EXPECT_FALSE(stages.putBack(RemesherStages::Made())) << "nothing was made";
+  make(200);
+  const RemesherStages::Made made = stages.made();
+  const int least = stages.Sampler->GetMinimumNumberOfSamples();
+  vtkNew<vtkPolyData> first;
+  first->DeepCopy(stages.Optimizer->GetOutput());
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(4);
+  places->InsertNextTuple4(0.5, 0., 0., 0.05);
+  stages.ControlMap->SetSizePlaces(places);
+  make(300);
+  ASSERT_EQ(stages.Optimizer->GetOutput()->GetNumberOfPoints(), 300);
+
+  const auto expectFirst = [&] {
+    vtkPolyData* mesh = stages.Optimizer->GetOutput();
+    ASSERT_EQ(mesh->GetNumberOfPoints(), first->GetNumberOfPoints());
+    ASSERT_EQ(mesh->GetNumberOfCells(), first->GetNumberOfCells());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        ASSERT_EQ(mesh->GetPoint(i)[k], first->GetPoint(i)[k]) << i;
+      }
+    }
+  };
+  ASSERT_TRUE(stages.putBack(made));
+  expectFirst();
+  EXPECT_EQ(stages.Sampler->GetMinimumNumberOfSamples(), least);
+  EXPECT_EQ(stages.Sampler->GetOutput()->GetNumberOfPoints(), 200);
+  EXPECT_EQ(stages.ControlMap->GetSizePlaces()->GetNumberOfTuples(), 0);
+  // Who asks an algorithm for it once more gets it.
+  stages.Optimizer->Update();
+  expectFirst();
+
+  stages.Atlas->SetNumberOfCharts(9);
+  make(200);
+  EXPECT_FALSE(stages.putBack(made)) << "on other charts";
 }
 }
