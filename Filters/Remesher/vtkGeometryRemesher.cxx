@@ -115,6 +115,8 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
   double ProgressTo = 1;
   bool MayGrow = true;        ///< sizes may; a mesh that is wrong is tried again without
   double ToleranceScale = 1.; ///< of features that the optimiser simplifies
+  double FarthestFeature = 0; ///< that these may move, a length; 0 if there is none
+  double Area = 0;            ///< of the surface, if there is
   bool IsUnsound = false;     ///< a mesh was made, and not sound: what would be is not known
   bool Stopped = false;       ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
@@ -263,6 +265,14 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
     return static_cast<int>(
       vtkPolyData::SafeDownCast(this->Sampler->GetOutputDataObject(0))->GetNumberOfPoints() -
       this->numberOfGivenVertices());
+  }
+
+  /// The largest scale of their tolerance with which features move no farther than they may.
+  double largestToleranceScale()
+  {
+    const double spacing = std::sqrt(this->Area / (this->Points * stipple::densityOfEdges(1.)));
+    const double farthest = this->Optimizer->GetFeatureTolerance() * spacing;
+    return this->FarthestFeature > 0. ? std::min(1., this->FarthestFeature / farthest) : 1.;
   }
 
   bool sizesGrow()
@@ -536,7 +546,7 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   // Features of a base mesh may move as far as the mesh that it is subdivided to is fine; if no
   // sound one comes of that, as far as the base mesh is fine, or not at all.
   const int splits = this->Pattern == SEMIREGULAR ? s.Subdivider->GetNumberOfSubdivisions() : 0;
-  const double finest = std::pow(0.5, splits);
+  const double finest = std::min(std::pow(0.5, splits), s.largestToleranceScale());
   s.ToleranceScale = finest;
   std::vector<double> otherScales =
     splits > 0 ? std::vector<double>{ 0., 1. } : std::vector<double>();
@@ -805,6 +815,9 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   int mesh = 0; // of so many points is the last one
   s.ProgressTo = 0.;
   const auto report = [this](double) { return this->AbortExecute == 0; };
+  // A feature that goes to another one takes the mesh as far from the surface.
+  s.FarthestFeature = wanted;
+  s.Area = reference.area();
   double reached = 0;
   Internals::Made best;
   int overlaps = 0; // of it
@@ -869,6 +882,7 @@ int vtkGeometryRemesher::RequestData(
   s.Sentence.clear();
   s.Points = this->NumberOfPoints;
   s.IsTried = false;
+  s.FarthestFeature = 0.;
   s.ProgressFrom = 0.;
   s.ProgressTo = 1.;
   this->Deviation = 0.;
