@@ -70,24 +70,42 @@ void DeviationSearch::add(int asked, int got, double deviation)
                              : this->between();
 }
 
+double DeviationSearch::slope(const Trial& from, const Trial& to)
+{
+  return std::log(from.deviation / to.deviation) /
+    std::log(static_cast<double>(to.points) / from.points);
+}
+
 int DeviationSearch::more(const Trial& before)
 {
   const Trial& now = this->Bad;
   double slope = 1.;
   if (before.points > 0 && std::isfinite(before.deviation))
   {
-    slope = std::log(before.deviation / now.deviation) /
-      std::log(static_cast<double>(now.points) / before.points);
+    slope = DeviationSearch::slope(before, now);
     // Deviations are maxima, and jump: over a small step that tells nothing yet.
     const bool isTold = now.points >= LeastTellingStep * before.points;
-    this->Stalls = slope >= LeastSlope ? 0 : this->Stalls + (isTold ? 1 : 0);
+    if (slope >= LeastSlope)
+    {
+      this->Stalls = 0;
+    }
+    else if (isTold)
+    {
+      this->StalledFrom = this->Stalls == 0 ? before : this->StalledFrom;
+      ++this->Stalls;
+    }
   }
   const double ratio = now.deviation / (Aim * this->Wanted);
   if (std::isfinite(ratio) && now.points * ratio > this->Most)
   {
     this->TooMany = now.points * ratio;
   }
-  if (this->Stalls == 2 || this->TooMany > 0 || now.points >= this->Most)
+  // They may fall slowly, and fall all the same.
+  const auto isHopeless = [&] {
+    const double slow = DeviationSearch::slope(this->StalledFrom, now);
+    return !(slow > 0. && now.points * std::pow(ratio, 1. / slow) <= this->Most);
+  };
+  if ((this->Stalls >= 2 && isHopeless()) || this->TooMany > 0 || now.points >= this->Most)
   {
     return 0;
   }

@@ -38,6 +38,8 @@ private:
     int points = 0;
     double deviation = 0;
   };
+  /// By which power of the number of points the deviation has fallen.
+  static double slope(const Trial& from, const Trial& to);
   int more(const Trial& before);
   int fewer() const;
   int between() const;
@@ -52,8 +54,9 @@ private:
   int Stalls = 0;
   double TooMany = 0;
   double Nearest;
-  Trial Bad;  ///< the most points that do not
-  Trial Good; ///< the fewest that do
+  Trial StalledFrom; ///< the last one before the first of the stalls
+  Trial Bad;         ///< the most points that do not
+  Trial Good;        ///< the fewest that do
 };
 
 /// Points of a mesh that is off by `deviation` on a sphere in a bounding box of this diagonal: a

@@ -263,6 +263,20 @@ TEST(DeviationSearch, JumpsOnSmallStepsAreNotTakenForTheEnd)
   }
 }
 
+TEST(DeviationSearch, GoesOnWhereDeviationsFallSlowlyAndLeadThere)
+{
+  // As a scanned skull's at .5 %, with the fifth root.
+  const auto of = [](int n) { return 0.0143 * std::pow(3552. / n, 0.2); };
+  const Found f = search(0.01, 1112., of);
+  const double exact = 3552. * std::pow(1.43, 5.);
+  EXPECT_GT(f.points, 0.99 * exact);
+  EXPECT_LT(f.points, 2. * exact);
+  // But not where it would take more than there may be.
+  const Found far = search(0.001, 1112., of);
+  EXPECT_EQ(far.points, 0);
+  EXPECT_LE(far.trials, 4);
+}
+
 TEST(DeviationSearch, LooksBetweenNumbersThatAreFarApart)
 {
   // As a ball cut by a cylinder at .5 %: from 4,000 points on its edge is met, and then more points
