@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 namespace stipple
@@ -357,18 +356,6 @@ Status reachFarPlaces(OptimizedMesh& mesh, MeshEdit& edit, const OptimizerOption
   return Status::success();
 }
 
-/// From now on, only some vertices move, and those so many rings about them.
-void restrictToRings(MeshEdit& edit, const std::vector<Vertex>& vertices, int rings)
-{
-  const OptimizedMesh& mesh = edit.mesh();
-  ElementArray<Vertex, char> isMoving(static_cast<std::size_t>(mesh.vertices().size()), 0);
-  for (const Vertex v : withRings(mesh, vertices, rings))
-  {
-    isMoving[v] = 1;
-  }
-  edit.restrictTo(std::move(isMoving));
-}
-
 /// Shorter edges about some triangles, and what that needs: rounds of the mesh there, and all that
 /// makes it good in the end.
 Status refineAndFinish(OptimizedMesh& mesh, MeshEdit& edit, const std::vector<Face>& faces,
@@ -384,7 +371,12 @@ Status refineAndFinish(OptimizedMesh& mesh, MeshEdit& edit, const std::vector<Fa
   {
     return status;
   }
-  restrictToRings(edit, changed, Tuning::RingsOfRefinement);
+  ElementArray<Vertex, char> isMoving(static_cast<std::size_t>(mesh.vertices().size()), 0);
+  for (const Vertex v : withRings(mesh, changed, Tuning::RingsOfRefinement))
+  {
+    isMoving[v] = 1;
+  }
+  edit.restrictTo(std::move(isMoving));
   status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::RoundsOfRefinement),
     overlaps, progress);
   if (status.ok())
@@ -551,41 +543,6 @@ struct Lack
   }
 };
 
-/// Vertices that are elsewhere, or in other triangles, or bound to others than before.
-std::vector<Vertex> changedVertices(const OptimizedMesh& before, const OptimizedMesh& after)
-{
-  std::vector<Vertex> changed;
-  for (const Vertex v : after.vertices())
-  {
-    if (after.position(v) != before.position(v) || after.freedom(v) != before.freedom(v))
-    {
-      changed.push_back(v);
-    }
-  }
-  const auto sorted = [](const OptimizedMesh& mesh) {
-    std::vector<Triangle> triangles = mesh.triangles();
-    for (Triangle& t : triangles)
-    {
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    }
-    std::sort(triangles.begin(), triangles.end());
-    return triangles;
-  };
-  const std::vector<Triangle> a = sorted(before);
-  const std::vector<Triangle> b = sorted(after);
-  std::vector<Triangle> different;
-  std::set_symmetric_difference(
-    a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(different));
-  for (const Triangle& t : different)
-  {
-    for (const int v : t)
-    {
-      changed.emplace_back(v);
-    }
-  }
-  return changed;
-}
-
 /// All of it, but for the look at what came of the creases that were given up.
 Status optimizeOnce(OptimizedMesh& mesh, const OptimizerOptions& options, const Progress& progress)
 {
@@ -613,7 +570,6 @@ Status optimizeOnce(OptimizedMesh& mesh, const OptimizerOptions& options, const 
       best = mesh;
     }
     const int changes = mesh.numberOfChanges();
-    const OptimizedMesh before = mesh;
     if (options.givesUpCreases)
     {
       giveUpUnsteadyCreases(mesh, options.featureTolerance);
@@ -628,14 +584,12 @@ Status optimizeOnce(OptimizedMesh& mesh, const OptimizerOptions& options, const 
     {
       break;
     }
-    restrictToRings(edit, changedVertices(before, mesh), Tuning::RingsOfRefinement);
     status = relax(mesh, edit, options, std::max(1, options.iterations - Tuning::AcuteInterval),
       overlaps, goesOn);
     if (status.ok())
     {
       status = finish(edit, options, overlaps, goesOn);
     }
-    edit.restrictTo({});
     if (!status.ok())
     {
       return status;
