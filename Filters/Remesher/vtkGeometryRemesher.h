@@ -89,7 +89,8 @@ public:
   /// the smaller counts. Whatever NumberOfPoints is, and without an EdgeLength of GetControlMap():
   /// about as few points as hold it are found, by remeshing some times, in the proportions that
   /// importance or lengths ask for. What is handed out holds it, everywhere and not at samples
-  /// only; if no number does, it is an error that says what was reached. 0: none, the default.
+  /// only; if no number does, it is an error that says what was reached. Features that are
+  /// simplified (FeatureTolerance) move no farther than that. 0: none, the default.
   vtkSetClampMacro(MaximumDeviation, double, 0., 100.);
   vtkGetMacro(MaximumDeviation, double);
   vtkSetClampMacro(MaximumDeviationLength, double, 0., VTK_DOUBLE_MAX);
