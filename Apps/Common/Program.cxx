@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "FreedMemory.h"
 #include "Guarded.h"
 
 #include "vtkSMPTools.h"
@@ -37,6 +38,7 @@ int Program::perform(const std::function<Status()>& work) const
 {
   try
   {
+    keepFreedMemory();
     const Status status = work();
     return status.ok()
       ? Done

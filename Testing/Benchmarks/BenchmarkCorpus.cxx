@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Any models: a first remesh next to CGAL's isotropic_remeshing to as many points, timed in turns,
-// and how far both are from the model.
+// and how far both are from the model. Both keep freed memory, as the program does.
 //   StippleBenchmarkCorpus POINTS FILE...
 // CGAL 5.5 crashes on some files: give those to a process of their own.
 #include "CgalRemeshing.h"
+#include "FreedMemory.h"
 #include "MeshFile.h"
 #include "MeshQuality.h"
 #include "PolyDataConversion.h"
@@ -110,6 +111,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "usage: %s POINTS FILE...\n", argv[0]);
     return 2;
   }
+  stipple::keepFreedMemory();
   vtkObject::GlobalWarningDisplayOff(); // of models that are refused
   std::printf("%-32s %8s %8s %6s   %8s %8s %6s   %7s   stages\n", "model", "s", "CGAL", "ratio",
     "RMS %", "CGAL", "ratio", "points");

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) Stipple developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What becomes of memory that a program has freed.
+#ifndef stipple_FreedMemory_h
+#define stipple_FreedMemory_h
+
+namespace stipple
+{
+/// Has the GNU C library keep what is freed, for all threads alike, and the first gibibyte of it in
+/// huge pages. A remesh allocates its arrays again and again, and the system clears every page that
+/// it hands out: up to a quarter of the time where that is dear, as in virtual machines. Of memory
+/// that is kept, no more is resident than was in use at a time, and at most 2 GiB beyond what is.
+/// Without effect with another C library. Once in a program, before anything is done by several
+/// threads.
+void keepFreedMemory();
+}
+
+#endif
