@@ -4,8 +4,10 @@
 
 #include "AtlasConstants.h"
 #include "IntrinsicTriangulation.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace stipple
 {
@@ -45,6 +47,49 @@ void substitute(const Eigen::SparseMatrix<double>& lower, Rows& x, Eigen::Index 
     row(i) = here / diagonal;
   }
 }
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// By an index from 0 to so many; those of the same one stay in order.
+template <typename Index>
+Entries sortedBy(const Entries& entries, int size, const Index& index)
+{
+  std::vector<int> next(size + 1, 0);
+  for (const Eigen::Triplet<double>& entry : entries)
+  {
+    ++next[index(entry) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  Entries sorted(entries.size());
+  for (const Eigen::Triplet<double>& entry : entries)
+  {
+    sorted[next[index(entry)]++] = entry;
+  }
+  return sorted;
+}
+
+/// Adds up those of the same row and column, of which there are so many; by column, and then by
+/// row.
+Entries addedUp(const Entries& entries, int size)
+{
+  const Entries sorted =
+    sortedBy(sortedBy(entries, size, [](const auto& entry) { return entry.row(); }), size,
+      [](const auto& entry) { return entry.col(); });
+  Entries sums;
+  sums.reserve(entries.size());
+  for (const Eigen::Triplet<double>& entry : sorted)
+  {
+    if (!sums.empty() && sums.back().row() == entry.row() && sums.back().col() == entry.col())
+    {
+      sums.back() = { entry.row(), entry.col(), sums.back().value() + entry.value() };
+    }
+    else
+    {
+      sums.push_back(entry);
+    }
+  }
+  return sums;
+}
 }
 
 HarmonicSystem::HarmonicSystem(const TriangleSurface& surface, const ChartMesh& chart,
@@ -65,19 +110,19 @@ HarmonicSystem::HarmonicSystem(const TriangleSurface& surface, const ChartMesh& 
 
 HarmonicSystem::HalfWeights HarmonicSystem::ownWeights() const
 {
-  HalfWeights weights;
-  weights.reserve(3 * this->Chart.triangles.size());
-  for (const Triangle& t : this->Chart.triangles)
-  {
+  HalfWeights weights(3 * this->Chart.triangles.size());
+  const ElementRange<Face> faces(0, static_cast<int>(this->Chart.triangles.size()));
+  parallelFor(faces, [&](Face f) {
+    const Triangle& t = this->Chart.triangles[f.index()];
     for (int k = 0; k < 3; ++k)
     {
       const auto x = [&](int c) -> const Vec3& {
         return this->Surface.points[this->Chart.vertices[t[c % 3]]];
       };
       const auto [a, b] = std::minmax({ t[nextCorner(k)], t[previousCorner(k)] });
-      weights.emplace_back(a, b, 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3));
+      weights[halfedgeOf(f, k).index()] = { a, b, 0.5 * cotangent(x(k), x(k + 1), x(k + 2), 1e3) };
     }
-  }
+  });
   return weights;
 }
 
@@ -134,44 +179,60 @@ bool HarmonicSystem::factorizeUniform()
 }
 
 Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
-  const HalfWeights& edges, const std::vector<char>& positiveAt)
+  const HalfWeights& halves, const std::vector<char>& positiveAt)
 {
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
-  const int n = this->Chart.numberOfVertices();
-  Eigen::SparseMatrix<double> weights(n, n);
-  weights.setFromTriplets(edges.begin(), edges.end());
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(9 * this->Chart.triangles.size());
-  for (int column = 0; column < n; ++column)
+  const HalfWeights edges = addedUp(halves, this->Chart.numberOfVertices());
+  std::vector<double> diagonal(this->NumberOfUnknowns, 0.);
+  HalfWeights below; // the diagonal; rows ascend in each column, as unknowns do with vertices
+  below.reserve(edges.size());
+  Eigen::SparseMatrix<double> result(this->NumberOfUnknowns, this->NumberOfUnknowns);
+  std::vector<int> next(this->NumberOfUnknowns, 1); // entries of each column
+  for (const Eigen::Triplet<double>& edge : edges)
   {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(weights, column); it; ++it)
+    const int a = this->Unknown[edge.row()];
+    const int b = this->Unknown[edge.col()];
+    const bool positive = !positiveAt.empty() && (positiveAt[edge.row()] || positiveAt[edge.col()]);
+    const double w =
+      positive ? std::max(edge.value(), Constants::LeastPositiveWeight) : edge.value();
+    if (a >= 0)
     {
-      const int a = this->Unknown[it.row()];
-      const int b = this->Unknown[it.col()];
-      const bool positive = !positiveAt.empty() && (positiveAt[it.row()] || positiveAt[it.col()]);
-      const double w = positive ? std::max(it.value(), Constants::LeastPositiveWeight) : it.value();
-      if (a >= 0 && b >= 0)
-      {
-        entries.emplace_back(std::max(a, b), std::min(a, b), -w);
-      }
-      if (a >= 0)
-      {
-        entries.emplace_back(a, a, w);
-      }
-      if (b >= 0)
-      {
-        entries.emplace_back(b, b, w);
-      }
-      if ((a >= 0) != (b >= 0))
-      {
-        this->GivenTerms.push_back(
-          { a >= 0 ? a : b, static_cast<int>(a >= 0 ? it.col() : it.row()), w });
-      }
+      diagonal[a] += w;
+    }
+    if (b >= 0)
+    {
+      diagonal[b] += w;
+    }
+    if (a >= 0 && b >= 0)
+    {
+      below.emplace_back(b, a, -w);
+      ++next[a];
+    }
+    else if (a >= 0 || b >= 0)
+    {
+      this->GivenTerms.push_back({ a >= 0 ? a : b, a >= 0 ? edge.col() : edge.row(), w });
     }
   }
-  Eigen::SparseMatrix<double> result(this->NumberOfUnknowns, this->NumberOfUnknowns);
-  result.setFromTriplets(entries.begin(), entries.end());
+  result.resizeNonZeros(static_cast<Eigen::Index>(below.size() + diagonal.size()));
+  const auto put = [&result](int at, int row, double value) {
+    result.innerIndexPtr()[at] = row;
+    result.valuePtr()[at] = value;
+  };
+  int end = 0;
+  for (int column = 0; column < this->NumberOfUnknowns; ++column)
+  {
+    const int begin = end;
+    end += next[column];
+    result.outerIndexPtr()[column] = begin;
+    put(begin, column, diagonal[column]);
+    next[column] = begin + 1;
+  }
+  result.outerIndexPtr()[this->NumberOfUnknowns] = end;
+  for (const Eigen::Triplet<double>& entry : below)
+  {
+    put(next[entry.col()]++, entry.row(), entry.value());
+  }
   return result;
 }
 

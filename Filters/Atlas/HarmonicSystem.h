@@ -57,7 +57,7 @@ private:
   HalfWeights delaunayWeights() const;
   HalfWeights uniformWeights() const;
   Eigen::SparseMatrix<double> laplacian(
-    const HalfWeights& edges, const std::vector<char>& positiveAt);
+    const HalfWeights& halves, const std::vector<char>& positiveAt);
   bool factorizeWith(const HalfWeights& weights, const std::vector<char>& positiveAt = {});
   bool isInBlocks() const;
   Eigen::MatrixXd solveByColumns(const Eigen::MatrixXd& rightHandSides) const;
