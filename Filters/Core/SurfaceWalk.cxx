@@ -19,6 +19,14 @@ SurfaceWalk::SurfaceWalk(const TriangleSurface& surface, const std::vector<char>
       face.twin[k] = surface.twin[h].index();
       face.wall[k] = wall.empty() ? 0 : wall[h.index()];
     }
+    const auto& p = face.point;
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double scale = normal.squaredNorm();
+    face.gradient.fill(Vec3::Zero());
+    if (scale > 0)
+    {
+      face.gradient = { normal.cross(p[2] - p[1]) / scale, normal.cross(p[0] - p[2]) / scale };
+    }
   });
 }
 
@@ -37,14 +45,9 @@ SurfacePlace SurfaceWalk::walk(const SurfacePlace& from, const Vec3& vector, boo
   {
     const FaceData& face = this->Faces[place.face];
     const auto& p = face.point;
-    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double scale = normal.squaredNorm();
-    Vec3 step = Vec3::Zero(); // in barycentric coordinates
-    if (scale > 0)
-    {
-      step[0] = (normal.cross(p[2] - p[1]) / scale).eval().dot(left);
-      step[1] = (normal.cross(p[0] - p[2]) / scale).eval().dot(left);
-    }
+    Vec3 step; // in barycentric coordinates
+    step[0] = face.gradient[0].dot(left);
+    step[1] = face.gradient[1].dot(left);
     step[2] = -step[0] - step[1];
     double t = 1.;
     int exit = -1;

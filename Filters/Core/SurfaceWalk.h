@@ -52,6 +52,7 @@ private:
   {
     std::array<Vec3, 3> point;
     Vec3 normal;
+    std::array<Vec3, 2> gradient; ///< of the first two barycentric coordinates
     std::array<int, 3> twin;
     std::array<char, 3> wall;
   };
