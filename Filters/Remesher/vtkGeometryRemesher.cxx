@@ -633,9 +633,9 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     return false;
   }
   this->NumberOfOverlaps = fewest[0];
-  // Where sizes do not grow, they do not from places either; where these are all over, points for
-  // all of them would be missed everywhere.
-  if (!s.sizesGrow() ||
+  // Where sizes do not grow, they do not from places either; where features have less than they ask
+  // for, or the places are all over, points for them would be missed by others as poor.
+  if (!s.sizesGrow() || !s.ControlMap->GetHasGrownInFull() ||
     fewest[0] + fewest[1] > RefinedShare * static_cast<double>(s.mesh()->GetNumberOfCells()))
   {
     return true;

@@ -250,21 +250,23 @@ Status Sizing::fitScale()
 
 /// As fine as can be had while edges elsewhere get longer by no more than the growth: the smallest
 /// features, which would take the most points, are given up first, by bisection of the finest size.
-/// All or nothing where somebody wants more points in one place than in another.
-void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
+/// All or nothing where somebody wants more points in one place than in another. Returns whether
+/// none were given up.
+bool growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
 {
   const std::vector<FeatureSize> features = sizing.features(atlas, stop);
   const double scale = sizing.scale();
   double tooFine = 0;
   double coarse = Constants::LargestSize;
   Sizing::Growth best;
+  bool isInFull = false;
   for (int step = 0; step < Constants::MostGrowthSteps && !isAsked(stop); ++step)
   {
     const double finest = step == 0 ? Constants::FinestSize : std::sqrt(tooFine * coarse);
     sizing.grow(atlas, features, finest, scale);
     if (!sizing.hasGrown() && step == 0)
     {
-      return;
+      return true;
     }
     const bool isMet =
       sizing.fitScale().ok() && std::sqrt(scale / sizing.scale()) <= sizing.growth();
@@ -272,6 +274,7 @@ void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
     {
       best = sizing.takeGrowth();
     }
+    isInFull = isInFull || (isMet && step == 0);
     if (step == 0 && (isMet || !sizing.isUniform()))
     {
       break;
@@ -279,6 +282,7 @@ void growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
     (isMet ? coarse : tooFine) = finest;
   }
   sizing.setGrowth(std::move(best), scale);
+  return isInFull;
 }
 }
 
@@ -297,10 +301,11 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
     return Status::success(); // nothing is wanted anywhere
   }
   // What takes more than can be had need not be looked at more closely, which would take for ever.
+  bool isInFull = true;
   if (atlas && options.growth > 1. && sizing.numberOfSamples() <= Constants::MostSamples)
   {
     runReporting(progress, [&](const Progress& inner) {
-      growFromFeatures(sizing, *atlas, [&inner] { return !report(inner, 0.5); });
+      isInFull = growFromFeatures(sizing, *atlas, [&inner] { return !report(inner, 0.5); });
       return true;
     });
     if (!report(progress, 0.9))
@@ -315,6 +320,7 @@ Status applySizing(const Atlas* atlas, const std::vector<ControlImage>& images,
   }
   sizes.numberOfSamples = options.numberOfSamples;
   sizes.hasGrown = sizing.hasGrown();
+  sizes.hasGrownInFull = isInFull;
   if (sizing.isBounded())
   {
     // A pixel's control is read before it is written, and once.

@@ -36,6 +36,7 @@ struct Sizes
 {
   double numberOfSamples = 0; ///< that are wanted, not rounded
   bool hasGrown = false;      ///< features being near one another made a difference
+  bool hasGrownInFull = true; ///< no size is longer than they ask for, for want of samples
 };
 
 /// Turns a control into the one that meets the bounds. It is left as it is where no bound changes

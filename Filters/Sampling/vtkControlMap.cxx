@@ -317,6 +317,11 @@ bool vtkControlMap::GetHasGrown()
   return this->Data->builder.sizes().hasGrown;
 }
 
+bool vtkControlMap::GetHasGrownInFull()
+{
+  return this->Data->builder.sizes().hasGrownInFull;
+}
+
 void vtkControlMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -330,6 +330,9 @@ public:
   double GetNumberOfWantedSamples();
   /// Whether Growth made a difference to the last update.
   bool GetHasGrown();
+  /// Whether there were samples for all that Growth asks for; else the smallest features were given
+  /// up.
+  bool GetHasGrownInFull();
 
   vtkMTimeType GetMTime() override;
 

@@ -350,10 +350,12 @@ TEST(SizingFunction, GrowsFromPlaces)
   Sizes sizes;
   ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
   EXPECT_EQ(maps.control, before);
+  EXPECT_TRUE(sizes.hasGrownInFull) << "nothing is asked for";
   const double spacing = spacingOf(options.numberOfSamples / s.area());
   options.places = { { Vec3(1., 0., 0.), 0.5 * spacing }, { Vec3(0., 1., 0.), 0.01 * spacing } };
   ASSERT_TRUE(applySizing(plate.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
   EXPECT_TRUE(sizes.hasGrown);
+  EXPECT_TRUE(sizes.hasGrownInFull);
   EXPECT_EQ(sizes.numberOfSamples, 1000.);
   double mass = 0;
   for (const ControlImage& image : maps.images)
@@ -423,6 +425,7 @@ TEST(SizingFunction, GrowsAsFarAsPointsGo)
       }
     }
     EXPECT_TRUE(sizes.hasGrown) << growth;
+    EXPECT_FALSE(sizes.hasGrownInFull) << growth;
     const double spacing = spacingOf(options.numberOfSamples / s.area());
     EXPECT_LT(largest, 1.01 * growth * spacing);
     EXPECT_LT(smallest, 0.8 * spacing);
@@ -447,6 +450,7 @@ TEST(SizingFunction, GrowsAsFarAsPointsGo)
   Sizes sizes;
   EXPECT_TRUE(applySizing(bar.atlas.get(), maps.images, options, nullptr, control, sizes).ok());
   EXPECT_FALSE(sizes.hasGrown);
+  EXPECT_FALSE(sizes.hasGrownInFull);
   EXPECT_EQ(maps.control, before);
 }
 
