@@ -87,9 +87,8 @@ bool noted(const stipple::Status& status, unsigned long& code, std::string& sent
   return status.ok();
 }
 
-/// How often shorter edges are asked for where they are too long for a mesh to be sound or
-/// beautiful, and at how many places at most, as a share of the triangles.
-constexpr int RefiningTries = 2;
+/// Where edges are too long for a mesh to be sound or beautiful, shorter ones are asked for at so
+/// many places at most, as a share of the triangles.
 constexpr double RefinedShare = 0.01;
 }
 
@@ -613,9 +612,8 @@ bool vtkGeometryRemesher::RunStagesAndCheck()
   }
 }
 
-/// Asks for shorter edges where they are too long (coarsePlaces()); of the meshes the one that has
-/// the fewest such places is kept, unless it is farther from the surface than shows, and than one
-/// before it.
+/// Asks once more, for shorter edges where they are too long (coarsePlaces()). That mesh is kept if
+/// it has fewer such places, and is no farther from the surface than shows, or than the first one.
 bool vtkGeometryRemesher::RunStagesAndRefine()
 {
   Internals& s = *this->Stages;
@@ -624,75 +622,62 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return false;
   }
+  using Count = std::array<int, 2>; // what is wrong goes before what is ugly
+  const auto find = [&](vtkDoubleArray* places, Count& count) {
+    places->SetNumberOfComponents(4);
+    return noted(s.addCoarsePlaces(places, count), this->ErrorCode, s.Sentence);
+  };
+  const auto measure = [&](double& distance) {
+    return noted(s.measureVisibleDistance(distance), this->ErrorCode, s.Sentence);
+  };
   vtkNew<vtkDoubleArray> places;
-  places->SetNumberOfComponents(4);
-  constexpr std::array<int, 2> None = { { 0, 0 } };
-  std::array<int, 2> fewest; // what is wrong goes before what is ugly
-  if (!noted(s.addCoarsePlaces(places, fewest), this->ErrorCode, s.Sentence))
+  Count count;
+  if (!find(places, count))
   {
     return false;
   }
-  this->NumberOfOverlaps = fewest[0];
+  this->NumberOfOverlaps = count[0];
   // Where sizes do not grow, they do not from places either; where features have less than they ask
   // for, or the places are all over, points for them would be missed by others as poor.
-  if (!s.sizesGrow() || !s.ControlMap->GetHasGrownInFull() ||
-    fewest[0] + fewest[1] > RefinedShare * static_cast<double>(s.mesh()->GetNumberOfCells()))
+  const int number = count[0] + count[1];
+  if (number == 0 || !s.sizesGrow() || !s.ControlMap->GetHasGrownInFull() ||
+    number > RefinedShare * static_cast<double>(s.mesh()->GetNumberOfCells()))
   {
     return true;
   }
-  Internals::Made best;  // unless it is the last one
-  bool isBest = true;    // it is
-  double distance = -1.; // not yet known
-  for (int i = 0; i < RefiningTries && fewest != None; ++i)
+  double distance = 0.;
+  if (!measure(distance))
   {
-    vtkNew<vtkDoubleArray> now;
-    now->DeepCopy(places);
-    if (distance < 0. && !noted(s.measureVisibleDistance(distance), this->ErrorCode, s.Sentence))
-    {
-      return false;
-    }
-    best = s.made();
-    s.ControlMap->SetSizePlaces(now);
-    if (!this->RunStagesAndCheck())
-    {
-      if (this->ErrorCode == ABORTED)
-      {
-        return false;
-      }
-      this->ErrorCode = 0;
-      s.Sentence.clear();
-      isBest = false;
-      break;
-    }
-    std::array<int, 2> last;
-    if (!noted(s.addCoarsePlaces(places, last), this->ErrorCode, s.Sentence))
-    {
-      return false;
-    }
-    if (last == fewest)
-    {
-      return true; // it is not their length
-    }
-    double lastDistance = 0.;
-    isBest = last < fewest;
-    if (isBest && !noted(s.measureVisibleDistance(lastDistance), this->ErrorCode, s.Sentence))
-    {
-      return false;
-    }
-    isBest = isBest && lastDistance <= distance;
-    if (!isBest)
-    {
-      break; // more of it is no better, either
-    }
-    fewest = last;
-    distance = lastDistance;
-    this->NumberOfOverlaps = fewest[0];
+    return false;
   }
-  if (isBest || s.putBack(best))
+  const Internals::Made first = s.made();
+  s.ControlMap->SetSizePlaces(places);
+  if (this->RunStagesAndCheck())
+  {
+    vtkNew<vtkDoubleArray> left;
+    Count countLeft;
+    double distanceLeft = 0.;
+    if (!find(left, countLeft) || (countLeft < count && !measure(distanceLeft)))
+    {
+      return false;
+    }
+    if (countLeft < count && distanceLeft <= distance)
+    {
+      this->NumberOfOverlaps = countLeft[0];
+      return true;
+    }
+  }
+  else if (this->ErrorCode == ABORTED)
+  {
+    return false;
+  }
+  this->ErrorCode = 0;
+  s.Sentence.clear();
+  if (s.putBack(first))
   {
     return true;
   }
-  s.ControlMap->SetSizePlaces(best.sizePlaces);
+  s.ControlMap->SetSizePlaces(first.sizePlaces);
   return this->RunStagesAndCheck();
 }
 
