@@ -152,6 +152,7 @@ RemesherStages::Made RemesherStages::made()
     made.outputs.push_back(vtkSmartPointer<vtkDataObject>::Take(output->NewInstance()));
     made.outputs.back()->ShallowCopy(output);
   });
+  made.overlaps = this->NumberOfOverlaps;
   made.simplifiedFeatures = this->Optimizer->NumberOfSimplifiedFeatures;
   made.simplifiedFeaturesOfQuads = this->QuadMesher->NumberOfSimplifiedFeatures;
   made.leastNumberOfSamples = this->Sampler->MinimumNumberOfSamples;
@@ -181,6 +182,7 @@ bool RemesherStages::putBack(const Made& made)
   this->Sampler->SetNumberOfSamples(made.samples);
   this->Sampler->SetRaiseNumberOfSamples(made.raises);
   this->Optimizer->SetFeatureToleranceScale(made.toleranceScale);
+  this->NumberOfOverlaps = made.overlaps;
   this->Optimizer->NumberOfSimplifiedFeatures = made.simplifiedFeatures;
   this->QuadMesher->NumberOfSimplifiedFeatures = made.simplifiedFeaturesOfQuads;
   this->Sampler->MinimumNumberOfSamples = made.leastNumberOfSamples;

@@ -55,6 +55,7 @@ public:
   {
     vtkMTimeType atlas = 0;
     std::vector<vtkSmartPointer<vtkDataObject>> outputs; ///< of all ports, in order
+    int overlaps = 0;
     int simplifiedFeatures = 0;
     int simplifiedFeaturesOfQuads = 0;
     int leastNumberOfSamples = 0;
@@ -80,6 +81,7 @@ public:
   vtkNew<vtkQuadRemesh> QuadMesher;
   vtkNew<vtkSemiRegularSubdivision> Subdivider;
   std::array<vtkAlgorithm*, NumberOfAlgorithms> InOrder;
+  int NumberOfOverlaps = 0; ///< of the mesh, once they are counted
 
 private:
   /// Calls visit(data object) for all ports of the algorithms behind the atlas.

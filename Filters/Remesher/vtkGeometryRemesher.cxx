@@ -636,7 +636,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return false;
   }
-  this->NumberOfOverlaps = count[0];
+  s.NumberOfOverlaps = count[0];
   // Where sizes do not grow, they do not from places either; where features have less than they ask
   // for, or the places are all over, points for them would be missed by others as poor.
   const int number = count[0] + count[1];
@@ -663,7 +663,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     }
     if (countLeft < count && distanceLeft <= distance)
     {
-      this->NumberOfOverlaps = countLeft[0];
+      s.NumberOfOverlaps = countLeft[0];
       return true;
     }
   }
@@ -720,7 +720,6 @@ bool vtkGeometryRemesher::SearchEdgeLength()
   stipple::EdgeLengthSearch search(s.ControlMap->GetEdgeLength());
   search.add(first, mesh, measure());
   Internals::Made best = s.made();
-  int overlaps = this->NumberOfOverlaps; // of it
   while (const int points = search.next())
   {
     if (!this->TryNumberOfPoints(points, mesh))
@@ -737,7 +736,6 @@ bool vtkGeometryRemesher::SearchEdgeLength()
     if (mesh == search.found())
     {
       best = s.made();
-      overlaps = this->NumberOfOverlaps;
     }
   }
   if (mesh == search.found())
@@ -746,7 +744,6 @@ bool vtkGeometryRemesher::SearchEdgeLength()
   }
   if (s.putBack(best))
   {
-    this->NumberOfOverlaps = overlaps;
     measure();
     return true;
   }
@@ -805,7 +802,6 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   s.Area = reference.area();
   double reached = 0;
   Internals::Made best;
-  int overlaps = 0; // of it
   while (const int points = search.next())
   {
     if (!this->TryNumberOfPoints(points, mesh))
@@ -831,7 +827,6 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
     if (mesh == search.found())
     {
       best = s.made();
-      overlaps = this->NumberOfOverlaps;
     }
   }
   if (search.found() == 0)
@@ -851,7 +846,6 @@ bool vtkGeometryRemesher::SearchNumberOfPoints(vtkPolyData* input)
   this->Deviation = 100. * reached / diagonal;
   if (mesh != search.found() && s.putBack(best))
   {
-    this->NumberOfOverlaps = overlaps;
     return true;
   }
   return mesh == search.found() || this->TryNumberOfPoints(search.found(), mesh);
@@ -872,7 +866,7 @@ int vtkGeometryRemesher::RequestData(
   s.ProgressTo = 1.;
   this->Deviation = 0.;
   this->MedianEdgeLength = 0.;
-  this->NumberOfOverlaps = 0;
+  s.NumberOfOverlaps = 0;
   this->NumberOfPointsTried = 0;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
@@ -943,6 +937,11 @@ int vtkGeometryRemesher::GetLeastNumberOfPoints()
   return s.IsUnsound
     ? 0
     : std::max(0, s.Sampler->GetMinimumNumberOfSamples() - s.numberOfGivenVertices());
+}
+
+int vtkGeometryRemesher::GetNumberOfOverlaps()
+{
+  return this->Stages->NumberOfOverlaps;
 }
 
 int vtkGeometryRemesher::GetNumberOfGivenPoints()
@@ -1066,7 +1065,7 @@ void vtkGeometryRemesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDeviationLength: " << this->MaximumDeviationLength << "\n";
   os << indent << "Deviation: " << this->Deviation << "\n";
   os << indent << "MedianEdgeLength: " << this->MedianEdgeLength << "\n";
-  os << indent << "NumberOfOverlaps: " << this->NumberOfOverlaps << "\n";
+  os << indent << "NumberOfOverlaps: " << this->Stages->NumberOfOverlaps << "\n";
   os << indent << "NumberOfPointsTried: " << this->NumberOfPointsTried << "\n";
   os << indent << "Pattern: " << this->Pattern << "\n";
   os << indent

@@ -106,7 +106,7 @@ public:
   /// After an update: pairs of the mesh's triangles that pass through each other where the input
   /// does not pass through itself. Sheets of it are closer to each other than edges are long there:
   /// more points part them. Of a part that was selected, only its own.
-  vtkGetMacro(NumberOfOverlaps, int);
+  int GetNumberOfOverlaps();
   /// While a number is looked for, as observers of progress are told: the one that is tried; else
   /// 0.
   vtkGetMacro(NumberOfPointsTried, int);
@@ -305,7 +305,6 @@ private:
   double MaximumDeviationLength = 0.;
   double Deviation = 0.;
   double MedianEdgeLength = 0.;
-  int NumberOfOverlaps = 0;
   int NumberOfPointsTried = 0;
   int Pattern = TRIANGLES;
   char* SelectionArrayName = nullptr;

@@ -139,7 +139,9 @@ TEST(RemesherStages, WhatWasMadeIsPutBackAsItWas)
   };
   EXPECT_FALSE(stages.putBack(RemesherStages::Made())) << "nothing was made";
   make(200);
+  stages.NumberOfOverlaps = 7;
   const RemesherStages::Made made = stages.made();
+  stages.NumberOfOverlaps = 9;
   const int least = stages.Sampler->GetMinimumNumberOfSamples();
   vtkNew<vtkPolyData> first;
   first->DeepCopy(stages.Optimizer->GetOutput());
@@ -164,6 +166,7 @@ TEST(RemesherStages, WhatWasMadeIsPutBackAsItWas)
   };
   ASSERT_TRUE(stages.putBack(made));
   expectFirst();
+  EXPECT_EQ(stages.NumberOfOverlaps, 7);
   EXPECT_EQ(stages.Sampler->GetMinimumNumberOfSamples(), least);
   EXPECT_EQ(stages.Sampler->GetOutput()->GetNumberOfPoints(), 200);
   EXPECT_EQ(stages.ControlMap->GetSizePlaces()->GetNumberOfTuples(), 0);
