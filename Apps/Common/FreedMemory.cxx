@@ -23,6 +23,8 @@ constexpr int Mebibyte = 1 << 20;
 constexpr int LargestKept = 32 * Mebibyte;
 /// By which the heap grows.
 constexpr int Step = 64 * Mebibyte;
+/// Blocks that may be mapped: the library's default.
+constexpr int DefaultMaps = 65536;
 /// Addresses, of which none is resident before it is used.
 constexpr std::size_t Reserve = std::size_t(1024) * Mebibyte;
 
@@ -38,6 +40,7 @@ void askForHugePages()
 {
   mallopt(M_MMAP_MAX, 0); // from the heap, not beside it
   void* block = std::malloc(Reserve);
+  mallopt(M_MMAP_MAX, DefaultMaps);
   if (!block)
   {
     return;
@@ -62,8 +65,6 @@ void keepFreedMemory()
   {
     askForHugePages();
   }
-  constexpr int DefaultMaps = 65536;
-  mallopt(M_MMAP_MAX, DefaultMaps);
   mallopt(M_MMAP_THRESHOLD, LargestKept);
   mallopt(M_TOP_PAD, Step);
 }

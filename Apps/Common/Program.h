@@ -34,7 +34,8 @@ public:
   [[nodiscard]] int print(const std::string& text) const;
   /// What --help or --help=... asks for, on stdout.
   [[nodiscard]] int tell(const ProgramDescription& description, const std::string& asked) const;
-  /// Does it, and tells why it failed, if it did; exceptions too.
+  /// Does it, keeping what it frees (keepFreedMemory()), and tells why it failed, if it did;
+  /// exceptions too.
   [[nodiscard]] int perform(const std::function<Status()>& work) const;
 
 private:

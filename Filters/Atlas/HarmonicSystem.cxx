@@ -183,11 +183,10 @@ Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
 {
   this->GivenTerms.clear();
   // Each triangle contributes half an edge's weight; clamping has to see the whole weight.
-  const HalfWeights edges = addedUp(halves, this->Chart.numberOfVertices());
+  const Entries edges = addedUp(halves, this->Chart.numberOfVertices());
   std::vector<double> diagonal(this->NumberOfUnknowns, 0.);
-  HalfWeights below; // the diagonal; rows ascend in each column, as unknowns do with vertices
+  Entries below; // the diagonal; rows ascend in each column, as unknowns do with vertices
   below.reserve(edges.size());
-  Eigen::SparseMatrix<double> result(this->NumberOfUnknowns, this->NumberOfUnknowns);
   std::vector<int> next(this->NumberOfUnknowns, 1); // entries of each column
   for (const Eigen::Triplet<double>& edge : edges)
   {
@@ -214,6 +213,7 @@ Eigen::SparseMatrix<double> HarmonicSystem::laplacian(
       this->GivenTerms.push_back({ a >= 0 ? a : b, a >= 0 ? edge.col() : edge.row(), w });
     }
   }
+  Eigen::SparseMatrix<double> result(this->NumberOfUnknowns, this->NumberOfUnknowns);
   result.resizeNonZeros(static_cast<Eigen::Index>(below.size() + diagonal.size()));
   const auto put = [&result](int at, int row, double value) {
     result.innerIndexPtr()[at] = row;

@@ -677,7 +677,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
   {
     return true;
   }
-  s.ControlMap->SetSizePlaces(first.sizePlaces);
+  s.ControlMap->SetSizePlaces(nullptr);
   return this->RunStagesAndCheck();
 }
 

@@ -274,9 +274,9 @@ bool growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
     {
       best = sizing.takeGrowth();
     }
-    isInFull = isInFull || (isMet && step == 0);
     if (step == 0 && (isMet || !sizing.isUniform()))
     {
+      isInFull = isMet;
       break;
     }
     (isMet ? coarse : tooFine) = finest;
