@@ -52,10 +52,10 @@ std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::ve
   return places;
 }
 
-Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, double share, const Progress& progress,
-  vtkDoubleArray* rows, std::array<int, 2>& count)
+Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, bool isOverlap, double share,
+  const Progress& progress, vtkDoubleArray* rows, CoarsePlaceCount& count)
 {
-  count = { { 0, 0 } };
+  count = {};
   vtkDataArray* kind = mesh->GetPointData()->GetArray("SampleKind");
   std::vector<char> isFree(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (std::size_t p = 0; p < isFree.size(); ++p)
@@ -71,9 +71,12 @@ Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, double share, const 
     fromPolyData(mesh), isFree, [&] { return atlas.selfIntersections(); }, isStopped);
   for (const CoarsePlace& place : places)
   {
-    const Vec3& p = place.position;
-    rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
-    ++count[place.isOverlap ? 0 : 1];
+    ++(place.isOverlap ? count.overlaps : count.poor);
+    if (place.isOverlap == isOverlap)
+    {
+      const Vec3& p = place.position;
+      rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
+    }
   }
   return isStopped() ? Status::aborted() : Status::success();
 }

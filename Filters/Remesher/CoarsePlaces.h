@@ -10,7 +10,6 @@
 #include "TriangleIntersections.h"
 #include "TriangleSurface.h"
 
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -37,11 +36,24 @@ constexpr double SmallestGoodAngle = 15.;
   const TriangleSurface& mesh, const std::vector<char>& isFree,
   const std::function<std::vector<Box>()>& known, const Stop& stop = {});
 
-/// These places of a mesh as rows for vtkControlMap::SetSizePlaces(), added to others: a share of
-/// the edges that are there. count: those where the mesh passes through itself, and the others.
+/// How many places there are where a mesh passes through itself, and how many others.
+struct CoarsePlaceCount
+{
+  int overlaps = 0;
+  int poor = 0;
+
+  /// What is wrong goes before what is ugly.
+  bool operator<(const CoarsePlaceCount& o) const
+  {
+    return this->overlaps != o.overlaps ? this->overlaps < o.overlaps : this->poor < o.poor;
+  }
+};
+
+/// The places of one kind (isOverlap) as rows for vtkControlMap::SetSizePlaces(), added to others:
+/// a share of the edges that are there. All are counted.
 [[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT Status addSizePlaces(vtkPolyData* mesh,
-  const Atlas& atlas, double share, const Progress& progress, vtkDoubleArray* rows,
-  std::array<int, 2>& count);
+  const Atlas& atlas, bool isOverlap, double share, const Progress& progress, vtkDoubleArray* rows,
+  CoarsePlaceCount& count);
 
 /// The distance between a mesh and its surface, over the surface's diagonal; 0 if it does not show
 /// (Tuning::VisibleDistance).

@@ -294,6 +294,7 @@ private:
   bool RunStage(int algorithm);
   bool RunMapsAndControl();
   bool RunStages();
+  bool PartSheets();
   bool RunStagesAndCheck();
   bool RunStagesAndRefine();
   bool TryNumberOfPoints(int points, int& made);

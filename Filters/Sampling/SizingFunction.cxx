@@ -33,15 +33,18 @@ class Sizing
 public:
   Sizing(const std::vector<ControlImage>& images, const SizingOptions& options);
 
-  /// Samples per unit of parameter area at least, by chart and pixel, and the finest size that was
-  /// asked for, over the spacing. Empty: sizes do not grow.
+  /// Samples per unit of parameter area, by chart and pixel; empty: none.
+  using Densities = std::vector<std::vector<float>>;
+  /// Those that there are at least, and the finest size that was asked for, over the spacing.
+  /// Empty: sizes do not grow.
   struct Growth
   {
-    std::vector<std::vector<float>> least;
+    Densities least;
+    Densities atPlaces; ///< from the options' places, down to FinestSize of those without
     double finest = Constants::FinestSize;
   };
-  /// Lets sizes grow from features, down to `finest` of the spacing. Nothing is done where none are
-  /// near one another.
+  /// Lets sizes grow from features, down to `finest` of the spacing, and from the options' places.
+  /// Nothing is done where there are none, and no features are near one another.
   void grow(
     const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale);
   /// As they are at first.
@@ -51,10 +54,6 @@ public:
     std::vector<FeatureSize> sizes = featureSizes(atlas, spacing, stop);
     const std::vector<FeatureSize> ofLoops = girthSizes(atlas, spacing, stop);
     sizes.insert(sizes.end(), ofLoops.begin(), ofLoops.end());
-    for (const SizeSource& place : this->Options.places)
-    {
-      sizes.push_back({ place.position, place.size, place.size / Constants::FinestSize });
-    }
     return sizes;
   }
   Growth takeGrowth() { return std::move(this->Grown); }
@@ -70,7 +69,7 @@ public:
   double growth() const { return this->Options.growth; }
   /// Finds the scale at which there are as many samples as asked for.
   Status fitScale();
-  bool hasGrown() const { return !this->Grown.least.empty(); }
+  bool hasGrown() const { return !this->Grown.least.empty() || !this->Grown.atPlaces.empty(); }
   bool isBounded() const
   {
     return this->hasGrown() || this->Options.smallest > 0 || this->Options.largest > 0;
@@ -91,6 +90,7 @@ private:
     double unbound = 0; ///< of them, where nothing bounds them
   };
   Count count(double scale) const;
+  Densities densities(const Atlas& atlas, const GradedSizes& sizes) const;
   double spacingAt(const Atlas& atlas, const SurfacePlace& place) const;
   double wanted(std::size_t chart, std::size_t pixel, double scale) const
   {
@@ -100,12 +100,20 @@ private:
   /// Samples per unit of parameter area where so many are wanted.
   double bounded(std::size_t chart, std::size_t pixel, double wanted) const
   {
-    const double most = 1. / (this->Grown.finest * this->Grown.finest);
+    double grown = this->grownFromFeatures(chart, pixel, wanted);
+    if (!this->Grown.atPlaces.empty() && wanted > 0)
+    {
+      grown = std::max<double>(grown, this->Grown.atPlaces[chart][pixel]);
+    }
     const double area = std::max(0.f, this->Images[chart].areaDistortion[pixel]);
-    const double grown = this->Grown.least.empty()
+    return std::clamp(grown, area * this->Lowest, area * this->Highest);
+  }
+  double grownFromFeatures(std::size_t chart, std::size_t pixel, double wanted) const
+  {
+    const double most = 1. / (this->Grown.finest * this->Grown.finest);
+    return this->Grown.least.empty()
       ? wanted
       : std::clamp<double>(this->Grown.least[chart][pixel], wanted, most * wanted);
-    return std::clamp(grown, area * this->Lowest, area * this->Highest);
   }
 
   const std::vector<ControlImage>& Images;
@@ -166,22 +174,39 @@ double Sizing::spacingAt(const Atlas& atlas, const SurfacePlace& place) const
 void Sizing::grow(
   const Atlas& atlas, const std::vector<FeatureSize>& features, double finest, double scale)
 {
-  const GradedSizes sizes(sizesFrom(features, finest), this->Options.growth - 1.);
-  this->setGrowth({ {}, finest }, scale);
+  const double slope = this->Options.growth - 1.;
+  this->setGrowth({ this->densities(atlas, GradedSizes(sizesFrom(features, finest), slope)),
+                    this->densities(atlas, GradedSizes(this->Options.places, slope)), finest },
+    scale);
+  constexpr double Most = 1. / (Constants::FinestSize * Constants::FinestSize);
+  for (std::size_t c = 0; c < this->Grown.atPlaces.size(); ++c)
+  {
+    for (std::size_t i = 0; i < this->Grown.atPlaces[c].size(); ++i)
+    {
+      const double without = this->grownFromFeatures(c, i, this->wanted(c, i, scale));
+      float& least = this->Grown.atPlaces[c][i];
+      least = std::min(least, static_cast<float>(Most * without));
+    }
+  }
+}
+
+Sizing::Densities Sizing::densities(const Atlas& atlas, const GradedSizes& sizes) const
+{
+  Densities densities;
   if (sizes.empty())
   {
-    return;
+    return densities;
   }
-  this->Grown.least.resize(this->Images.size());
-  for (std::size_t c = 0; c < this->Grown.least.size(); ++c)
+  for (const ControlImage& image : this->Images)
   {
-    this->Grown.least[c].resize(this->Images[c].numberOfPixels());
+    densities.emplace_back(image.numberOfPixels());
   }
   forEachPixelSize(
     atlas.surface(), this->Images, sizes, [&](std::size_t c, std::size_t i, double size) {
-      this->Grown.least[c][i] =
+      densities[c][i] =
         static_cast<float>(densityOfEdges(size) * std::max(0.f, this->Images[c].areaDistortion[i]));
     });
+  return densities;
 }
 
 Sizing::Count Sizing::count(double scale) const
@@ -250,8 +275,8 @@ Status Sizing::fitScale()
 
 /// As fine as can be had while edges elsewhere get longer by no more than the growth: the smallest
 /// features, which would take the most points, are given up first, by bisection of the finest size.
-/// All or nothing where somebody wants more points in one place than in another. Returns whether
-/// none were given up.
+/// All or nothing where somebody wants more points in one place than in another. Places are met, or
+/// nothing is. Returns whether none were given up.
 bool growFromFeatures(Sizing& sizing, const Atlas& atlas, const Stop& stop)
 {
   const std::vector<FeatureSize> features = sizing.features(atlas, stop);

@@ -27,7 +27,8 @@ struct SizingOptions
   /// (featureSizes()); 0: lengths may jump.
   double growth = 0;
   /// Places at which edges are to be no longer than that, besides those near features, and from
-  /// which they grow as from these.
+  /// which they grow as from these: down to SamplingConstants::FinestSize of what they would be
+  /// else, which may be short for a feature already.
   std::vector<SizeSource> places;
 };
 

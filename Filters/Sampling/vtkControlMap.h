@@ -293,7 +293,7 @@ public:
   /**
    * Places at which edges are to be no longer than so long, an array with the components x, y, z
    * and length, in the surface's unit: from there lengths grow by Growth, as from features and
-   * together with these, down to a third of what they would be else. Without Growth or
+   * besides these, down to a third of what they would be else. Without Growth or
    * GrowFromFeatures they take no effect. SetSizePlaces() copies the array, nullptr being none, and
    * changes nothing if a number is not finite, or a length not positive, which is an error. Change
    * what GetSizePlaces() returns by SetSizePlaces() only. vtkGeometryRemesher sets them itself,

@@ -6,15 +6,19 @@
 #include "PolyDataConversion.h"
 #include "TestModels.h"
 
+#include "vtkCellArray.h"
 #include "vtkControlMap.h"
 #include "vtkDoubleArray.h"
 #include "vtkGeometryRemesher.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRemeshOptimizer.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <initializer_list>
 
@@ -26,6 +30,56 @@ std::function<std::vector<Box>()> placesOf(const TriangleSurface& s)
 {
   return [&s] { return placesOfIntersections(s.points, s.triangles).value_or(std::vector<Box>()); };
 }
+
+/// A round plate, 300 wide and 4 thick, with a head in it, 12 wide, and .4 of air about the head.
+vtkSmartPointer<vtkPolyData> plateWithHead()
+{
+  constexpr std::array<std::array<double, 2>, 8> Profile = { { { { 0., 0. } }, { { 150., 0. } },
+    { { 150., 4. } }, { { 6.4, 4. } }, { { 6.4, 1. } }, { { 6., 1. } }, { { 6., 4. } },
+    { { 0., 4. } } } };
+  constexpr int Sides = 64;
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  for (const auto& [radius, height] : Profile)
+  {
+    for (int i = 0; i < Sides; ++i)
+    {
+      const double angle = 2. * Pi * i / Sides;
+      points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+  }
+  for (int ring = 0; ring + 1 < static_cast<int>(Profile.size()); ++ring)
+  {
+    for (int i = 0; i < Sides; ++i)
+    {
+      const vtkIdType below = ring * Sides;
+      const vtkIdType next = below + (i + 1) % Sides;
+      polygons->InsertNextCell({ below + i, next, next + Sides, below + i + Sides });
+    }
+  }
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  return data;
+}
+}
+
+// Of what few points tell apart, the mesh of the samples says where more are needed.
+TEST(Overlaps, OfAHeadInItsHoleArePartedByFewPoints)
+{
+  const vtkSmartPointer<vtkPolyData> model = plateWithHead();
+  const TriangleSurface surface = fromPolyData(model);
+  vtkNew<vtkGeometryRemesher> remesher;
+  remesher->SetInputData(model);
+  for (const int points : { 900, 1000 })
+  {
+    remesher->SetNumberOfPoints(points);
+    remesher->Update();
+    ASSERT_EQ(remesher->GetOutput()->GetNumberOfPoints(), points);
+    EXPECT_EQ(remesher->GetNumberOfOverlaps(), 0) << points << " points";
+    EXPECT_EQ(findOverlaps(fromPolyData(remesher->GetOutput()), placesOf(surface)).size(), 0U);
+    EXPECT_GT(remesher->GetControlMap()->GetSizePlaces()->GetNumberOfTuples(), 0);
+  }
 }
 
 TEST(Overlaps, ArePartedByShorterEdges)

@@ -101,9 +101,10 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   const vtkSmartPointer<vtkPolyData> data = toPolyData(mesh.points, mesh.triangles);
   vtkNew<vtkDoubleArray> rows;
   rows->SetNumberOfComponents(4);
-  std::array<int, 2> count;
-  ASSERT_TRUE(addSizePlaces(data, *t->atlas, 0.5, {}, rows, count).ok());
-  EXPECT_EQ(count, (std::array<int, 2>{ { 0, 0 } }));
+  CoarsePlaceCount count;
+  ASSERT_TRUE(addSizePlaces(data, *t->atlas, true, 0.5, {}, rows, count).ok());
+  EXPECT_EQ(count.overlaps, 0);
+  EXPECT_EQ(count.poor, 0);
   TriangleSurface two = mesh; // a triangle through the middle of one
   for (const Vec3& p : { Vec3(0.5, 0.2, -1), Vec3(0.5, 0.2, 1), Vec3(0.5, 0.4, 1) })
   {
@@ -111,18 +112,29 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   }
   two.triangles.push_back({ Rim + 1, Rim + 2, Rim + 3 });
   two.connect();
-  ASSERT_TRUE(
-    addSizePlaces(toPolyData(two.points, two.triangles), *t->atlas, 0.5, {}, rows, count).ok());
-  EXPECT_GE(count[0], 1);
-  EXPECT_EQ(count[1], 0) << "no vertex is said to be free";
-  ASSERT_EQ(rows->GetNumberOfTuples(), count[0]);
+  const vtkSmartPointer<vtkPolyData> through = toPolyData(two.points, two.triangles);
+  ASSERT_TRUE(addSizePlaces(through, *t->atlas, true, 0.5, {}, rows, count).ok());
+  EXPECT_GE(count.overlaps, 1);
+  EXPECT_EQ(count.poor, 0) << "no vertex is said to be free";
+  ASSERT_EQ(rows->GetNumberOfTuples(), count.overlaps);
   const std::vector<CoarsePlace> places =
     coarsePlaces(two, std::vector<char>(two.points.size(), 0), [] { return std::vector<Box>(); });
-  ASSERT_EQ(places.size(), static_cast<std::size_t>(count[0]));
+  ASSERT_EQ(places.size(), static_cast<std::size_t>(count.overlaps));
   EXPECT_DOUBLE_EQ(rows->GetComponent(0, 3), 0.5 * places[0].edgeLength);
+  const vtkIdType before = rows->GetNumberOfTuples();
+  ASSERT_TRUE(addSizePlaces(through, *t->atlas, false, 0.5, {}, rows, count).ok());
+  EXPECT_GE(count.overlaps, 1) << "they are counted";
+  EXPECT_EQ(rows->GetNumberOfTuples(), before) << "but are not what is asked for";
   EXPECT_FALSE(addSizePlaces(
-    data, *t->atlas, 0.5, [](double) { return false; }, rows, count)
+    data, *t->atlas, true, 0.5, [](double) { return false; }, rows, count)
                  .ok());
+}
+
+TEST(CoarsePlaces, CountWhatIsWrongFirst)
+{
+  EXPECT_TRUE((CoarsePlaceCount{ 0, 9 }) < (CoarsePlaceCount{ 1, 0 }));
+  EXPECT_TRUE((CoarsePlaceCount{ 1, 0 }) < (CoarsePlaceCount{ 1, 1 }));
+  EXPECT_FALSE((CoarsePlaceCount{ 1, 1 }) < (CoarsePlaceCount{ 1, 1 }));
 }
 
 TEST(CoarsePlaces, DistancesCountIfTheyShow)
