@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <set>
 
 namespace stipple
 {
@@ -33,7 +34,7 @@ std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::ve
   for (const MeshOverlap& overlap : findOverlaps(mesh, known, stop))
   {
     const auto [f, g] = overlap.faces;
-    places.push_back({ overlap.position, 0.5 * (meanEdge(f) + meanEdge(g)), true });
+    places.push_back({ overlap.position, 0.5 * (meanEdge(f) + meanEdge(g)), true, overlap.faces });
   }
   for (const Face f : mesh.faces())
   {
@@ -46,7 +47,7 @@ std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::ve
       measureTriangle(mesh, f).smallestAngle < SmallestGoodAngle)
     {
       const Vec3 sum = mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]];
-      places.push_back({ sum / 3., meanEdge(f), false });
+      places.push_back({ sum / 3., meanEdge(f), false, { { f, f } } });
     }
   }
   return places;
@@ -69,8 +70,10 @@ Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, bool isOverlap, doub
   const auto isStopped = [&] { return !report(progress, 0.); };
   const std::vector<CoarsePlace> places = coarsePlaces(
     fromPolyData(mesh), isFree, [&] { return atlas.selfIntersections(); }, isStopped);
+  std::set<Face> triangles;
   for (const CoarsePlace& place : places)
   {
+    triangles.insert(place.faces.begin(), place.faces.end());
     ++(place.isOverlap ? count.overlaps : count.poor);
     if (place.isOverlap == isOverlap)
     {
@@ -78,6 +81,7 @@ Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, bool isOverlap, doub
       rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);
     }
   }
+  count.triangles = static_cast<int>(triangles.size());
   return isStopped() ? Status::aborted() : Status::success();
 }
 

@@ -10,6 +10,7 @@
 #include "TriangleIntersections.h"
 #include "TriangleSurface.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -21,8 +22,9 @@ namespace stipple
 struct CoarsePlace
 {
   Vec3 position;
-  double edgeLength; ///< the mean of the triangles' there
-  bool isOverlap;    ///< the mesh passes through itself; else its triangle is just poor
+  double edgeLength;         ///< the mean of the triangles' there
+  bool isOverlap;            ///< the mesh passes through itself; else its triangle is just poor
+  std::array<Face, 2> faces; ///< those that do so; twice the poor one
 };
 
 /// Smallest angle of a triangle, in degrees, that shorter edges are not asked for.
@@ -41,6 +43,7 @@ struct CoarsePlaceCount
 {
   int overlaps = 0;
   int poor = 0;
+  int triangles = 0; ///< at any of them
 
   /// What is wrong goes before what is ugly.
   bool operator<(const CoarsePlaceCount& o) const

@@ -116,6 +116,7 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   ASSERT_TRUE(addSizePlaces(through, *t->atlas, true, 0.5, {}, rows, count).ok());
   EXPECT_GE(count.overlaps, 1);
   EXPECT_EQ(count.poor, 0) << "no vertex is said to be free";
+  EXPECT_EQ(count.triangles, count.overlaps + 1) << "and the one that passes through them";
   ASSERT_EQ(rows->GetNumberOfTuples(), count.overlaps);
   const std::vector<CoarsePlace> places =
     coarsePlaces(two, std::vector<char>(two.points.size(), 0), [] { return std::vector<Box>(); });
