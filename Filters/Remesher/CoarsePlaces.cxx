@@ -53,8 +53,8 @@ std::vector<CoarsePlace> coarsePlaces(const TriangleSurface& mesh, const std::ve
   return places;
 }
 
-Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, bool isOverlap, double share,
-  const Progress& progress, vtkDoubleArray* rows, CoarsePlaceCount& count)
+Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, double share, const Progress& progress,
+  vtkDoubleArray* overlapping, vtkDoubleArray* poor, CoarsePlaceCount& count)
 {
   count = {};
   vtkDataArray* kind = mesh->GetPointData()->GetArray("SampleKind");
@@ -75,7 +75,7 @@ Status addSizePlaces(vtkPolyData* mesh, const Atlas& atlas, bool isOverlap, doub
   {
     triangles.insert(place.faces.begin(), place.faces.end());
     ++(place.isOverlap ? count.overlaps : count.poor);
-    if (place.isOverlap == isOverlap)
+    if (vtkDoubleArray* rows = place.isOverlap ? overlapping : poor)
     {
       const Vec3& p = place.position;
       rows->InsertNextTuple4(p.x(), p.y(), p.z(), share * place.edgeLength);

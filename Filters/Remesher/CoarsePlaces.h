@@ -52,11 +52,12 @@ struct CoarsePlaceCount
   }
 };
 
-/// The places of one kind (isOverlap) as rows for vtkControlMap::SetSizePlaces(), added to others:
-/// a share of the edges that are there. All are counted.
+/// These places of a mesh as rows for vtkControlMap::SetSizePlaces(), a share of the edges that are
+/// there, added to others: where it passes through itself, and where it is poor. Either may be
+/// null; all are counted.
 [[nodiscard]] STIPPLEFILTERSREMESHER_EXPORT Status addSizePlaces(vtkPolyData* mesh,
-  const Atlas& atlas, bool isOverlap, double share, const Progress& progress, vtkDoubleArray* rows,
-  CoarsePlaceCount& count);
+  const Atlas& atlas, double share, const Progress& progress, vtkDoubleArray* overlapping,
+  vtkDoubleArray* poor, CoarsePlaceCount& count);
 
 /// The distance between a mesh and its surface, over the surface's diagonal; 0 if it does not show
 /// (Tuning::VisibleDistance).

@@ -121,8 +121,7 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
   double FarthestFeature = 0;         ///< that these may move, a length; 0 if there is none
   double Area = 0;                    ///< of the surface, if there is
   vtkNew<vtkDoubleArray> Places;      ///< at which edges are to be shorter, for the control map
-  int Drafts = 0;                     ///< times that others may be added before a mesh is optimised
-  vtkNew<vtkDoubleArray> Overlapping; ///< places at which the mesh of before passes through itself
+  vtkNew<vtkDoubleArray> Overlapping; ///< where the mesh before passes through itself: to be parted
   bool IsUnsound = false; ///< a mesh was made, and not sound: what would be is not known
   bool Stopped = false;   ///< the last execution was, so that its outputs are not up to date
   vtkTimeStamp StoppedTime;
@@ -220,8 +219,8 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
   }
 
   /// See stipple::addSizePlaces().
-  stipple::Status addSizePlaces(vtkPolyData* mesh, bool isOverlap, double share,
-    vtkDoubleArray* rows, stipple::CoarsePlaceCount& count)
+  stipple::Status addSizePlaces(vtkPolyData* mesh, double share, vtkDoubleArray* overlapping,
+    vtkDoubleArray* poor, stipple::CoarsePlaceCount& count)
   {
     count = {};
     stipple::Atlas::Pointer atlas;
@@ -230,19 +229,18 @@ struct vtkGeometryRemesher::Internals : stipple::RemesherStages
       return status;
     }
     return stipple::runReporting(this->reportNothingNew(), [&](const stipple::Progress& progress) {
-      return stipple::addSizePlaces(mesh, *atlas, isOverlap, share, progress, rows, count);
+      return stipple::addSizePlaces(mesh, *atlas, share, progress, overlapping, poor, count);
     });
   }
 
-  /// The same of what is made, as short as sizes may get beside features.
-  stipple::Status addSizePlaces(
-    bool isOverlap, vtkDoubleArray* rows, stipple::CoarsePlaceCount& count)
+  /// The share of edges that is asked for where a mesh is at fault: as short as sizes may get
+  /// beside features.
+  double finestShare()
   {
-    const int pattern = this->Self->GetPattern();
     // Edges that are asked for are those of the base mesh.
-    const double splits = pattern == SEMIREGULAR ? this->Subdivider->GetNumberOfSubdivisions() : 0;
-    const double share = stipple::SamplingConstants::FinestSize * std::pow(2., splits);
-    return this->addSizePlaces(this->mesh(), isOverlap, share, rows, count);
+    const bool isSplit = this->Self->GetPattern() == SEMIREGULAR;
+    const double splits = isSplit ? this->Subdivider->GetNumberOfSubdivisions() : 0;
+    return stipple::SamplingConstants::FinestSize * std::pow(2., splits);
   }
 
   /// See stipple::visibleDistance().
@@ -513,13 +511,15 @@ bool vtkGeometryRemesher::RunStages()
 bool vtkGeometryRemesher::PartSheets()
 {
   Internals& s = *this->Stages;
-  for (int i = 0; i < s.Drafts && s.ControlMap->GetHasGrownInFull(); ++i)
+  const vtkIdType all = s.Overlapping->GetNumberOfTuples();
+  for (int i = 0; all > 0 && i < MostDrafts && s.ControlMap->GetHasGrownInFull(); ++i)
   {
     vtkPolyData* mesh = s.Mesher->GetOutput();
     vtkNew<vtkDoubleArray> places;
     places->DeepCopy(s.ControlMap->GetSizePlaces());
     stipple::CoarsePlaceCount count;
-    if (!noted(s.addSizePlaces(mesh, true, DraftShare, places, count), this->ErrorCode, s.Sentence))
+    if (!noted(
+          s.addSizePlaces(mesh, DraftShare, places, nullptr, count), this->ErrorCode, s.Sentence))
     {
       return false;
     }
@@ -528,7 +528,7 @@ bool vtkGeometryRemesher::PartSheets()
       break;
     }
     // What comes up later is not seen here.
-    const vtkIdType later = count.overlaps == 0 ? s.Overlapping->GetNumberOfTuples() : 0;
+    const vtkIdType later = count.overlaps == 0 ? all : 0;
     places->InsertTuples(places->GetNumberOfTuples(), later, 0, s.Overlapping);
     s.ControlMap->SetSizePlaces(places);
     if (!this->RunMapsAndControl() || !this->RunStage(SAMPLING) || !this->RunStage(MESHING))
@@ -666,22 +666,23 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
 {
   Internals& s = *this->Stages;
   s.Places->SetNumberOfTuples(0);
-  s.Drafts = 0;
+  s.Overlapping->SetNumberOfTuples(0);
   if (!this->RunStagesAndCheck())
   {
     return false;
   }
-  const auto find = [&](bool isOverlap, vtkDoubleArray* rows, stipple::CoarsePlaceCount& count) {
-    rows->SetNumberOfComponents(4);
-    rows->SetNumberOfTuples(0);
-    return noted(s.addSizePlaces(isOverlap, rows, count), this->ErrorCode, s.Sentence);
+  const auto find = [&](vtkDoubleArray* overlapping, vtkDoubleArray* poor,
+                      stipple::CoarsePlaceCount& count) {
+    return noted(s.addSizePlaces(s.mesh(), s.finestShare(), overlapping, poor, count),
+      this->ErrorCode, s.Sentence);
   };
   const auto measure = [&](double& distance) {
     return noted(s.measureVisibleDistance(distance), this->ErrorCode, s.Sentence);
   };
   vtkNew<vtkDoubleArray> poor;
+  poor->SetNumberOfComponents(4);
   stipple::CoarsePlaceCount count;
-  if (!find(false, poor, count))
+  if (!find(s.Overlapping, poor, count))
   {
     return false;
   }
@@ -694,19 +695,17 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     return true;
   }
   double distance = 0.;
-  if (!measure(distance) || (count.overlaps > 0 && !find(true, s.Overlapping, count)))
+  if (!measure(distance))
   {
     return false;
   }
   const Internals::Made first = s.made();
   s.Places->DeepCopy(poor);
-  s.Drafts = count.overlaps > 0 ? MostDrafts : 0;
   if (this->RunStagesAndCheck())
   {
-    vtkNew<vtkDoubleArray> left;
     stipple::CoarsePlaceCount countLeft;
     double distanceLeft = 0.;
-    if (!find(false, left, countLeft) || (countLeft < count && !measure(distanceLeft)))
+    if (!find(nullptr, nullptr, countLeft) || (countLeft < count && !measure(distanceLeft)))
     {
       return false;
     }
@@ -727,7 +726,7 @@ bool vtkGeometryRemesher::RunStagesAndRefine()
     return true;
   }
   s.Places->SetNumberOfTuples(0);
-  s.Drafts = 0;
+  s.Overlapping->SetNumberOfTuples(0);
   return this->RunStagesAndCheck();
 }
 

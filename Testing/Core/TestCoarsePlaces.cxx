@@ -102,7 +102,7 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   vtkNew<vtkDoubleArray> rows;
   rows->SetNumberOfComponents(4);
   CoarsePlaceCount count;
-  ASSERT_TRUE(addSizePlaces(data, *t->atlas, true, 0.5, {}, rows, count).ok());
+  ASSERT_TRUE(addSizePlaces(data, *t->atlas, 0.5, {}, rows, nullptr, count).ok());
   EXPECT_EQ(count.overlaps, 0);
   EXPECT_EQ(count.poor, 0);
   TriangleSurface two = mesh; // a triangle through the middle of one
@@ -113,7 +113,7 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   two.triangles.push_back({ Rim + 1, Rim + 2, Rim + 3 });
   two.connect();
   const vtkSmartPointer<vtkPolyData> through = toPolyData(two.points, two.triangles);
-  ASSERT_TRUE(addSizePlaces(through, *t->atlas, true, 0.5, {}, rows, count).ok());
+  ASSERT_TRUE(addSizePlaces(through, *t->atlas, 0.5, {}, rows, nullptr, count).ok());
   EXPECT_GE(count.overlaps, 1);
   EXPECT_EQ(count.poor, 0) << "no vertex is said to be free";
   EXPECT_EQ(count.triangles, count.overlaps + 1) << "and the one that passes through them";
@@ -123,11 +123,11 @@ TEST(CoarsePlaces, AreRowsOfSizes)
   ASSERT_EQ(places.size(), static_cast<std::size_t>(count.overlaps));
   EXPECT_DOUBLE_EQ(rows->GetComponent(0, 3), 0.5 * places[0].edgeLength);
   const vtkIdType before = rows->GetNumberOfTuples();
-  ASSERT_TRUE(addSizePlaces(through, *t->atlas, false, 0.5, {}, rows, count).ok());
+  ASSERT_TRUE(addSizePlaces(through, *t->atlas, 0.5, {}, nullptr, rows, count).ok());
   EXPECT_GE(count.overlaps, 1) << "they are counted";
   EXPECT_EQ(rows->GetNumberOfTuples(), before) << "but are not what is asked for";
   EXPECT_FALSE(addSizePlaces(
-    data, *t->atlas, true, 0.5, [](double) { return false; }, rows, count)
+    data, *t->atlas, 0.5, [](double) { return false; }, rows, nullptr, count)
                  .ok());
 }
 
