@@ -42,12 +42,6 @@ std::string numberText(double number)
     : shortestText(number);
 }
 
-double twoDigits(double number)
-{
-  const double unit = std::pow(10., std::max(0., std::floor(std::log10(number)) - 1));
-  return std::round(number / unit) * unit;
-}
-
 std::array<unsigned char, 3> chartColor(int chart)
 {
   const double hue = std::fmod(0.58 + 0.618033988749895 * chart, 1.);

@@ -33,8 +33,6 @@ constexpr double ViewAngle = 24; ///< degrees
 [[nodiscard]] std::string grouped(long long number);
 /// Any number: grouped where it is whole and not beyond what doubles count.
 [[nodiscard]] std::string numberText(double number);
-/// A number of 1 or more rounded to a whole number with two digits that are not 0.
-[[nodiscard]] double twoDigits(double number);
 
 /// A light colour for each chart; neighbours in number are far apart in hue.
 [[nodiscard]] std::array<unsigned char, 3> chartColor(int chart);

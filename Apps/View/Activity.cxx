@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Activity.h"
 
+#include "MessageText.h"
 #include "SamplingConstants.h"
 #include "SceneActors.h"
 

@@ -3,6 +3,7 @@
 #include "Panel.h"
 
 #include "Document.h"
+#include "MessageText.h"
 #include "SceneActors.h"
 #include "SessionEdits.h"
 #include "ViewOptions.h"

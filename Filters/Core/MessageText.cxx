@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MessageText.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
 namespace stipple
 {
 std::string sentenceOf(const std::string& vtkMessage)
@@ -26,5 +31,23 @@ std::string sentenceOf(const std::string& vtkMessage)
   }
   const std::size_t end = text.find_last_not_of(' ');
   return text.substr(0, end == std::string::npos ? 0 : end + 1);
+}
+
+double twoDigits(double number)
+{
+  const double unit = std::pow(10., std::max(0., std::floor(std::log10(number)) - 1.));
+  return unit * std::round(number / unit);
+}
+
+std::string countText(double number)
+{
+  constexpr double MostInFull = 1e15;
+  std::ostringstream text;
+  if (std::abs(number) < MostInFull)
+  {
+    text << std::fixed << std::setprecision(0);
+  }
+  text << number;
+  return text.str();
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's message macros wrote, without what only a debugger wants to know.
+// What messages say: sentences of VTK's macros without what only a debugger wants to know, and
+// numbers that are not known to the last digit.
 #ifndef stipple_MessageText_h
 #define stipple_MessageText_h
 
@@ -12,6 +13,12 @@ namespace stipple
 {
 /// The sentence within "ERROR: In file, line n\nvtkClass (0x1234): sentence\n\n", on one line.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string sentenceOf(const std::string& vtkMessage);
+
+/// A number of 1 or more rounded to a whole number with two digits that are not 0.
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT double twoDigits(double number);
+
+/// A whole number in full, or as 1e+20 where that is easier to read.
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string countText(double number);
 }
 
 #endif

@@ -125,7 +125,7 @@ Status checkMesh(const TriangleSurface& mesh, const TriangleSurface& surface,
   const SurfaceTopology& topology, const Progress& progress)
 {
   Status status = faultOf(mesh, topology);
-  if (!status.ok())
+  if (!status.ok() || mesh.numberOfFaces() == 0) // as many as the surface has
   {
     return status;
   }

@@ -54,13 +54,14 @@ const char* RemesherStages::nameOf(int algorithm)
   return Names[algorithm];
 }
 
-std::array<double, 2> RemesherStages::progressOf(int algorithm, bool subdivides)
+std::array<double, 2> RemesherStages::progressOf(int algorithm) const
 {
   static constexpr std::array<double, NumberOfStages + 1> Begin = { { 0., 0.3, 0.4, 0.45, 0.6, 0.7,
     1. } };
   const int stage = stageOf(algorithm);
   std::array<double, 2> range = { { Begin[stage], Begin[stage + 1] } };
-  if (subdivides && stage == vtkGeometryRemesher::OPTIMISATION)
+  if (this->Pattern == vtkGeometryRemesher::SEMIREGULAR &&
+    stage == vtkGeometryRemesher::OPTIMISATION)
   {
     // The base mesh is small.
     constexpr double OfBase = 0.1;
@@ -74,6 +75,15 @@ vtkAlgorithm* RemesherStages::last(int pattern) const
   return this->InOrder[pattern == vtkGeometryRemesher::QUADS ? QuadMeshing
       : pattern == vtkGeometryRemesher::SEMIREGULAR          ? Subdivision
                                                              : vtkGeometryRemesher::OPTIMISATION];
+}
+
+bool RemesherStages::hasOneEdgeLength() const
+{
+  vtkControlMap* c = this->ControlMap;
+  return this->Pattern == vtkGeometryRemesher::TRIANGLES && c->GetEdgeLength() > 0. &&
+    !c->GetSizeArrayName() && c->GetCurvaturePoints() == 0. && c->GetSizeMinimum() == 0. &&
+    c->GetSizeMaximum() == 0. && c->GetImportance() == vtkControlMap::UNIFORM &&
+    c->GetNumberOfStrokes() == 0;
 }
 
 std::vector<std::string> RemesherStages::neededMaps() const

@@ -41,10 +41,12 @@ public:
   static const char* nameOf(int algorithm);
   /// Begin and end of an algorithm's progress in the whole: about the shares of time that stages
   /// take.
-  static std::array<double, 2> progressOf(int algorithm, bool subdivides);
+  std::array<double, 2> progressOf(int algorithm) const;
 
-  /// The algorithm whose output is the mesh of a pattern (vtkGeometryRemesher::TRIANGLES, ...).
+  /// The algorithm whose output is the mesh of a pattern.
   vtkAlgorithm* last(int pattern) const;
+  /// Whether triangles' edges are to be EdgeLength long everywhere.
+  bool hasOneEdgeLength() const;
   /// The maps that control map and sampler read, by the control map's importance.
   std::vector<std::string> neededMaps() const;
   /// Adds them to what the caller selected, and takes back what was added for another importance.
@@ -81,6 +83,7 @@ public:
   vtkNew<vtkQuadRemesh> QuadMesher;
   vtkNew<vtkSemiRegularSubdivision> Subdivider;
   std::array<vtkAlgorithm*, NumberOfAlgorithms> InOrder;
+  int Pattern = 0;          ///< of the mesh: vtkGeometryRemesher::TRIANGLES, ...
   int NumberOfOverlaps = 0; ///< of the mesh, once they are counted
 
 private:

@@ -63,7 +63,11 @@ class vtkImageData;
 class vtkQuadRemesh;
 class vtkRemeshOptimizer;
 class vtkSemiRegularSubdivision;
-class vtkWindow;
+namespace stipple
+{
+class RemesherRun;
+class Status;
+}
 
 class STIPPLEFILTERSREMESHER_EXPORT vtkGeometryRemesher : public vtkPolyDataAlgorithm
 {
@@ -109,7 +113,7 @@ public:
   int GetNumberOfOverlaps();
   /// While a number is looked for, as observers of progress are told: the one that is tried; else
   /// 0.
-  vtkGetMacro(NumberOfPointsTried, int);
+  int GetNumberOfPointsTried();
   ///@}
 
   /// Once there are charts: samples that come on top of NumberOfPoints, as they are given: on the
@@ -290,27 +294,18 @@ private:
   vtkGeometryRemesher(const vtkGeometryRemesher&) = delete;
   void operator=(const vtkGeometryRemesher&) = delete;
 
-  bool TakeInput(vtkPolyData* input);
-  bool RunStage(int algorithm);
-  bool RunMapsAndControl();
-  bool RunStages();
-  bool PartSheets();
-  bool RunStagesAndCheck();
-  bool RunStagesAndRefine();
-  bool TryNumberOfPoints(int points, int& made);
-  bool SearchEdgeLength();
-  bool SearchNumberOfPoints(vtkPolyData* input);
+  stipple::Status Remesh(vtkPolyData* input);
 
   int NumberOfPoints = 0;
   double MaximumDeviation = 0.;
   double MaximumDeviationLength = 0.;
   double Deviation = 0.;
   double MedianEdgeLength = 0.;
-  int NumberOfPointsTried = 0;
   int Pattern = TRIANGLES;
   char* SelectionArrayName = nullptr;
-  struct Internals;
-  std::unique_ptr<Internals> Stages;
+  std::unique_ptr<stipple::RemesherRun> Run;
+  bool Stopped = false; // the last execution was, so that its outputs are not up to date
+  vtkTimeStamp StoppedTime;
 };
 
 #endif

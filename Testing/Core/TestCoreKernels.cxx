@@ -86,6 +86,17 @@ TEST(MessageText, KeepsTheSentenceOnly)
   EXPECT_EQ(sentenceOf(" \n\n"), "");
 }
 
+TEST(MessageText, NumbersAreAsExactAsTheyAreKnown)
+{
+  EXPECT_EQ(twoDigits(4321.), 4300.);
+  EXPECT_EQ(twoDigits(1'249'000.), 1'200'000.);
+  EXPECT_EQ(twoDigits(7.4), 7.);
+  EXPECT_EQ(twoDigits(99.6), 100.);
+  EXPECT_EQ(countText(1'200'000.), "1200000");
+  EXPECT_EQ(countText(2.5e20), "2.5e+20");
+  EXPECT_EQ(countText(0.), "0");
+}
+
 namespace
 {
 /// A closed seam about points 2, 4, 6 and an open crease from corner 0 to 2, over seven points; a

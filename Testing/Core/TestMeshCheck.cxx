@@ -64,6 +64,15 @@ TEST_F(MeshCheck, PassesWhatIsSound)
   EXPECT_TRUE(this->check().ok()) << this->check().message();
 }
 
+TEST_F(MeshCheck, TakesNothingForNothingOnly)
+{
+  this->mesh = TriangleSurface();
+  EXPECT_FALSE(this->check().ok());
+  this->surface = TriangleSurface();
+  this->surface.connect();
+  EXPECT_TRUE(this->check().ok());
+}
+
 TEST_F(MeshCheck, FindsAPointWithoutATriangle)
 {
   this->mesh.points.emplace_back(0.5, 0.5, 0.);

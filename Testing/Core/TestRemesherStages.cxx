@@ -75,20 +75,22 @@ TEST(RemesherStages, EveryMeshComesOfTheSameSamples)
 
 TEST(RemesherStages, ProgressGoesOnFromStageToStage)
 {
-  const auto expectWhole = [](const std::vector<int>& algorithms, bool subdivides) {
+  const auto expectWhole = [](const std::vector<int>& algorithms, int pattern) {
+    RemesherStages stages;
+    stages.Pattern = pattern;
     double reached = 0;
     for (const int algorithm : algorithms)
     {
-      const auto [begin, end] = RemesherStages::progressOf(algorithm, subdivides);
+      const auto [begin, end] = stages.progressOf(algorithm);
       EXPECT_DOUBLE_EQ(begin, reached) << RemesherStages::nameOf(algorithm);
       EXPECT_GT(end, begin) << RemesherStages::nameOf(algorithm);
       reached = end;
     }
     EXPECT_DOUBLE_EQ(reached, 1.);
   };
-  expectWhole({ 0, 1, 2, 3, 4, 5 }, false);
-  expectWhole({ 0, 1, 2, 3, RemesherStages::QuadMeshing, 5 }, false);
-  expectWhole({ 0, 1, 2, 3, 4, 5, RemesherStages::Subdivision }, true);
+  expectWhole({ 0, 1, 2, 3, 4, 5 }, vtkGeometryRemesher::TRIANGLES);
+  expectWhole({ 0, 1, 2, 3, RemesherStages::QuadMeshing, 5 }, vtkGeometryRemesher::QUADS);
+  expectWhole({ 0, 1, 2, 3, 4, 5, RemesherStages::Subdivision }, vtkGeometryRemesher::SEMIREGULAR);
 }
 
 TEST(RemesherStages, MapsAreThoseOfTheImportance)
