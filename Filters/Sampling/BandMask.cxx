@@ -21,6 +21,22 @@ using Constants = SamplingConstants;
 /// The disc around a lone sample has the area of a lattice cell: pi r^2 rho = 1.
 constexpr double DiscLimit = 1. / Pi;
 
+/// From the middle of a pixel to any place of the next one, in ways from its middle to a corner.
+constexpr double ToNextPixel = 3.;
+
+/// The least density that is wanted at any pixel that wants samples; infinite if there is none.
+double leastDensity(const ControlImage& image)
+{
+  float least = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < image.numberOfPixels(); ++i)
+  {
+    const float wanted = image.control[i];
+    const float area = image.areaDistortion[i];
+    least = wanted > 0 && area > 0 ? std::min(least, wanted / area) : least;
+  }
+  return least;
+}
+
 /// The first column (or row) of the raster in each column of the image, and where the last ends.
 std::vector<int> firstOf(const std::vector<int>& nearest, int pixels)
 {
@@ -177,6 +193,10 @@ void BandMask::offer(int pixel, int line)
 void BandMask::spread(double scale, const Stop& stop)
 {
   const int width = this->Image.width;
+  // No band of the chart is wider than that of the pixel that wants least, at the least scale that
+  // this is for.
+  const double widest =
+    Constants::WidestBand / std::sqrt(leastDensity(this->Image) * scale / Constants::FarScale);
   // Behind what is this far from a line no place is in a band, unless it wants far fewer samples.
   const double farthest = Constants::WidestBand * Constants::FarthestPixel;
   // A pixel is offered lines often: only those that wait are kept, not all that ever did.
@@ -187,6 +207,11 @@ void BandMask::spread(double scale, const Stop& stop)
     this->Queue.clear();
     for (const int pixel : front)
     {
+      if (this->Apart[pixel] > widest * widest &&
+        std::sqrt(this->Apart[pixel]) - ToNextPixel * this->toCorner(pixel) > widest)
+      {
+        continue;
+      }
       const double density = scale * this->Image.density(pixel);
       if (density * this->Apart[pixel] > farthest * farthest &&
         std::sqrt(this->Apart[pixel]) - this->toCorner(pixel) > farthest / std::sqrt(density))
