@@ -3,11 +3,11 @@
 #include "HarmonicSystem.h"
 
 #include "AtlasConstants.h"
+#include "CompressedRows.h"
 #include "IntrinsicTriangulation.h"
 #include "ParallelFor.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace stipple
 {
@@ -54,18 +54,13 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 template <typename Index>
 Entries sortedBy(const Entries& entries, int size, const Index& index)
 {
-  std::vector<int> next(size + 1, 0);
-  for (const Eigen::Triplet<double>& entry : entries)
-  {
-    ++next[index(entry) + 1];
-  }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  Entries sorted(entries.size());
-  for (const Eigen::Triplet<double>& entry : entries)
-  {
-    sorted[next[index(entry)]++] = entry;
-  }
-  return sorted;
+  CompressedRows<Eigen::Triplet<double>> rows(size, [&](const auto& add) {
+    for (const Eigen::Triplet<double>& entry : entries)
+    {
+      add(index(entry), entry);
+    }
+  });
+  return rows.takeValues();
 }
 
 /// Adds up those of the same row and column, of which there are so many; by column, and then by

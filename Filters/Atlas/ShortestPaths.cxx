@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 
 namespace stipple
@@ -12,28 +11,20 @@ namespace stipple
 ShortestPaths::ShortestPaths(const TriangleSurface& surface, const ChartMesh& chart)
   : Surface(surface)
   , Chart(chart)
-  , First(chart.vertices.size() + 1, 0)
+  , Neighbours(chart.vertices.size(),
+      [&](const auto& add) {
+        for (const Triangle& t : chart.triangles)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            add(t[k], t[nextCorner(k)]);
+            add(t[k], t[previousCorner(k)]);
+          }
+        }
+      })
   , Distance(chart.vertices.size(), std::numeric_limits<double>::infinity())
   , Next(chart.vertices.size(), -1)
 {
-  for (const Triangle& t : chart.triangles)
-  {
-    for (const int v : t)
-    {
-      this->First[v + 1] += 2;
-    }
-  }
-  std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-  this->Neighbours.resize(this->First.back());
-  std::vector<int> next = this->First;
-  for (const Triangle& t : chart.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Neighbours[next[t[k]]++] = t[nextCorner(k)];
-      this->Neighbours[next[t[k]]++] = t[previousCorner(k)];
-    }
-  }
 }
 
 void ShortestPaths::addTargets(const std::vector<int>& targets, const Stop& stop)
@@ -55,9 +46,8 @@ void ShortestPaths::addTargets(const std::vector<int>& targets, const Stop& stop
     {
       continue;
     }
-    for (int i = this->First[v]; i < this->First[v + 1]; ++i)
+    for (const int w : this->Neighbours[v])
     {
-      const int w = this->Neighbours[i];
       const double there = d +
         (this->Surface.points[this->Chart.vertices[w]] -
           this->Surface.points[this->Chart.vertices[v]])

@@ -5,6 +5,7 @@
 #define stipple_ShortestPaths_h
 
 #include "ChartMesh.h"
+#include "CompressedRows.h"
 #include "ReportingThread.h"
 
 namespace stipple
@@ -26,8 +27,7 @@ public:
 private:
   const TriangleSurface& Surface;
   const ChartMesh& Chart;
-  std::vector<int> Neighbours; // of vertex after vertex, those along inner edges twice
-  std::vector<int> First;      // of each vertex there, and the end
+  CompressedRows<int> Neighbours; // of every vertex, those along inner edges twice
   std::vector<double> Distance;
   std::vector<int> Next; // -1 at a target
 };

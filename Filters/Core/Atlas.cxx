@@ -288,37 +288,23 @@ const VertexNeighbours& Atlas::vertexNeighbours() const
   }
   return this->Neighbours.get([this] {
     const AtlasSurface& s = *this->Surface;
-    const auto forEachEdge = [&](const auto& visit) {
+    const int n = s.numberOfVertices();
+    VertexNeighbours result;
+    result.of = CompressedRows<int>(n, [&s](const auto& add) {
       for (const Halfedge h : s.halfedges())
       {
         if (h > s.twin[h])
         {
-          visit(s.tail(h).index(), s.head(h).index());
+          add(s.tail(h).index(), s.head(h).index());
+          add(s.head(h).index(), s.tail(h).index());
         }
       }
-    };
-    const int n = s.numberOfVertices();
-    VertexNeighbours result;
-    result.begin.assign(n + 1, 0);
-    forEachEdge([&](int p, int q) {
-      ++result.begin[p + 1];
-      ++result.begin[q + 1];
     });
-    for (int p = 0; p < n; ++p)
-    {
-      result.begin[p + 1] += result.begin[p];
-    }
-    result.vertex.resize(result.begin.back());
     result.outgoing = ElementArray<Vertex, Halfedge>(n);
     for (const Halfedge h : s.halfedges())
     {
       result.outgoing[s.tail(h)] = h;
     }
-    std::vector<int> next = result.begin;
-    forEachEdge([&](int p, int q) {
-      result.vertex[next[p]++] = q;
-      result.vertex[next[q]++] = p;
-    });
     return result;
   });
 }

@@ -5,6 +5,7 @@
 #define stipple_Atlas_h
 
 #include "ChartGraph.h"
+#include "CompressedRows.h"
 #include "Lazy.h"
 #include "Progress.h"
 #include "StippleFiltersCoreModule.h"
@@ -38,8 +39,7 @@ struct FirstFundamentalForm
 /// The neighbours along edges of every vertex.
 struct VertexNeighbours
 {
-  std::vector<int> begin; ///< those of vertex p are vertex[begin[p]] to vertex[begin[p + 1] - 1]
-  std::vector<int> vertex;
+  CompressedRows<int> of;                  ///< a vertex
   ElementArray<Vertex, Halfedge> outgoing; ///< the last that leaves it; none if no triangle has it
 };
 
@@ -85,8 +85,6 @@ public:
   /// Its creases and boundaries as they go on where seams end.
   const JoinedCreases& joinedCreases() const;
   const VertexNeighbours& vertexNeighbours() const;
-  const std::vector<int>& neighbourBegin() const { return this->vertexNeighbours().begin; }
-  const std::vector<int>& neighbours() const { return this->vertexNeighbours().vertex; }
   /// As TriangleSurface::vertexHalfedges().
   const ElementArray<Vertex, Halfedge>& vertexHalfedges() const
   {

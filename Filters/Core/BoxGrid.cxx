@@ -4,7 +4,6 @@
 
 #include "vtkSMPTools.h"
 
-#include <numeric>
 #include <utility>
 
 namespace stipple
@@ -110,7 +109,7 @@ void BoxGrid::forEachChunk(std::size_t n, const std::function<void(std::size_t)>
   });
 }
 
-std::vector<BoxGrid::InCell> BoxGrid::sorted(int l, std::vector<std::size_t>& begin)
+CompressedRows<BoxGrid::InCell, std::size_t> BoxGrid::sorted(int l)
 {
   Level& level = this->Levels[l];
   if (level.boxes.empty())
@@ -121,22 +120,14 @@ std::vector<BoxGrid::InCell> BoxGrid::sorted(int l, std::vector<std::size_t>& be
   {
     level.buckets.assign(bucketsFor(level.boxes.size()), -1);
   }
-  const auto forEach = [&](const auto& visit) {
-    for (const int i : level.boxes)
-    {
-      forEachCell(level, this->Boxes[i],
-        [&](std::uint64_t cell, std::size_t bucket) { visit(i, cell, bucket); });
-    }
-  };
-  begin.assign(level.buckets.size() + 1, 0);
-  forEach([&](int, std::uint64_t, std::size_t bucket) { ++begin[bucket + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<InCell> result(begin.back());
-  std::vector<std::size_t> next = begin;
-  forEach([&](int i, std::uint64_t cell, std::size_t bucket) {
-    result[next[bucket]++] = { cell, i };
-  });
-  return result;
+  return { level.buckets.size(), [&](const auto& add) {
+            for (const int i : level.boxes)
+            {
+              forEachCell(level, this->Boxes[i], [&](std::uint64_t cell, std::size_t bucket) {
+                add(bucket, InCell{ cell, i });
+              });
+            }
+          } };
 }
 
 void BoxGrid::fill()

@@ -4,6 +4,7 @@
 #ifndef stipple_BoxGrid_h
 #define stipple_BoxGrid_h
 
+#include "CompressedRows.h"
 #include "StippleFiltersCoreModule.h"
 #include "TriangleIntersections.h"
 
@@ -114,7 +115,7 @@ private:
   void enter(int i);
   void leave(int i);
   /// The boxes of a level in their cells, by bucket, and where each bucket begins.
-  std::vector<InCell> sorted(int l, std::vector<std::size_t>& begin);
+  CompressedRows<InCell, std::size_t> sorted(int l);
   void fill();
   void insert(int i);
   void remove(int i);
@@ -219,20 +220,20 @@ private:
   template <typename IsWanted>
   void addPairsOf(int l, const IsWanted& isWanted, Pairs& all)
   {
-    std::vector<std::size_t> begin;
-    const std::vector<InCell> inCells = this->sorted(l, begin);
+    const CompressedRows<InCell, std::size_t> buckets = this->sorted(l);
     const Level& level = this->Levels[l];
-    std::vector<Pairs> found((std::max<std::size_t>(1, begin.size()) - 1) / Chunk);
+    std::vector<Pairs> found(buckets.numberOfRows() / Chunk);
     forEachChunk(found.size(), [&](std::size_t chunk) {
       for (std::size_t b = chunk * Chunk; b < (chunk + 1) * Chunk; ++b)
       {
-        for (std::size_t f = begin[b]; f < begin[b + 1]; ++f)
+        const auto bucket = buckets[b];
+        for (const InCell* f = bucket.begin(); f != bucket.end(); ++f)
         {
-          for (std::size_t g = f + 1; g < begin[b + 1]; ++g)
+          for (const InCell* g = f + 1; g != bucket.end(); ++g)
           {
-            const auto [cell, i] = inCells[f];
-            const int j = inCells[g].box;
-            if (inCells[g].cell == cell && countsIn(level, cell, this->Boxes[i], this->Boxes[j]) &&
+            const auto [cell, i] = *f;
+            const int j = g->box;
+            if (g->cell == cell && countsIn(level, cell, this->Boxes[i], this->Boxes[j]) &&
               isWanted(i, j))
             {
               found[chunk].push_back({ { i, j } });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleSurface.h"
 
+#include "CompressedRows.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -30,7 +32,6 @@ HalfedgeTwins halfedgeTwins(const std::vector<Triangle>& triangles)
 {
   // Halfedges bucketed by their smaller end point: linear time, and the order does not depend on
   // hashing.
-  const int n = static_cast<int>(triangles.size()) * 3;
   int numberOfPoints = 0;
   for (const Triangle& t : triangles)
   {
@@ -43,28 +44,19 @@ HalfedgeTwins halfedgeTwins(const std::vector<Triangle>& triangles)
     bool leaves; ///< from the smaller end point
     bool operator<(const Entry& e) const { return this->far < e.far; }
   };
-  std::vector<int> begin(numberOfPoints + 1, 0);
-  for (const Triangle& t : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
+  CompressedRows<Entry> bySmaller(numberOfPoints, [&](const auto& add) {
+    for (const Face f : ElementRange<Face>(0, static_cast<int>(triangles.size())))
     {
-      ++begin[std::min(t[k], t[nextCorner(k)]) + 1];
+      const Triangle& t = triangles[f.index()];
+      for (int k = 0; k < 3; ++k)
+      {
+        const int p = t[k];
+        const int q = t[nextCorner(k)];
+        add(std::min(p, q), Entry{ std::max(p, q), halfedgeOf(f, k), p <= q });
+      }
     }
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Entry> bucket(n);
-  std::vector<int> fill(begin.begin(), begin.end() - 1);
-  for (const Face f : ElementRange<Face>(0, static_cast<int>(triangles.size())))
-  {
-    const Triangle& t = triangles[f.index()];
-    for (int k = 0; k < 3; ++k)
-    {
-      const int p = t[k];
-      const int q = t[nextCorner(k)];
-      bucket[fill[std::min(p, q)]++] = { std::max(p, q), halfedgeOf(f, k), p <= q };
-    }
-  }
-  HalfedgeTwins twin(n);
+  });
+  HalfedgeTwins twin(static_cast<int>(triangles.size()) * 3);
   const auto match = [&](const Entry* first, const Entry* last) {
     for (const Entry* e = first; e != last; ++e)
     {
@@ -89,8 +81,7 @@ HalfedgeTwins halfedgeTwins(const std::vector<Triangle>& triangles)
   constexpr int Many = 32; // the hub of a fan: every pair of its edges would be too much
   for (int p = 0; p < numberOfPoints; ++p)
   {
-    Entry* first = bucket.data() + begin[p];
-    Entry* last = bucket.data() + begin[p + 1];
+    auto [first, last] = bySmaller[p];
     if (last - first <= Many)
     {
       match(first, last);

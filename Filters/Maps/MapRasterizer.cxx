@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapRasterizer.h"
 
+#include "CompressedRows.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -95,7 +97,7 @@ public:
     this->sortIntoBands();
   }
 
-  int numberOfBands() const { return static_cast<int>(this->BandBegin.size()) - 1; }
+  int numberOfBands() const { return static_cast<int>(this->Bands.numberOfRows()); }
 
   void drawBand(int band) const
   {
@@ -103,9 +105,9 @@ public:
     const int lastRow = std::min(this->Height, firstRow + rowsPerBand) - 1;
     std::fill(this->Faces + static_cast<std::size_t>(firstRow) * this->Width,
       this->Faces + static_cast<std::size_t>(lastRow + 1) * this->Width, -1);
-    for (std::size_t k = this->BandBegin[band]; k < this->BandBegin[band + 1]; ++k)
+    for (const int triangle : this->Bands[band])
     {
-      this->drawTriangle(this->BandTriangles[k], firstRow, lastRow);
+      this->drawTriangle(triangle, firstRow, lastRow);
     }
   }
 
@@ -119,40 +121,25 @@ private:
     return first <= last;
   }
 
-  /// Counting sort of the triangles by the bands that they touch, in the order of their indices.
+  /// The triangles by the bands that they touch, in the order of their indices.
   void sortIntoBands()
   {
     const int bands = (this->Height + rowsPerBand - 1) / rowsPerBand;
     const int n = this->Chart.numberOfTriangles();
-    this->BandBegin.assign(bands + 1, 0);
-    int first;
-    int last;
-    for (int f = 0; f < n; ++f)
-    {
-      if (this->rows(f, first, last))
-      {
-        for (int b = first / rowsPerBand; b <= last / rowsPerBand; ++b)
-        {
-          ++this->BandBegin[b + 1];
-        }
-      }
-    }
-    for (int b = 0; b < bands; ++b)
-    {
-      this->BandBegin[b + 1] += this->BandBegin[b];
-    }
-    this->BandTriangles.resize(this->BandBegin[bands]);
-    std::vector<std::size_t> next(this->BandBegin.begin(), this->BandBegin.end() - 1);
-    for (int f = 0; f < n; ++f)
-    {
-      if (this->rows(f, first, last))
-      {
-        for (int b = first / rowsPerBand; b <= last / rowsPerBand; ++b)
-        {
-          this->BandTriangles[next[b]++] = f;
-        }
-      }
-    }
+    this->Bands = { static_cast<std::size_t>(bands), [&](const auto& add) {
+                     int first;
+                     int last;
+                     for (int f = 0; f < n; ++f)
+                     {
+                       if (this->rows(f, first, last))
+                       {
+                         for (int b = first / rowsPerBand; b <= last / rowsPerBand; ++b)
+                         {
+                           add(b, f);
+                         }
+                       }
+                     }
+                   } };
   }
 
   void put(int* pixel, int triangle) const
@@ -270,8 +257,7 @@ private:
   int Height;
   int* Faces;
   std::vector<FixedPoint> Points;
-  std::vector<std::size_t> BandBegin;
-  std::vector<int> BandTriangles;
+  CompressedRows<int, std::size_t> Bands; // of triangles
 };
 
 /// Squared distance of p from the plane triangle, in pixels.

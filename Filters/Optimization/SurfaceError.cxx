@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <numeric>
 
 namespace stipple
 {
@@ -21,8 +20,7 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
   : Mesh(mesh)
 {
   const AtlasSurface& surface = mesh.atlas().surface();
-  const std::vector<int>& firstNeighbour = mesh.atlas().neighbourBegin();
-  const std::vector<int>& neighbour = mesh.atlas().neighbours();
+  const CompressedRows<int>& neighbours = mesh.atlas().vertexNeighbours().of;
   const int n = static_cast<int>(surface.points.size());
   std::vector<Vertex> owner(n);
   std::vector<double> distance(n, 1e300);
@@ -47,29 +45,20 @@ SurfaceError::SurfaceError(const OptimizedMesh& mesh)
   {
     const int p = queue.front();
     queue.pop_front();
-    for (int k = firstNeighbour[p]; k < firstNeighbour[p + 1]; ++k)
+    for (const int neighbour : neighbours[p])
     {
-      offer(neighbour[k], owner[p]);
+      offer(neighbour, owner[p]);
     }
   }
-  this->Begin.assign(static_cast<std::size_t>(mesh.vertices().size()) + 1, 0);
-  for (const Vertex v : owner)
-  {
-    if (v.valid())
+  this->Points = CompressedRows<int>(mesh.vertices().size(), [&](const auto& add) {
+    for (int p = 0; p < n; ++p)
     {
-      ++this->Begin[v.index() + 1];
+      if (owner[p].valid())
+      {
+        add(owner[p].index(), p);
+      }
     }
-  }
-  std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
-  this->Point.resize(this->Begin.back());
-  std::vector<int> next = this->Begin;
-  for (int p = 0; p < n; ++p)
-  {
-    if (owner[p].valid())
-    {
-      this->Point[next[owner[p].index()]++] = p;
-    }
-  }
+  });
 }
 
 SurfaceError::Measure SurfaceError::at(Vertex v) const
@@ -86,11 +75,13 @@ SurfaceError::Measure SurfaceError::atUpTo(Vertex v, double sumOfOthers, const M
   mesh.forEachCorner(v, [&](Halfedge h) {
     edges.push_back({ { &mesh.position(mesh.to(h)), &mesh.position(mesh.apex(h)) } });
   });
-  for (int k = this->Begin[v.index()]; k < this->Begin[v.index() + 1] &&
-       sumOfOthers + result.sum < bound.sum && result.largest <= bound.largest;
-       ++k)
+  for (const int point : this->Points[v.index()])
   {
-    const Vec3& p = mesh.atlas().surface().points[this->Point[k]];
+    if (sumOfOthers + result.sum >= bound.sum || result.largest > bound.largest)
+    {
+      break;
+    }
+    const Vec3& p = mesh.atlas().surface().points[point];
     double least = 1e300;
     for (const auto& [q, r] : edges)
     {
@@ -100,7 +91,7 @@ SurfaceError::Measure SurfaceError::atUpTo(Vertex v, double sumOfOthers, const M
     if (least > result.largest)
     {
       result.largest = least;
-      result.farthest = this->Point[k];
+      result.farthest = point;
     }
   }
   return result;

@@ -4,6 +4,7 @@
 #ifndef stipple_SurfaceError_h
 #define stipple_SurfaceError_h
 
+#include "CompressedRows.h"
 #include "MeshEdit.h"
 #include "StippleFiltersOptimizationModule.h"
 #include "TriangleDistance.h"
@@ -34,8 +35,8 @@ public:
   /// The points next to a vertex, ascending.
   std::vector<int> pointsOf(Vertex v) const
   {
-    return { this->Point.begin() + this->Begin[v.index()],
-      this->Point.begin() + this->Begin[v.index() + 1] };
+    const auto points = this->Points[v.index()];
+    return { points.begin(), points.end() };
   }
 
 private:
@@ -44,8 +45,7 @@ private:
   Measure atUpTo(Vertex v, double sumOfOthers, const Measure& bound) const;
 
   const OptimizedMesh& Mesh;
-  std::vector<int> Begin; // of the points of every vertex in Point
-  std::vector<int> Point;
+  CompressedRows<int> Points; // by vertex
 };
 
 /// Moves vertices where the surface is farthest from the mesh: about the given share (0 to 1) of

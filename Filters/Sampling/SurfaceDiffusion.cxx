@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceDiffusion.h"
 
+#include "CompressedRows.h"
 #include "ConjugateGradients.h"
 #include "SamplingConstants.h"
 #include "SparseCholesky.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numeric>
 #include <utility>
 
 namespace stipple
@@ -117,9 +117,8 @@ struct SurfaceDiffusion::Internals
   // For one refinement:
   double longest = -1; ///< that it was made with; -1: there is none yet
   RefinedSurface refined;
-  std::vector<std::vector<PixelPlace>> places; ///< by chart and pixel
-  std::vector<PixelShare> shares;              ///< by point
-  std::vector<std::size_t> shareBegin;         ///< of each point, and the end
+  std::vector<std::vector<PixelPlace>> places;    ///< by chart and pixel
+  CompressedRows<PixelShare, std::size_t> shares; ///< by point
   Eigen::VectorXd mass;
   SparseMatrix stiffness;
   std::deque<std::unique_ptr<StepSolver>> solvers;
@@ -235,18 +234,14 @@ void SurfaceDiffusion::Internals::forEachShare(const Visit& visit) const
 
 void SurfaceDiffusion::Internals::gatherShares()
 {
-  this->shareBegin.assign(this->refined.points.size() + 1, 0);
-  this->forEachShare(
-    [this](int point, int, double weight) { this->shareBegin[point + 1] += weight > 0 ? 1 : 0; });
-  std::partial_sum(this->shareBegin.begin(), this->shareBegin.end(), this->shareBegin.begin());
-  this->shares.resize(this->shareBegin.back());
-  std::vector<std::size_t> next = this->shareBegin;
-  this->forEachShare([&](int point, int pixel, double weight) {
-    if (weight > 0)
-    {
-      this->shares[next[point]++] = { pixel, weight };
-    }
-  });
+  this->shares = { this->refined.points.size(), [this](const auto& add) {
+                    this->forEachShare([&](int point, int pixel, double weight) {
+                      if (weight > 0)
+                      {
+                        add(point, PixelShare{ pixel, weight });
+                      }
+                    });
+                  } };
 }
 
 Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<float*>& values) const
@@ -269,11 +264,11 @@ Eigen::VectorXd SurfaceDiffusion::Internals::pixelsToPoints(const std::vector<fl
       {
         double sum = 0;
         double weight = 0;
-        for (std::size_t s = this->shareBegin[p]; s < this->shareBegin[p + 1]; ++s)
+        for (const PixelShare& share : this->shares[p])
         {
-          const float v = all[this->shares[s].pixel];
-          sum += this->shares[s].weight * (v > 0.F ? static_cast<double>(v) : 0.);
-          weight += this->shares[s].weight;
+          const float v = all[share.pixel];
+          sum += share.weight * (v > 0.F ? static_cast<double>(v) : 0.);
+          weight += share.weight;
         }
         means[p] = weight > 0 ? sum / weight : 0.;
       }

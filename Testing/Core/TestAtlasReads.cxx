@@ -149,7 +149,7 @@ TEST_F(AtlasReads, AreDerivedOnceForAllThreads)
   }
   const VertexNeighbours& n = atlas->vertexNeighbours();
   const Vertex v = s.head(n.outgoing[Vertex(0)]);
-  EXPECT_EQ(std::count(n.vertex.begin() + n.begin[0], n.vertex.begin() + n.begin[1], v.index()), 1);
+  EXPECT_EQ(std::count(n.of[0].begin(), n.of[0].end(), v.index()), 1);
 }
 
 TEST(AtlasReadsOfAWholeRun, AreOne)

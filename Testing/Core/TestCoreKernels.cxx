@@ -4,6 +4,7 @@
 #include "AtlasSurface.h"
 #include "BoxGrid.h"
 #include "CoincidentPoints.h"
+#include "CompressedRows.h"
 #include "FeatureGraph.h"
 #include "MessageText.h"
 #include "Progress.h"
@@ -25,6 +26,8 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace stipple;
@@ -84,6 +87,30 @@ TEST(MessageText, KeepsTheSentenceOnly)
     sentenceOf("ERROR: In b.cxx, line 1\nsee vtkX (0x1): there\n"), "see vtkX (0x1): there");
   EXPECT_EQ(sentenceOf("ERROR: without a second line"), "ERROR: without a second line");
   EXPECT_EQ(sentenceOf(" \n\n"), "");
+}
+
+TEST(CompressedRows, KeepTheOrderWithinRows)
+{
+  const std::vector<std::pair<int, char>> told = { { 2, 'a' }, { 0, 'b' }, { 2, 'c' }, { 3, 'd' },
+    { 0, 'e' }, { 2, 'f' } };
+  CompressedRows<char> rows(5, [&](const auto& add) {
+    for (const auto& [row, value] : told)
+    {
+      add(row, value);
+    }
+  });
+  ASSERT_EQ(rows.numberOfRows(), 5u);
+  const auto text = [&](
+                      std::size_t row) { return std::string(rows[row].begin(), rows[row].end()); };
+  EXPECT_EQ(text(0), "be");
+  EXPECT_EQ(text(1), "");
+  EXPECT_EQ(text(2), "acf");
+  EXPECT_EQ(text(3), "d");
+  EXPECT_EQ(rows[4].size(), 0u);
+  *rows[3].begin() = 'g';
+  const std::vector<char> all = rows.takeValues();
+  EXPECT_EQ(std::string(all.begin(), all.end()), "beacfg");
+  EXPECT_EQ(CompressedRows<int>().numberOfRows(), 0u);
 }
 
 TEST(MessageText, NumbersAreAsExactAsTheyAreKnown)
