@@ -245,7 +245,7 @@ std::vector<Face> overlapsOf(
   const OptimizedMesh& mesh, const SelfIntersections& intersections, KnownOverlaps& known)
 {
   std::vector<Face> faces = intersections.faces();
-  if (faces.empty() || static_cast<int>(faces.size()) > Tuning::MostOfSurface * mostOverlaps(mesh))
+  if (faces.empty())
   {
     return faces;
   }

@@ -53,8 +53,8 @@ struct KnownOverlaps
   std::optional<int> left;
 };
 
-/// Triangles that intersect others where the surface does not pass through itself; all that
-/// intersect others if these are too many to tell. What they are is as last updated.
+/// Triangles that intersect others where the surface does not pass through itself. What they are is
+/// as last updated.
 STIPPLEFILTERSOPTIMIZATION_EXPORT std::vector<Face> overlapsOf(
   const OptimizedMesh& mesh, const SelfIntersections& intersections, KnownOverlaps& known);
 

@@ -162,9 +162,6 @@ struct Tuning
   static constexpr std::array<double, 4> PartingSizes = { { 0.05, 0.15, 0.3, 0.5 } }; ///< of edges
   /// Triangles, and one in 50 of all: more, and there is nothing to part.
   static constexpr int FewIntersecting = 250;
-  /// Times as many, before it is asked which of them are the surface's own: wuson has 20.7 degrees
-  /// at 5,000 points, else 5.1.
-  static constexpr int MostOfSurface = 4;
   /// Between rounds: with 2, 13 pairs stay in skull_iso at 5,000 points; with 3, 4; with 8, 4.
   static constexpr int PassesOfEarlyParting = 3;
 
