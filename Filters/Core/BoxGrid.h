@@ -114,7 +114,7 @@ private:
   int levelOf(const Box& box) const;
   void enter(int i);
   void leave(int i);
-  /// The boxes of a level in their cells, by bucket, and where each bucket begins.
+  /// The boxes of a level in their cells, by bucket.
   CompressedRows<InCell, std::size_t> sorted(int l);
   void fill();
   void insert(int i);

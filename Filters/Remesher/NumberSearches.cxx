@@ -44,10 +44,12 @@ public:
     return this->IsThere;
   }
 
+  /// Whether it is what the run has made last.
+  bool isThere() const { return this->IsThere; }
   /// Leaves it in the run's stages.
   Status leave()
   {
-    return this->IsThere || this->Run.stages().putBack(this->Made)
+    return this->isThere() || this->Run.stages().putBack(this->Made)
       ? Status::success()
       : this->Run.tryNumber(this->Number);
   }
@@ -96,8 +98,15 @@ Status remeshToEdgeLength(RemesherRun& run, int points, double& median)
     search.add(number, run.numberOfPoints(), median);
     best.keepIf(search.found());
   }
+  if (best.isThere())
+  {
+    return Status::success(); // and measured
+  }
   const Status status = best.leave();
-  measure();
+  if (status.ok())
+  {
+    measure();
+  }
   return status;
 }
 

@@ -197,14 +197,14 @@ Status RemesherRun::refine()
 Status RemesherRun::makeSound()
 {
   RemesherStages& s = this->Stages;
-  this->MayGrow = true;
   this->IsUnsound = false;
   // Features of a base mesh may move as far as the mesh that it is subdivided to is fine; if no
   // sound one comes of that, as far as the base mesh is fine, or not at all.
   const bool isSplit = s.Pattern == Remesher::SEMIREGULAR;
   const int splits = isSplit ? s.Subdivider->GetNumberOfSubdivisions() : 0;
   const double finest = std::min(std::pow(0.5, splits), this->largestToleranceScale());
-  this->ToleranceScale = finest;
+  double toleranceScale = finest; // of features that the optimiser simplifies
+  bool mayGrow = true;            // sizes may
   std::vector<double> otherScales =
     splits > 0 ? std::vector<double>{ 0., 1. } : std::vector<double>();
   int level = 0;
@@ -212,7 +212,7 @@ Status RemesherRun::makeSound()
   for (;;)
   {
     s.Atlas->SetRefinementLevel(level);
-    if (Status status = this->runStages(); !status.ok())
+    if (Status status = this->runStages(mayGrow, toleranceScale); !status.ok())
     {
       // Maps that differ in density by more than numbers can tell places apart: other charts do.
       if (status.code() == StatusCode::Internal && level < s.Atlas->GetRefinementLevelMaxValue())
@@ -239,24 +239,24 @@ Status RemesherRun::makeSound()
     }
     if (!otherScales.empty())
     {
-      this->ToleranceScale = otherScales.back();
+      toleranceScale = otherScales.back();
       otherScales.pop_back();
       continue;
     }
-    this->ToleranceScale = finest;
+    toleranceScale = finest;
     const bool hasGrown = s.ControlMap->GetHasGrown();
     if (!hasGrown && level == s.Atlas->GetRefinementLevelMaxValue())
     {
       this->IsUnsound = true;
       return soundness;
     }
-    this->MayGrow = this->MayGrow && !hasGrown;
+    mayGrow = mayGrow && !hasGrown;
     level += hasGrown ? 0 : 1;
   }
 }
 
 /// All stages but the subdivision, which goes on from a sound mesh.
-Status RemesherRun::runStages()
+Status RemesherRun::runStages(bool mayGrow, double toleranceScale)
 {
   RemesherStages& s = this->Stages;
   s.Atlas->SetMeasureNormalCurvature(s.ControlMap->GetCurvaturePoints() > 0.);
@@ -267,8 +267,8 @@ Status RemesherRun::runStages()
   s.selectMaps();
   // Where sizes are to be alike, or triangles in rows, they do not grow from features.
   const bool hasQuads = s.Pattern == Remesher::QUADS;
-  const bool mayGrow = s.Optimizer->GetFollowDensity() && !s.Optimizer->GetRibs() && !hasQuads;
-  s.ControlMap->SetGrowFromFeatures(mayGrow && this->MayGrow);
+  s.ControlMap->SetGrowFromFeatures(
+    mayGrow && s.Optimizer->GetFollowDensity() && !s.Optimizer->GetRibs() && !hasQuads);
   s.ControlMap->SetSizePlaces(this->Places);
   s.ControlMap->SetFollowImportance(s.Optimizer->GetFollowDensity() || hasQuads);
   if (Status status = this->takeSamples(); !status.ok())
@@ -288,7 +288,7 @@ Status RemesherRun::runStages()
   {
     return status;
   }
-  s.Optimizer->SetFeatureToleranceScale(this->ToleranceScale);
+  s.Optimizer->SetFeatureToleranceScale(toleranceScale);
   s.Optimizer->SetRefineFaults(this->sizesGrow());
   return this->run(Remesher::OPTIMISATION);
 }
@@ -389,9 +389,12 @@ Status RemesherRun::subdivide()
 Status RemesherRun::run(int algorithm)
 {
   const Status status = this->Runner.run(algorithm);
+  if (status.code() != StatusCode::TooFewPoints || this->Part.numberOfBorderPoints() == 0)
+  {
+    return status;
+  }
   const int least = this->leastNumberOfPoints();
-  return status.code() == StatusCode::TooFewPoints && this->Part.numberOfBorderPoints() > 0 &&
-      least > 0
+  return least > 0
     ? Status::tooFewPoints("The selected part has no mesh of " + std::to_string(this->Points) +
         " new points: ask for at least " + std::to_string(least) + ".")
     : status;

@@ -66,7 +66,7 @@ public:
 private:
   Status refine();
   Status makeSound();
-  Status runStages();
+  Status runStages(bool mayGrow, double toleranceScale);
   Status takeSamples();
   Status partSheets();
   Status subdivide();
@@ -94,8 +94,6 @@ private:
   bool IsTried = false;               ///< by a search
   double FarthestFeature = 0;         ///< that features may move, a length; 0: as they would
   double Area = 0;                    ///< of the surface, if there is such a length
-  bool MayGrow = true;                ///< sizes may; a mesh that is wrong is tried again without
-  double ToleranceScale = 1.;         ///< of features that the optimiser simplifies
   vtkNew<vtkDoubleArray> Places;      ///< at which edges are to be shorter, for the control map
   vtkNew<vtkDoubleArray> Overlapping; ///< where the mesh before passes through itself: to be parted
   bool IsUnsound = false; ///< a mesh was made, and not sound: what would be is not known

@@ -131,10 +131,9 @@ stipple::Status vtkGeometryRemesher::Remesh(vtkPolyData* input)
   {
     return status;
   }
-  const bool hasEdgeLength = run.stages().hasOneEdgeLength();
   if (this->MaximumDeviation == 0. && this->MaximumDeviationLength == 0.)
   {
-    return hasEdgeLength
+    return run.stages().hasOneEdgeLength()
       ? stipple::remeshToEdgeLength(run, this->NumberOfPoints, this->MedianEdgeLength)
       : run.remesh(this->NumberOfPoints);
   }

@@ -27,12 +27,11 @@ constexpr double ToNextPixel = 3.;
 /// The least density that is wanted at any pixel that wants samples; infinite if there is none.
 double leastDensity(const ControlImage& image)
 {
-  float least = std::numeric_limits<float>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < image.numberOfPixels(); ++i)
   {
-    const float wanted = image.control[i];
-    const float area = image.areaDistortion[i];
-    least = wanted > 0 && area > 0 ? std::min(least, wanted / area) : least;
+    const double density = image.density(i);
+    least = density > 0. ? std::min(least, density) : least;
   }
   return least;
 }
