@@ -29,7 +29,7 @@ Rect content(const Rect& cell, float s)
 }
 
 /// `what` in the singular; "s" and what follows stand behind.
-std::string countOf(long long number, const char* what, const char* rest = "")
+std::string groupedCount(long long number, const char* what, const char* rest = "")
 {
   return grouped(number) + " " + what + (number == 1 ? "" : "s") + rest;
 }
@@ -51,9 +51,9 @@ std::string Viewer::countsOfMesh(bool inTriangles) const
 {
   const vtkIdType quads = this->Mesh->figures.quads;
   const vtkIdType cells = this->Mesh->mesh->GetNumberOfPolys();
-  return countOf(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
-    (quads > 0 && !inTriangles ? countOf(quads, "quad", ", ") : "") +
-    countOf(inTriangles ? cells + quads : cells - quads, "triangle");
+  return groupedCount(this->Mesh->mesh->GetNumberOfPoints(), "point", ", ") +
+    (quads > 0 && !inTriangles ? groupedCount(quads, "quad", ", ") : "") +
+    groupedCount(inTriangles ? cells + quads : cells - quads, "triangle");
 }
 
 void Viewer::paintView(Canvas& canvas, bool before)
@@ -76,14 +76,15 @@ void Viewer::paintView(Canvas& canvas, bool before)
     const bool ready = this->HasAtlas && !this->View.wireframe;
     title = ready ? titles[static_cast<int>(this->View.display)] : "input";
     detail = !ready || this->View.display == Display::Input
-      ? countOf(this->Picker->numberOfPoints(), "point", ", ") +
-        countOf(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "face")
+      ? groupedCount(this->Picker->numberOfPoints(), "point", ", ") +
+        groupedCount(this->Input->GetNumberOfPolys() + this->Input->GetNumberOfStrips(), "face")
       : this->View.display == Display::Density ? ""
-      : this->View.display == Display::Charts  ? countOf(this->BeforeSide.numberOfCharts(), "chart")
+      : this->View.display == Display::Charts
+      ? groupedCount(this->BeforeSide.numberOfCharts(), "chart")
       : this->showsVertices() && this->View.display == Display::Samples &&
         this->Now.text("select_array").empty()
-      ? countOf(this->Mesh->mesh->GetNumberOfPoints(), "sample", ", as the mesh has them")
-      : this->Shown ? countOf(this->Shown->numberOfSamples, "sample")
+      ? groupedCount(this->Mesh->mesh->GetNumberOfPoints(), "sample", ", as the mesh has them")
+      : this->Shown ? groupedCount(this->Shown->numberOfSamples, "sample")
                     : this->Doing.sampleNote();
   }
   else
@@ -227,9 +228,9 @@ std::string Viewer::remark() const
   const bool tooLong = this->Now.number("edge_length") > this->Input->GetLength();
   const std::string facts = std::string(fewQuads ? fewQuadsWhy : "") +
     (tooLong ? " Edges longer than the model: as few points as charts and features take." : "") +
-    (cut > 0 ? " Cut apart: " + countOf(cut, "edge", " of more than two triangles.") : "") +
+    (cut > 0 ? " Cut apart: " + groupedCount(cut, "edge", " of more than two triangles.") : "") +
     (lost > 0 ? " Lost (violet): " +
-          countOf(lost, "feature edge", " of the input, for want of room; Shift+G goes there.")
+          groupedCount(lost, "feature edge", " of the input, for want of room; Shift+G goes there.")
               : "");
   const std::string why = whyImportanceRests(this->Now);
   const bool isGiven =

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MessageText.h"
 
+#include "TriangleSurface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -49,5 +51,31 @@ std::string countText(double number)
   }
   text << number;
   return text.str();
+}
+
+std::string countOf(long long number, const std::string& one, const std::string& more)
+{
+  return std::to_string(number) + " " + (number == 1 ? one : more);
+}
+
+std::string differenceOf(const SurfaceTopology& topology, const SurfaceTopology& wanted)
+{
+  std::string text;
+  const auto add = [&text](int number, int other, const std::string& what) {
+    if (number != other)
+    {
+      text += (text.empty() ? "" : ", ") + what + " instead of " + std::to_string(other);
+    }
+  };
+  add(topology.euler, wanted.euler, "Euler characteristic " + std::to_string(topology.euler));
+  add(topology.boundaryLoops, wanted.boundaryLoops,
+    countOf(topology.boundaryLoops, "boundary loop", "boundary loops"));
+  add(topology.components, wanted.components,
+    countOf(topology.components, "component", "components"));
+  if (topology.manifold != wanted.manifold)
+  {
+    text += std::string(text.empty() ? "" : ", ") + (topology.manifold ? "" : "not ") + "manifold";
+  }
+  return text;
 }
 }

@@ -11,6 +11,8 @@
 
 namespace stipple
 {
+struct SurfaceTopology;
+
 /// The sentence within "ERROR: In file, line n\nvtkClass (0x1234): sentence\n\n", on one line.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string sentenceOf(const std::string& vtkMessage);
 
@@ -19,6 +21,15 @@ namespace stipple
 
 /// A whole number in full, or as 1e+20 where that is easier to read.
 [[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string countText(double number);
+
+/// A number and what there are so many of: "1 triangle", "2 triangles".
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string countOf(
+  long long number, const std::string& one, const std::string& more);
+
+/// All that differs from the topology that is wanted, as "1 boundary loop instead of 0"; nothing if
+/// that is nothing.
+[[nodiscard]] STIPPLEFILTERSCORE_EXPORT std::string differenceOf(
+  const SurfaceTopology& topology, const SurfaceTopology& wanted);
 }
 
 #endif

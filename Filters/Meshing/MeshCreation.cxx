@@ -4,6 +4,7 @@
 
 #include "AttributeTransfer.h"
 #include "ChartStitching.h"
+#include "MessageText.h"
 #include "PolyDataConversion.h"
 #include "ReportingThread.h"
 #include "UserArrays.h"
@@ -28,11 +29,6 @@ namespace
 {
 /// So many charts are triangulated in the plane one by one if their triangles do not fit, then all.
 constexpr std::size_t MostChartsInPlane = 4;
-
-std::string countOf(int n, const char* what)
-{
-  return std::to_string(n) + " " + what;
-}
 
 Status checkSamples(const FeatureGraph& graph, const std::vector<Sample>& samples)
 {
@@ -64,7 +60,7 @@ Status checkChartGraphs(const std::vector<ChartGraph>& charts)
     if (charts[c].boundary.size() < 3 || charts[c].boundary.size() != links)
     {
       return Status::tooFewPoints("Chart " + std::to_string(c) + " has " +
-        countOf(static_cast<int>(charts[c].boundary.size()), "samples") +
+        countOf(static_cast<long long>(charts[c].boundary.size()), "sample", "samples") +
         " in a row on its outline, where a closed chain of at least three is needed; use more "
         "points.");
     }
@@ -111,11 +107,8 @@ Status checkTopology(const Atlas& atlas, const std::vector<Sample>& samples,
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == atlas.topology()))
   {
-    return Status::tooFewPoints(
-      "The samples do not carry the surface's topology (Euler characteristic " +
-      std::to_string(topology.euler) + " instead of " + std::to_string(atlas.topology().euler) +
-      ", " + countOf(topology.boundaryLoops, "boundary loops") + " instead of " +
-      std::to_string(atlas.topology().boundaryLoops) + "); use more points.");
+    return Status::tooFewPoints("The samples do not carry the surface's topology (" +
+      differenceOf(topology, atlas.topology()) + "); use more points.");
   }
   return Status::success();
 }

@@ -3,6 +3,7 @@
 #include "MeshCheck.h"
 
 #include "MeshQuality.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,30 +32,25 @@ Status faultOf(const TriangleSurface& mesh, const SurfaceTopology& wanted)
   const auto fault = [](const std::string& what) {
     return Status::tooFewPoints("The mesh would have " + what + ": ask for more points.");
   };
-  const auto some = [](int number, const char* one, const char* more) {
-    return std::to_string(number) + " " + (number == 1 ? one : more);
-  };
   const MeshQuality q = measureQuality(mesh);
   const int torn = q.nonManifoldEdges + q.nonManifoldVertices + q.misorientedEdges;
   if (q.isolatedPoints > 0)
   {
-    return fault(some(q.isolatedPoints, "point", "points") + " without a triangle");
+    return fault(countOf(q.isolatedPoints, "point", "points") + " without a triangle");
   }
   if (torn > 0)
   {
-    return fault(some(torn, "edge or point that is", "edges or points that are") + " not manifold");
+    return fault(
+      countOf(torn, "edge or point that is", "edges or points that are") + " not manifold");
   }
   const SurfaceTopology topology = mesh.topology();
   if (!(topology == wanted))
   {
-    return fault("another topology than the surface (Euler characteristic " +
-      std::to_string(topology.euler) + " instead of " + std::to_string(wanted.euler) + ", " +
-      std::to_string(topology.boundaryLoops) + " boundary loops instead of " +
-      std::to_string(wanted.boundaryLoops) + ")");
+    return fault("another topology than the surface (" + differenceOf(topology, wanted) + ")");
   }
   return q.degenerate == 0
     ? Status::success()
-    : fault(some(q.degenerate, "triangle", "triangles") + " without an area");
+    : fault(countOf(q.degenerate, "triangle", "triangles") + " without an area");
 }
 
 /// Where mesh and surface are farthest apart, of the places that are too far from the other.

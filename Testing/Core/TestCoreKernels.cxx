@@ -122,6 +122,27 @@ TEST(MessageText, NumbersAreAsExactAsTheyAreKnown)
   EXPECT_EQ(countText(1'200'000.), "1200000");
   EXPECT_EQ(countText(2.5e20), "2.5e+20");
   EXPECT_EQ(countText(0.), "0");
+  EXPECT_EQ(countOf(1, "loop", "loops"), "1 loop");
+  EXPECT_EQ(countOf(0, "loop", "loops"), "0 loops");
+}
+
+TEST(MessageText, TopologiesDifferByWhatIsSaid)
+{
+  SurfaceTopology sphere;
+  sphere.components = 1;
+  sphere.euler = 2;
+  sphere.manifold = true;
+  SurfaceTopology other = sphere;
+  EXPECT_EQ(differenceOf(other, sphere), "");
+  other.manifold = false;
+  EXPECT_EQ(differenceOf(other, sphere), "not manifold");
+  other.components = 2; // a sphere and a torus
+  EXPECT_EQ(differenceOf(other, sphere), "2 components instead of 1, not manifold");
+  other = sphere;
+  other.euler = 1;
+  other.boundaryLoops = 1;
+  EXPECT_EQ(differenceOf(other, sphere),
+    "Euler characteristic 1 instead of 2, 1 boundary loop instead of 0");
 }
 
 namespace
