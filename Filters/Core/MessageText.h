@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Stipple developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What messages say: sentences of VTK's macros without what only a debugger wants to know, and
-// numbers that are not known to the last digit.
+// What messages say: sentences of VTK's macros without what only a debugger wants to know, numbers
+// that are not known to the last digit, counts, and how topologies differ.
 #ifndef stipple_MessageText_h
 #define stipple_MessageText_h
 
